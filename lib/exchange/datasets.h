@@ -1,6 +1,7 @@
 #ifndef mesoslip_exchange_datasets_h
 #define mesoslip_exchange_datasets_h
 
+#include "base/errors.h"
 #include "grid/uniform_grid.h"
 #include "io/hdf5_file.h"
 #include "material/voigt.h"

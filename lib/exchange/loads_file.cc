@@ -1,5 +1,6 @@
 #include "exchange/loads_file.h"
 
+#include "exchange/cell_datasets.h"
 #include "exchange/datasets.h"
 #include "exchange/mesh_datasets.h"
 #include "exchange/xdmf.h"
@@ -56,9 +57,9 @@ void reserve_load_fields(const std::string &path,
 template <int dim>
 void write_loads_file(const std::string &path, const LoadsContent<dim> &content)
 {
-  using Values = XdmfField::Values;
-  Hdf5File file =
-    content.fields.empty() ? Hdf5File::create(path) : Hdf5File::resume(path);
+  using Values      = XdmfField::Values;
+  const bool is_new = content.fields.empty() && !content.phase_id.empty();
+  Hdf5File file     = is_new ? Hdf5File::create(path) : Hdf5File::resume(path);
   file.write_header(loads_format, newest_loads_version, dim, content.digest);
   Shape cells = {content.phase_id.size()};
   if (content.mesh != nullptr)
@@ -69,7 +70,8 @@ void write_loads_file(const std::string &path, const LoadsContent<dim> &content)
       write_grid(file, content.grid);
     }
   write_phases(file, "/phase", content.phases, false);
-  write_dataset(file, "/phase/id", cells, content.phase_id);
+  if (!content.phase_id.empty())
+    write_dataset(file, phases_dataset, cells, content.phase_id);
   write_dataset(file, "/quantity/strain", {content.strains.size()}, content.strains);
   write_dataset(file, "/quantity/stress", {content.stresses.size()}, content.stresses);
   for (const LoadGroup &group : content.groups)
@@ -77,7 +79,7 @@ void write_loads_file(const std::string &path, const LoadsContent<dim> &content)
   file.close();
   if (content.fields.empty())
     return;
-  std::vector<XdmfField> shown = {{"phase", "/phase/id", Values::phases}};
+  std::vector<XdmfField> shown = {{"phase", phases_dataset, Values::phases}};
   for (const LoadField &field : content.fields)
     shown.push_back({field.name.substr(std::string("/loads/").size()), field.name,
                      Values::cells,

@@ -46,11 +46,13 @@ struct LoadGroup
 template <int dim>
 struct LoadsContent
 {
-  std::string digest;                 ///< of the inputs that determine the content
-  UniformGrid<dim> grid;              ///< of the morphology, unless it is a mesh
-  const Mesh<dim> *mesh = nullptr;    ///< null: it is a grid
-  std::vector<Phase<dim>> phases;     ///< by index
-  std::vector<std::uint8_t> phase_id; ///< of each cell, on a grid x fastest
+  std::string digest;              ///< of the inputs that determine the content
+  UniformGrid<dim> grid;           ///< of the morphology, unless it is a mesh
+  const Mesh<dim> *mesh = nullptr; ///< null: it is a grid
+  std::vector<Phase<dim>> phases;  ///< by index
+
+  /** Of each cell, on a grid x fastest; empty: in the file since write_cell_planes(). */
+  std::vector<std::uint8_t> phase_id;
 
   std::vector<LoadField> fields; ///< that are in the file since reserve_load_fields()
   std::vector<LoadGroup> groups; ///< of each load and condition

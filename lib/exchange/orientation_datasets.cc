@@ -1,6 +1,7 @@
 #include "exchange/orientation_datasets.h"
 
 #include "base/errors.h"
+#include "exchange/cell_datasets.h"
 #include "exchange/datasets.h"
 
 #include <algorithm>
@@ -9,9 +10,8 @@ namespace mesoslip
 {
 namespace
 {
-const char of_cells_name[] = "/orientation/id";
-const char of_phases[]     = "/orientation/phase";
-const char angles[]        = "/orientation/euler_angles";
+const char of_phases[] = "/orientation/phase";
+const char angles[]    = "/orientation/euler_angles";
 
 UserError misfit(const Hdf5File &file, const std::string &program)
 {
@@ -39,7 +39,8 @@ void write_orientations(Hdf5File &file,
     }
   write_dataset(file, of_phases, {n}, phases);
   write_dataset(file, angles, {n, 3}, euler, "degree");
-  write_dataset(file, of_cells_name, cells, orientations.id);
+  if (!orientations.id.empty())
+    write_dataset(file, orientations_dataset, cells, orientations.id);
 }
 
 CellMaterials::CellMaterials(const Hdf5File &file,
@@ -60,7 +61,7 @@ CellMaterials::CellMaterials(const Hdf5File &file,
   for (std::size_t m = 0; m < phase.size(); ++m)
     oriented.push_back({phase[m], {{euler[3 * m], euler[3 * m + 1], euler[3 * m + 2]}}});
   const bool fits = !phase.empty() &&
-                    file.shape(of_cells_name, hint) == file.shape(phases, hint) &&
+                    file.shape(orientations_dataset, hint) == file.shape(phases, hint) &&
                     std::all_of(phase.begin(), phase.end(),
                                 [this](const std::uint8_t p) { return p < n_phases; });
   if (!fits)
@@ -76,7 +77,7 @@ std::vector<std::uint16_t> CellMaterials::of_cells(const Hdf5File &file,
   require_phases(file, phases, phase, n_phases, program);
   if (oriented.empty())
     return {phase.begin(), phase.end()};
-  auto id = read_cells<std::uint16_t>(file, of_cells_name, first, count);
+  auto id = read_cells<std::uint16_t>(file, orientations_dataset, first, count);
   for (std::size_t k = 0; k < count; ++k)
     if (id[k] >= oriented.size() || oriented[id[k]].phase != phase[k])
       throw misfit(file, program);

@@ -11,7 +11,7 @@
 namespace mesoslip
 {
 /** Writes /orientation of a file, of cells in an array of the shape @p cells, if there are
- * orientations. */
+ * orientations; without their id, where write_cell_planes() has written these. */
 void write_orientations(Hdf5File &file,
                         const Orientations &orientations,
                         const Shape &cells);

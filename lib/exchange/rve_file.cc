@@ -1,6 +1,7 @@
 #include "exchange/rve_file.h"
 
 #include "base/errors.h"
+#include "exchange/cell_datasets.h"
 #include "exchange/datasets.h"
 #include "exchange/mesh_datasets.h"
 #include "exchange/xdmf.h"
@@ -89,12 +90,12 @@ void write_rve_file(const std::string &path, const RveContent<dim> &content)
 {
   using Values            = XdmfField::Values;
   constexpr std::size_t v = n_voigt<dim>;
-  Hdf5File file =
-    content.reserved.empty() ? Hdf5File::create(path) : Hdf5File::resume(path);
+  const bool is_new       = content.reserved.empty() && !content.phase_id.empty();
+  Hdf5File file           = is_new ? Hdf5File::create(path) : Hdf5File::resume(path);
   file.write_header(rve_format, content.orientations.empty() ? 1 : newest_rve_version,
                     dim, content.digest);
   write_dataset(file, "/summary", {1}, std::vector<std::string>{content.summary});
-  Shape cells = {content.phase_id.size()};
+  Shape cells = {content.n_cells()};
   if (content.mesh != nullptr)
     {
       write_mesh(file, *content.mesh);
@@ -117,12 +118,13 @@ void write_rve_file(const std::string &path, const RveContent<dim> &content)
   if (content.mesh != nullptr)
     write_dataset(file, "/phase/volume_fraction", {content.fractions.size()},
                   content.fractions);
-  write_dataset(file, "/phase/id", cells, content.phase_id);
+  if (!content.phase_id.empty())
+    write_dataset(file, phases_dataset, cells, content.phase_id);
   write_orientations(file, content.orientations, cells);
   for (const auto &[of, D] : content.stiffness)
     write_dataset(file, "/stiffness/" + of, {v, v},
                   std::vector<double>(D.data(), D.data() + D.size()), "Pa");
-  std::vector<XdmfField> shown = {{"phase", "/phase/id", Values::phases}};
+  std::vector<XdmfField> shown = {{"phase", phases_dataset, Values::phases}};
   const auto show              = [&](const std::string &of) {
     const std::string dataset = concentration_dataset(of);
     shown.push_back({dataset.substr(1), dataset, Values::cells, {v, v}});
@@ -164,7 +166,7 @@ RveFile<dim>::RveFile(Hdf5File &&opened)
                              std::string(rve_program) + " writes such a file"))
   , grid(read_extent<dim>(file))
   , phases(read_phases<dim>(file, "/phase", true, rve_program))
-  , materials(file, "/phase/id", phases.size(), rve_program)
+  , materials(file, phases_dataset, phases.size(), rve_program)
 {
   if (!is_mesh() && !materials.shape.empty() && materials.shape != shape_of_cells(grid))
     throw UserError(path() + ": /phase/id does not have the cells of /grid; run " +
@@ -197,8 +199,9 @@ Shape RveFile<dim>::cells() const
 template <int dim>
 std::vector<std::uint8_t> RveFile<dim>::phase_id() const
 {
-  auto id = file.read<std::uint8_t>("/phase/id", cells(), "rve_homogenization writes it");
-  require_phases(file, "/phase/id", id, phases.size(), rve_program);
+  auto id =
+    file.read<std::uint8_t>(phases_dataset, cells(), "rve_homogenization writes it");
+  require_phases(file, phases_dataset, id, phases.size(), rve_program);
   return id;
 }
 
@@ -208,10 +211,7 @@ RveContent<dim>::constituents() const
 {
   if (orientations.empty())
     return {phases, fractions};
-  std::vector<double> shares = orientations.count_cells();
-  for (double &share : shares)
-    share /= static_cast<double>(orientations.id.size());
-  return {oriented_phases(phases, orientations.materials), shares};
+  return {oriented_phases(phases, orientations.materials), orientations.fractions};
 }
 
 template <int dim>

@@ -32,8 +32,15 @@ struct RveContent
   std::vector<Phase<dim>> phases;  ///< by index
   std::vector<double> fractions;   ///< volume fractions of the phases, stored with a mesh
 
-  /** Phase of each cell, on a grid x fastest. */
+  /** Phase of each cell, on a grid x fastest; empty: in the file since write_cell_planes(), as the id
+   * of orientations. */
   std::vector<std::uint8_t> phase_id;
+
+  /** Number of cells. */
+  std::size_t n_cells() const
+  {
+    return mesh != nullptr ? mesh->cells.size() : grid.n_cells();
+  }
 
   Orientations orientations; ///< of the cells, in 3D, where they differ within a phase
 
@@ -59,7 +66,7 @@ struct RveContent
 std::string concentration_dataset(const std::string &condition);
 
 /**
- * Begins rve.h5, of which @p path is the name, with room for the concentration tensors of
+ * Begins rve.h5, of which @p path is the name, and leaves it, with room for the concentration tensors of
  * all cells of a grid under @p conditions, which ParallelRows fills plane by plane before
  * write_rve_file() adds the rest.
  */

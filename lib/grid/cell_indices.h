@@ -16,14 +16,16 @@ class CellView
 {
 public:
   /** Of a byte each. */
-  explicit CellView(const std::vector<std::uint8_t> &id)
+  template <typename Allocator>
+  explicit CellView(const std::vector<std::uint8_t, Allocator> &id)
     : bytes(id.data())
     , n(id.size())
   {
   }
 
   /** Of two bytes each. */
-  explicit CellView(const std::vector<std::uint16_t> &id)
+  template <typename Allocator>
+  explicit CellView(const std::vector<std::uint16_t, Allocator> &id)
     : words(id.data())
     , n(id.size())
   {
@@ -39,6 +41,18 @@ public:
   std::size_t size() const
   {
     return n;
+  }
+
+  /** @p count of them from number @p first on. */
+  CellView part(const std::size_t first, const std::size_t count) const
+  {
+    CellView some = *this;
+    if (bytes != nullptr)
+      some.bytes += first;
+    else
+      some.words += first;
+    some.n = count;
+    return some;
   }
 
 private:
@@ -95,6 +109,12 @@ public:
       narrow[k] = static_cast<std::uint8_t>(index);
     else
       wide[k] = static_cast<std::uint16_t>(index);
+  }
+
+  /** All of them, as long as these live. */
+  CellView view() const
+  {
+    return wide.empty() ? CellView(narrow) : CellView(wide);
   }
 
   /** All of them, for another rank. */

@@ -1,7 +1,9 @@
 #include "homogenization/divided_members.h"
 
 #include "base/exchange.h"
+#include "exchange/cell_datasets.h"
 #include "exchange/datasets.h"
+#include "exchange/loads_file.h"
 #include "homogenization/loads/load_output.h"
 #include "homogenization/loads/volume_cells.h"
 #include "io/parallel_rows.h"
@@ -16,7 +18,7 @@ namespace
 /** Bytes of a cell, divided among the ranks: phases, multigrid, vectors, load cases; as
  *  measured. */
 constexpr double bytes_per_cell = 125.;
-/** Of the morphology, on rank 0. */
+/** Of the morphology, which rank 0 makes. */
 constexpr double bytes_of_morphology = 3.;
 
 /** What a member is when its morphology is made, on rank 0. */
@@ -30,10 +32,10 @@ EnsembleMember<2> member_of(const RveParameters &parameters,
   return member;
 }
 
-/** Solves the load cases of a member and evaluates them; fields are written of the first,
- *  those of loads to @p loads_file. */
+/** Solves the load cases of a member, whose @p phase_id rank 0 has, and evaluates them; fields are
+ *  written of the first, those of loads to @p loads_file. */
 void solve_member(const RveParameters &parameters,
-                  const Microstructure &microstructure,
+                  std::vector<std::uint8_t> &&phase_id,
                   const unsigned int number,
                   const std::string &loads_file,
                   EnsembleMember<2> &member,
@@ -47,8 +49,10 @@ void solve_member(const RveParameters &parameters,
   std::vector<ElasticPhase<2>> phases;
   for (const Phase<2> &phase : make_phases<2>(phase_parameters))
     phases.push_back({phase.stiffness, phase.density});
-  FlatVolume volume(grid, CellView(microstructure.map.id), phases,
-                    context.communicator());
+  FlatVolume volume(grid, CellView(phase_id), phases, context.communicator());
+  std::vector<std::uint8_t>().swap(phase_id); // each rank has its rows
+  if (number == 0)
+    write_cells(parameters, volume.materials(), std::nullopt, context);
   for (const BoundaryCondition condition : parameters.conditions)
     {
       const auto part = context.timer().scope(to_string(condition).c_str());
@@ -96,13 +100,31 @@ std::string reserve_fields(const RveParameters &parameters,
   std::sort(content.reserved.begin(), content.reserved.end());
   std::string loads_file;
   on_root(context.communicator(), [&]() {
-    if (parameters.write_concentration)
-      reserve_concentration(context.file("rve.h5"), grid, content.reserved);
-    loads_file =
-      reserve_loads<dim>(parameters, context.file("loads.h5"), shape_of_cells(grid));
+    const Shape cells     = shape_of_cells(grid);
+    const std::string rve = context.file("rve.h5"), loads = context.file("loads.h5");
+    reserve_concentration(rve, grid, content.reserved);
+    reserve_cells(rve, cells, !parameters.microstructure.orientation.file.empty());
+    if (parameters.loads.loads.empty())
+      return;
+    loads_file = reserve_loads<dim>(parameters, loads, cells);
+    if (loads_file.empty())
+      reserve_load_fields(loads, cells, 1, {});
+    reserve_cells(loads, cells, false);
   });
   broadcast(context.communicator(), loads_file);
   return loads_file;
+}
+
+void write_cells(const RveParameters &parameters,
+                 const CellPlanes &phases,
+                 const std::optional<CellPlanes> &orientations,
+                 const RunContext &context)
+{
+  write_cell_planes(context.file("rve.h5"), phases_dataset, phases);
+  if (orientations)
+    write_cell_planes(context.file("rve.h5"), orientations_dataset, *orientations);
+  if (!parameters.loads.loads.empty())
+    write_cell_planes(context.file("loads.h5"), phases_dataset, phases);
 }
 
 template <typename Volume>
@@ -144,12 +166,13 @@ RveResults<2> compute_divided_members(const RveParameters &parameters,
             for (const std::string &line : microstructure.description)
               context.log(line);
             set_first(results, microstructure);
+            results.first.phase_id.clear(); // the ranks write them
           }
         for (const std::string &warning : microstructure.warnings)
           if (n == 1) // those of several are told apart when all are known
             context.warn(warning);
       });
-      solve_member(own, microstructure, m, loads_file, member, context);
+      solve_member(own, std::move(microstructure.map.id), m, loads_file, member, context);
       results.members.push_back(std::move(member));
     }
   context.progress().finish();

@@ -5,6 +5,7 @@
 #include "homogenization/rve_program.h"
 #include "homogenization/voxel_volume.h"
 
+#include <optional>
 #include <string>
 
 namespace mesoslip
@@ -21,14 +22,21 @@ RveResults<2> compute_divided_members(const RveParameters &parameters,
 /** Of the results @p results what follows from the morphology of the first member. */
 void set_first(RveResults<2> &results, const Microstructure &microstructure);
 
-/** Makes room in rve.h5 for the concentration tensors of the cells of @p grid, if they are
- *  wanted, and in loads.h5; returns where the fields of loads go (empty: nowhere).
- *  Collective. */
+/** Makes room in rve.h5 for what the cells of @p grid are made of and for their concentration
+ *  tensors, if they are wanted, and in loads.h5; returns where the fields of loads go (empty:
+ *  nowhere). Collective. */
 template <int dim>
 std::string reserve_fields(const RveParameters &parameters,
                            const UniformGrid<dim> &grid,
                            RveContent<dim> &content,
                            const RunContext &context);
+
+/** All ranks write the phases of their cells, and which of the oriented materials they are if there
+ *  are @p orientations, into that room. Collective. */
+void write_cells(const RveParameters &parameters,
+                 const CellPlanes &phases,
+                 const std::optional<CellPlanes> &orientations,
+                 const RunContext &context);
 
 /** All ranks write the concentration tensors that they have, plane by plane, for the
  *  condition that @p volume has solved last. Collective. */

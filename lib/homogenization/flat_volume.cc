@@ -52,7 +52,9 @@ FlatVolume::FlatVolume(const UniformGrid<2> &grid,
                        const std::vector<ElasticPhase<2>> &the_phases,
                        const MPI_Comm communicator)
   : phases(the_phases)
-  , volume(in_space(grid), phase_id, in_space(the_phases), communicator, true)
+  , rows(scatter_planes(in_space(grid), phase_id, the_phases.size(), communicator))
+  , volume(
+      CellPlanes(in_space(grid), rows.view(), communicator), in_space(the_phases), true)
 {
 }
 

@@ -18,8 +18,8 @@ public:
   /** Most phases. */
   static constexpr std::size_t most_phases = 255;
 
-  /** @p phase_id is that of rank 0, of the cells of @p grid, x fastest; @p the_phases
-   * (stiffness in Pa) are those of its cells. */
+  /** @p phase_id is that of rank 0, of the cells of @p grid, x fastest, which are not needed
+   * later; @p the_phases (stiffness in Pa) are those of its cells. Collective. */
   FlatVolume(const UniformGrid<2> &grid,
              const CellView &phase_id,
              const std::vector<ElasticPhase<2>> &the_phases,
@@ -29,6 +29,12 @@ public:
   VolumeSums<2> solve(const BoundaryCondition wanted,
                       const double tolerance,
                       const std::function<void()> &case_done = {});
+
+  /** What the cells are made of; the planes are rows here. Not collective. */
+  const CellPlanes &materials() const
+  {
+    return volume.materials();
+  }
 
   /** The first row of cells of this rank and their number, see VoxelVolume::planes(). */
   std::array<unsigned int, 2> planes() const
@@ -48,6 +54,7 @@ public:
 
 private:
   const std::vector<ElasticPhase<2>> phases;
+  const CellIndices rows; ///< phases of the cells of this rank
   BoundaryCondition condition = BoundaryCondition::KUBC; ///< solved last
   VoxelVolume volume;
 };

@@ -252,7 +252,7 @@ public:
       out << line << '\n';
     for (const auto &warnings : {microstructure.warnings, slips()})
       for (const std::string &warning : warnings)
-        out << "Warning: " << warning << '\n';
+        out << "warning: " << warning << '\n';
   }
 
 protected:

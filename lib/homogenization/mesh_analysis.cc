@@ -46,7 +46,7 @@ public:
         for (const std::string &line : periodicity_lines(volume.mesh))
           out << line << '\n';
         for (const std::string &warning : volume.warnings)
-          out << "Warning: " << warning << '\n';
+          out << "warning: " << warning << '\n';
       }
     out << n_cases() * volumes.size() << " load cases, about "
         << static_cast<unsigned long>(150 + 1e-6 * bytes_per_node<dim> *
@@ -54,7 +54,7 @@ public:
         << " MB, divided among the ranks\n"
         << bytes_text(this->need().bytes) << " on the disk\n";
     for (const std::string &warning : slips())
-      out << "Warning: " << warning << '\n';
+      out << "warning: " << warning << '\n';
   }
 
 protected:

@@ -300,7 +300,7 @@ void write_rve_summary(const RveParameters &parameters,
   json &out                        = context.summary();
 
   out["dim"]   = dim;
-  out["cells"] = results.first.phase_id.size();
+  out["cells"] = results.first.n_cells();
   out["dofs"]  = dim * results.n_nodes;
   for (std::size_t p = 0; p < results.first.phases.size(); ++p)
     out["phases"].push_back(

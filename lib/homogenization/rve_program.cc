@@ -87,10 +87,12 @@ ResourceNeed VolumeAnalysis<dim>::need() const
 template <int dim>
 void VolumeAnalysis<dim>::write_draft(const std::string &folder) const
 {
+  const DraftMark mark(false);
+  std::string path;
+  RveContent<dim> content;
   on_root(MPI_COMM_WORLD, [&]() {
-    const std::string path = path_of_draft(folder, "rve.h5");
-    const DraftMark mark(false);
-    RveContent<dim> content        = morphology();
+    path                           = path_of_draft(folder, "rve.h5");
+    content                        = morphology();
     const auto [phases, fractions] = content.constituents();
     const VoigtMatrix<dim> hill =
       0.5 * (voigt_bound<dim>(phases, fractions) + reuss_bound<dim>(phases, fractions));
@@ -105,8 +107,10 @@ void VolumeAnalysis<dim>::write_draft(const std::string &folder) const
       reserve_concentration<dim>(path, content.phase_id.size(), content.reserved);
     else
       reserve_concentration(path, content.grid, content.reserved);
-    write_rve_file(path, content);
   });
+  broadcast(MPI_COMM_WORLD, path);
+  write_cells_of_draft(path);
+  on_root(MPI_COMM_WORLD, [&]() { write_rve_file(path, content); });
 }
 
 template <int dim>

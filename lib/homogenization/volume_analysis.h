@@ -30,6 +30,12 @@ protected:
   /** Number of cells of the first member. */
   virtual double n_cells() const = 0;
 
+  /** Writes what the cells are made of into rve.h5, of which @p path is the name, where morphology()
+   * leaves it out. Collective. */
+  virtual void write_cells_of_draft(const std::string & /*path*/) const
+  {
+  }
+
   /** Grid or mesh of the first member, its phases, where they are and their fractions; on
    * rank 0. */
   virtual RveContent<dim> morphology() const = 0;

@@ -1,5 +1,7 @@
 #include "base/errors.h"
 #include "base/exchange.h"
+#include "exchange/cell_datasets.h"
+#include "exchange/datasets.h"
 #include "homogenization/divided_members.h"
 #include "homogenization/loads/volume_cells.h"
 #include "homogenization/volume_analysis.h"
@@ -22,7 +24,7 @@ namespace
 constexpr double bytes_per_voxel = 210.;
 /** More where a phase is not isotropic. */
 constexpr double anisotropic_bytes = 30.;
-/** More where orientations are read: two bytes instead of one in the solver, and on rank 0. */
+/** More where orientations are read: two bytes more for each cell, and in the solver one more. */
 constexpr double orientation_bytes = 5.;
 /** More for MUBC, whose multigrid is made anew while load cases are kept, with three diagonals. */
 constexpr double mixed_bytes = 25.;
@@ -70,8 +72,7 @@ public:
   VoxelAnalysis(const RveParameters &given, const std::string &digest_of_inputs)
     : VolumeAnalysis<3>(given, digest_of_inputs)
   {
-    on_root(MPI_COMM_WORLD,
-            [this]() { volume = make_voxels(parameters.microstructure); });
+    volume = make_voxels(parameters.microstructure, MPI_COMM_WORLD);
   }
 
   void describe(std::ostream &out) const override
@@ -84,10 +85,20 @@ public:
         << bytes_text(need().bytes) << " on the disk\n";
     for (const std::vector<std::string> &sentences : {volume.warnings, slips()})
       for (const std::string &warning : sentences)
-        out << "Warning: " << warning << '\n';
+        out << "warning: " << warning << '\n';
   }
 
 protected:
+  void write_cells_of_draft(const std::string &path) const override
+  {
+    on_root(MPI_COMM_WORLD, [&]() {
+      reserve_cells(path, shape_of_cells(volume.grid), !volume.orientations.empty());
+    });
+    write_cell_planes(path, phases_dataset, phases_of_cells());
+    if (const auto orientations = orientations_of_cells())
+      write_cell_planes(path, orientations_dataset, *orientations);
+  }
+
   double n_cells() const override
   {
     return static_cast<double>(parameters.microstructure.box.n_cells());
@@ -96,11 +107,11 @@ protected:
   RveContent<3> morphology() const override
   {
     RveContent<3> content;
-    content.grid         = volume.map.grid;
-    content.phases       = volume.phases;
-    content.phase_id     = volume.map.id;
-    content.fractions    = volume.fractions;
-    content.orientations = volume.orientations;
+    content.grid            = volume.grid;
+    content.phases          = volume.phases;
+    content.fractions       = volume.fractions;
+    content.orientations    = volume.orientations;
+    content.orientations.id = {}; // the ranks write them, as phase_id
     return content;
   }
 
@@ -127,23 +138,20 @@ protected:
     if (context.root() && parameters.n_members == 1) // those of several come at the end
       for (const std::string &warning : volume.warnings)
         context.warn(warning);
-    loads_file           = reserve_fields<3>(parameters, parameters.microstructure.box,
+    results.first = morphology();
+    loads_file    = reserve_fields<3>(parameters, parameters.microstructure.box,
                                    results.first, context);
-    results.first.grid   = volume.map.grid;
-    results.first.phases = volume.phases;
     for (unsigned int m = 0; m < parameters.n_members; ++m)
       {
         if (m > 0)
-          on_root(context.communicator(), [&]() {
-            volume = VoxelMorphology(); // not two at once
-            volume = make_voxels(parameters.microstructure.member(m));
-          });
-        results.members.push_back(compute_member(m, context));
-        if (m == 0)
           {
-            results.first.phase_id     = volume.map.id;
-            results.first.orientations = volume.orientations;
+            volume = VoxelMorphology(); // not two at once
+            volume =
+              make_voxels(parameters.microstructure.member(m), context.communicator());
           }
+        else
+          write_cells(parameters, phases_of_cells(), orientations_of_cells(), context);
+        results.members.push_back(compute_member(m, context));
       }
     context.progress().finish();
     if (parameters.n_members > 1 && context.root())
@@ -177,8 +185,7 @@ private:
     member.origin    = p.is_random() ? "seed " + std::to_string(p.seed() + m) : "voxels";
     member.warnings  = volume.warnings;
     member.fractions = volume.fractions;
-    std::vector<OrientedPhase> materials = volume.orientations.materials;
-    broadcast_object(context.communicator(), materials);
+    const std::vector<OrientedPhase> &materials = volume.orientations.materials;
     std::vector<ElasticPhase<3>> phases;
     for (const auto &phase : oriented_phases(make_phases<3>(p.phases), materials))
       phases.push_back({phase.stiffness, phase.density});
@@ -189,7 +196,8 @@ private:
       loaded.push_back({materials[k].phase, phases[k].stiffness, {}});
     const auto scope   = context.timer().scope("Load cases");
     std::uint64_t done = n_cases() / parameters.n_members * m;
-    VoxelVolume solver(p.box, volume.material_id(), phases, context.communicator());
+    VoxelVolume solver(CellPlanes(p.box, volume.material_id(), context.communicator()),
+                       phases);
     for (const BoundaryCondition condition : parameters.conditions)
       {
         const auto part          = context.timer().scope(to_string(condition).c_str());
@@ -211,7 +219,19 @@ private:
     return member;
   }
 
-  VoxelMorphology volume; ///< on rank 0
+  CellPlanes phases_of_cells() const
+  {
+    return {volume.grid, CellView(volume.phase_id), MPI_COMM_WORLD};
+  }
+
+  std::optional<CellPlanes> orientations_of_cells() const
+  {
+    if (volume.orientations.empty())
+      return std::nullopt;
+    return CellPlanes(volume.grid, CellView(volume.orientations.id), MPI_COMM_WORLD);
+  }
+
+  VoxelMorphology volume; ///< of the member at hand
   std::string loads_file; ///< where fields of loads go; empty: nowhere
 };
 } // namespace

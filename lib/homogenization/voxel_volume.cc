@@ -59,15 +59,11 @@ void for_each_voxel(const voxel::Solver &solver,
 }
 } // namespace
 
-VoxelVolume::VoxelVolume(const UniformGrid<3> &the_box,
-                         const CellView &the_phase_id,
+VoxelVolume::VoxelVolume(const CellPlanes &the_cells,
                          const std::vector<ElasticPhase<3>> &the_phases,
-                         const MPI_Comm the_communicator,
                          const bool is_flat)
-  : box(the_box)
-  , phase_id(the_phase_id)
+  : cells(the_cells)
   , phases(the_phases)
-  , communicator(the_communicator)
   , flat(is_flat)
 {
 }
@@ -81,8 +77,7 @@ VolumeSums<3> VoxelVolume::solve(const BoundaryCondition wanted,
   std::vector<VoigtMatrix<3>> stiffness;
   for (const ElasticPhase<3> &phase : phases)
     stiffness.push_back(phase.stiffness);
-  solver = std::make_unique<voxel::Solver>(box, phase_id, stiffness, sides_of(condition),
-                                           communicator, flat);
+  solver = std::make_unique<voxel::Solver>(cells, stiffness, sides_of(condition), flat);
   std::array<SolverReport, 6> reports;
   for (unsigned int k = 0; k < 6; k += flat ? 2 : 1)
     try
@@ -130,7 +125,8 @@ VolumeSums<3> VoxelVolume::integrate()
 std::array<unsigned int, 2> VoxelVolume::planes() const
 {
   const voxel::VoxelGrid &grid = solver->grid();
-  if (!grid.is_divided() && dealii::Utilities::MPI::this_mpi_process(communicator) > 0)
+  if (!grid.is_divided() &&
+      dealii::Utilities::MPI::this_mpi_process(cells.communicator) > 0)
     return {{0, 0}};
   return {{grid.below() + grid.first_cell_plane() - grid.first(), grid.n_cell_planes()}};
 }

@@ -19,13 +19,10 @@ namespace mesoslip
 class VoxelVolume
 {
 public:
-  /** @p the_phase_id is that of rank 0, of the cells of @p the_box, x fastest; @p the_phases
-   * (stiffness in Pa) are those of its cells, or what else they are made of. @p is_flat: see
-   * voxel::Solver; what is not in the plane of x and z has no meaning. */
-  VoxelVolume(const UniformGrid<3> &the_box,
-              const CellView &the_phase_id,
+  /** Cells, whose numbers have to outlive it, are made of @p the_phases (stiffness in Pa). @p
+   * is_flat: see voxel::Solver; what is not in the plane of x and z has no meaning. */
+  VoxelVolume(const CellPlanes &the_cells,
               const std::vector<ElasticPhase<3>> &the_phases,
-              const MPI_Comm the_communicator,
               const bool is_flat = false);
 
   /**
@@ -36,6 +33,12 @@ public:
   VolumeSums<3> solve(const BoundaryCondition wanted,
                       const double tolerance,
                       const std::function<void()> &case_done = {});
+
+  /** What the cells are made of. Not collective. */
+  const CellPlanes &materials() const
+  {
+    return cells;
+  }
 
   /** The first plane of cells across z of this rank, and their number; what every rank has
    *  (see voxel::Solver) counts as rank 0's. */
@@ -56,10 +59,8 @@ public:
 private:
   VolumeSums<3> integrate();
 
-  const UniformGrid<3> box;
-  const CellView phase_id;
+  const CellPlanes cells;
   const std::vector<ElasticPhase<3>> phases;
-  const MPI_Comm communicator;
   const bool flat;
   BoundaryCondition condition = BoundaryCondition::KUBC; ///< solved last
   std::unique_ptr<voxel::Solver> solver;                 ///< of it

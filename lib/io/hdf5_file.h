@@ -26,7 +26,8 @@ enum class Signature
 enum class StoredNumber
 {
   float64,
-  byte ///< whole numbers from 0 to 255
+  byte, ///< whole numbers from 0 to 255
+  word  ///< the same to 65535
 };
 
 /** "[3][41][61][2]"; an any_extent prints as "[*]". */

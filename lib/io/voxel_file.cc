@@ -1,9 +1,10 @@
 #include "io/voxel_file.h"
 
 #include "base/errors.h"
-#include "base/files.h"
 #include "io/hdf5_file.h"
 #include "io/numpy_array.h"
+
+#include <boost/iostreams/device/mapped_file.hpp>
 
 #include <algorithm>
 #include <cctype>
@@ -55,23 +56,35 @@ public:
   }
 
 private:
-  /** From the whole file, as the numbers of a plane lie all over it. */
+  /** From a map of the file, as the numbers of a plane lie all over it. */
   std::vector<double> scattered_plane(const std::size_t z)
   {
-    if (all.empty())
-      all = read_file(path);
+    if (!all.is_open())
+      map_file();
     std::string bytes(plane_size() * type.bytes, '\0');
     const std::size_t nc = extents.size() > 3 ? extents[3] : 1;
     std::size_t to       = 0;
     for (std::size_t y = 0; y < extents[1]; ++y)
       for (std::size_t x = 0; x < extents[2]; ++x)
         for (std::size_t c = 0; c < nc; ++c, to += type.bytes)
-          bytes.replace(to, type.bytes, all,
-                        offset +
-                          (((c * extents[2] + x) * extents[1] + y) * extents[0] + z) *
-                            type.bytes,
-                        type.bytes);
+          std::copy_n(all.data() + offset +
+                        (((c * extents[2] + x) * extents[1] + y) * extents[0] + z) *
+                          type.bytes,
+                      type.bytes, bytes.begin() + static_cast<std::ptrdiff_t>(to));
     return type.decode(bytes.data(), plane_size(), path);
+  }
+
+  void map_file()
+  {
+    try
+      {
+        all.open(path);
+      }
+    catch (const std::exception &)
+      {
+      }
+    if (!all.is_open() || all.size() < offset + extents[0] * plane_size() * type.bytes)
+      throw UserError(path + " cannot be read to its end; save it again");
   }
 
   const std::string path;
@@ -79,7 +92,7 @@ private:
   const std::size_t offset; ///< bytes in front of the numbers
   const bool first_fastest;
   std::ifstream in;
-  std::string all; ///< the file, if the first axis is the fastest
+  boost::iostreams::mapped_file_source all; ///< if the first axis is the fastest
 };
 
 class Hdf5Voxels : public VoxelFile

@@ -45,21 +45,14 @@ struct Orientations
   /** The distinct pairs of phase and orientation; every phase has one at least. */
   std::vector<OrientedPhase> materials;
 
+  std::vector<double> fractions; ///< of the volume; empty where nobody asks for them
+
   std::vector<std::uint16_t> id; ///< of each cell its material, x fastest
 
   /** Whether there are none. */
   bool empty() const
   {
     return materials.empty();
-  }
-
-  /** Number of cells of each material. */
-  std::vector<double> count_cells() const
-  {
-    std::vector<double> n(materials.size());
-    for (const std::uint16_t material : id)
-      n[material] += 1.;
-    return n;
   }
 };
 

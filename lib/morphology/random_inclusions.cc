@@ -1,5 +1,6 @@
 #include "morphology/random_inclusions.h"
 
+#include "base/exchange.h"
 #include "morphology/inclusion_bins.h"
 
 #include <algorithm>
@@ -19,17 +20,20 @@ class InclusionPlacer
 public:
   InclusionPlacer(const UniformGrid<3> &g,
                   const InclusionPlacement &placement,
-                  const std::uint8_t phase_of_inclusions)
+                  const std::uint8_t phase_of_inclusions,
+                  const MPI_Comm of_ranks)
     : grid(g)
     , rules(placement)
     , phase(phase_of_inclusions)
+    , communicator(of_ranks)
+    , planes(own_planes(g.cells[2], of_ranks))
     , random(placement.seed)
     , lengths({{g.extent(0), g.extent(1), g.extent(2)}})
     , bins(lengths, placement.sides == InclusionSides::periodic, largest_distance())
     , n_target(rules.volume_fraction * static_cast<double>(grid.n_cells()))
   {
     result.map.grid = grid;
-    result.map.id.assign(grid.n_cells(), 0);
+    result.map.id.assign(planes.count * grid.cells_in_layer(), 0);
   }
 
   InclusionMorphology run()
@@ -141,7 +145,7 @@ private:
     return {{first, last}};
   }
 
-  /** Fills `covered` with the numbers of the cells of @p inclusion. */
+  /** Fills `covered` with the numbers of the cells of @p inclusion in the planes of this rank. */
   void find_cells(const Inclusion &inclusion)
   {
     covered.clear();
@@ -160,10 +164,12 @@ private:
     for (long k = range[2][0]; k <= range[2][1]; ++k)
       for (long j = range[1][0]; j <= range[1][1]; ++j)
         {
-          d[1] = distance(j, 1);
-          d[2] = distance(k, 2);
-          const std::size_t row =
-            (wrapped(k, 2) * grid.cells[1] + wrapped(j, 1)) * grid.cells[0];
+          const std::size_t plane = wrapped(k, 2) - planes.first; // huge if it lies below
+          if (plane >= planes.count)
+            break;
+          d[1]                  = distance(j, 1);
+          d[2]                  = distance(k, 2);
+          const std::size_t row = (plane * grid.cells[1] + wrapped(j, 1)) * grid.cells[0];
           for (long i = range[0][0]; i <= range[0][1]; ++i)
             {
               d[0] = distance(i, 0);
@@ -177,16 +183,18 @@ private:
   void take(const Inclusion &inclusion)
   {
     find_cells(inclusion);
-    double gain = 0.;
+    std::vector<double> sums = {0., static_cast<double>(covered.size())};
     for (const std::size_t cell : covered)
-      gain += result.map.id[cell] == 0 ? 1. : 0.;
+      sums[0] += result.map.id[cell] == 0 ? 1. : 0.;
+    sum_over_ranks(sums, communicator);
+    const double gain = sums[0], all = sums[1];
     if (gain == 0.)
       {
         ++result.vain_draws;
         return;
       }
     const bool actual      = rules.fraction_rule == FractionRule::actual;
-    const double more      = actual ? gain : static_cast<double>(covered.size());
+    const double more      = actual ? gain : all;
     const double remaining = n_target - (actual ? n_actual : n_nominal);
     result.target_reached  = more >= remaining;
     if (more - remaining > remaining && !result.inclusions.empty())
@@ -194,7 +202,7 @@ private:
     for (const std::size_t cell : covered)
       result.map.id[cell] = phase;
     n_actual += gain;
-    n_nominal += static_cast<double>(covered.size());
+    n_nominal += all;
     if (!rules.allow_overlap)
       bins.add(inclusion);
     result.inclusions.push_back(inclusion);
@@ -204,9 +212,11 @@ private:
   const UniformGrid<3> &grid;
   const InclusionPlacement &rules;
   const std::uint8_t phase;
-  RandomNumbers random;
-  const Vector3 lengths; ///< m, of the box
-  InclusionBins bins;    ///< those that are placed
+  const MPI_Comm communicator;
+  const PlaneRange planes; ///< of cells that this rank fills
+  RandomNumbers random;    ///< the same on all ranks
+  const Vector3 lengths;   ///< m, of the box
+  InclusionBins bins;      ///< those that are placed
   InclusionMorphology result;
   std::vector<std::size_t> covered; ///< cells of the inclusion that is tried
 
@@ -218,8 +228,9 @@ private:
 
 InclusionMorphology place_random_inclusions(const UniformGrid<3> &grid,
                                             const InclusionPlacement &rules,
-                                            const std::uint8_t phase)
+                                            const std::uint8_t phase,
+                                            const MPI_Comm communicator)
 {
-  return InclusionPlacer(grid, rules, phase).run();
+  return InclusionPlacer(grid, rules, phase, communicator).run();
 }
 } // namespace mesoslip

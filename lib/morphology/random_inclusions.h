@@ -1,7 +1,7 @@
 #ifndef mesoslip_morphology_random_inclusions_h
 #define mesoslip_morphology_random_inclusions_h
 
-#include "grid/uniform_grid.h"
+#include "grid/cell_planes.h"
 #include "morphology/inclusion.h"
 #include "morphology/random_fibres.h"
 
@@ -68,7 +68,9 @@ struct InclusionPlacement
 /** Morphology made by place_random_inclusions(). */
 struct InclusionMorphology
 {
-  PhaseMap<3> map;                   ///< 0: matrix, else the phase of the inclusions
+  /** 0: matrix, else the phase of the inclusions; of the planes of cells of this rank. */
+  PhaseMap<3> map;
+
   std::vector<Inclusion> inclusions; ///< in the order of placement
   double actual_fraction  = 0.;      ///< inclusion cells over cells
   double nominal_fraction = 0.;      ///< the same with cells of several counted each time
@@ -87,11 +89,13 @@ struct InclusionMorphology
  * where an inclusion would come too close to another one. A cell belongs to an inclusion
  * when its centre does. Ends when the fraction is reached, by the nearest whole number of
  * inclusions, or after many vain draws in a row. The same seed gives the same morphology.
- * @p rules have passed check(); @p phase is that of the inclusions.
+ * @p rules have passed check(); @p phase is that of the inclusions. Each rank of @p
+ * communicator fills its own_planes(). Collective.
  */
 InclusionMorphology place_random_inclusions(const UniformGrid<3> &grid,
                                             const InclusionPlacement &rules,
-                                            const std::uint8_t phase);
+                                            const std::uint8_t phase,
+                                            const MPI_Comm communicator = MPI_COMM_SELF);
 } // namespace mesoslip
 
 #endif

@@ -1,4 +1,5 @@
 #include "base/errors.h"
+#include "base/exchange.h"
 #include "morphology/microstructure_parameters.h"
 #include "morphology/voxel_reading.h"
 
@@ -39,14 +40,30 @@ std::set<double> values_in(VoxelFile &file, const VoxelRegion &region)
   return found;
 }
 
+/** The same in the regions of all ranks. */
+std::set<double>
+values_on_ranks(VoxelFile &file, const VoxelRegion &region, const MPI_Comm communicator)
+{
+  std::vector<double> own;
+  on_all_ranks(communicator, [&]() {
+    const std::set<double> values = values_in(file, region);
+    own.assign(values.begin(), values.end());
+  });
+  std::set<double> found;
+  for (const auto &values : dealii::Utilities::MPI::all_gather(communicator, own))
+    found.insert(values.begin(), values.end());
+  return found;
+}
+
 /** The value of each phase: those of the .prm, or those that occur, ascending. */
 std::vector<double> values_of_voxel_phases(const MicrostructureParameters &p,
                                            VoxelFile &file,
-                                           const VoxelRegion &region)
+                                           const VoxelRegion &region,
+                                           const MPI_Comm communicator)
 {
   if (!p.image.values.empty())
     return {p.image.values.begin(), p.image.values.end()};
-  const std::set<double> found = values_in(file, region);
+  const std::set<double> found = values_on_ranks(file, region, communicator);
   if (found.size() == p.phases.size())
     return {found.begin(), found.end()};
   std::vector<std::string> some;
@@ -79,9 +96,9 @@ std::vector<double> values_of_voxel_phases(const MicrostructureParameters &p,
 class CellVotes
 {
 public:
-  CellVotes(const std::size_t n_cells, const std::size_t n_phases, const long voxels)
-    : counts(n_cells * n_phases, 0)
-    , missing(n_phases, 0)
+  CellVotes(const std::size_t n_cells, const std::size_t n_phases, const double voxels)
+    : missing(n_phases, 0.)
+    , counts(n_cells * n_phases, 0)
     , n(n_phases)
     , voxels_of_cell(voxels)
   {
@@ -103,7 +120,7 @@ public:
         for (std::size_t p = 0; p < n; ++p)
           {
             const long has = cell[static_cast<long>(p)];
-            missing[p] += has;
+            missing[p] += static_cast<double>(has);
             if (has == most && (chosen == n || missing[p] > missing[chosen]))
               chosen = p;
           }
@@ -113,55 +130,100 @@ public:
     std::fill(counts.begin(), counts.end(), 0);
   }
 
+  /** Of each phase, voxels by which the cells so far fall short. */
+  std::vector<double> missing;
+
 private:
   std::vector<unsigned int> counts; ///< [cell of the layer][phase]
-  std::vector<long>
-    missing; ///< of each phase, voxels by which the cells so far fall short
   const std::size_t n;
-  const long voxels_of_cell;
+  const double voxels_of_cell;
 };
+
+/** The part of @p region that is in the planes of cells of this rank. */
+VoxelRegion own_region(VoxelRegion region,
+                       const MicrostructureParameters &p,
+                       const MPI_Comm communicator)
+{
+  const PlaneRange planes = own_planes(p.box.cells[2], communicator);
+  region.from[2] += std::size_t{planes.first} * p.voxels.coarsening;
+  region.size[2] = std::size_t{planes.count} * p.voxels.coarsening;
+  return region;
+}
+
+/** Lets the ranks @p read. Where a cell takes the majority of its voxels, one after the other, as
+ * the @p votes of the cells so far count. Collective. @throws what read() throws */
+void read_on_ranks(const std::function<void()> &read,
+                   CellVotes &votes,
+                   const bool one_voxel_a_cell,
+                   const MPI_Comm communicator)
+{
+  if (one_voxel_a_cell)
+    return on_all_ranks(communicator, read);
+  std::exception_ptr failure;
+  const auto try_to_read = [&]() {
+    try
+      {
+        read();
+      }
+    catch (...)
+      {
+        failure = std::current_exception();
+      }
+  };
+  in_order_of_ranks(votes.missing.data(), votes.missing.size(), try_to_read,
+                    communicator);
+  on_all_ranks(communicator, [&]() {
+    if (failure)
+      std::rethrow_exception(failure);
+  });
+}
 } // namespace
 
 CellPhases read_cell_phases(const MicrostructureParameters &p,
                             VoxelFile &file,
-                            const VoxelRegion &region)
+                            const VoxelRegion &of_all,
+                            const MPI_Comm communicator)
 {
-  const bool thresholds = !p.image.thresholds.empty();
+  const bool thresholds    = !p.image.thresholds.empty();
+  const VoxelRegion region = own_region(of_all, p, communicator);
   const PhaseOfValue phase_of(p.image.thresholds,
-                              thresholds ? std::vector<double>()
-                                         : values_of_voxel_phases(p, file, region));
+                              thresholds
+                                ? std::vector<double>()
+                                : values_of_voxel_phases(p, file, region, communicator));
   const std::size_t edge = p.voxels.coarsening, width = file.shape()[2],
                     n_x = p.box.cells[0];
   CellPhases result;
-  result.id.reserve(p.box.n_cells());
+  result.id.reserve(n_x * p.box.cells[1] * (region.size[2] / edge));
   result.fractions.assign(p.phases.size(), 0.);
   CellVotes votes(n_x * p.box.cells[1], p.phases.size(),
-                  static_cast<long>(edge * edge * edge));
-  for_each_plane(
-    file, region, [&](const std::size_t z, const std::vector<double> &plane) {
-      for (std::size_t y = 0; y < region.size[1]; ++y)
-        {
-          const double *row  = &plane[(region.from[1] + y) * width + region.from[0]];
-          double last        = row[0];
-          unsigned int phase = phase_of(last);
-          for (std::size_t x = 0; x < region.size[0]; ++x)
-            {
-              if (row[x] != last)
-                phase = phase_of(last = row[x]);
-              if (phase >= phase_of.end())
-                refuse_value(
-                  p.file, {{region.from[2] + z, region.from[1] + y, region.from[0] + x}},
-                  row[x], thresholds);
-              result.fractions[phase] += 1.;
-              votes.add(y / edge * n_x + x / edge, phase);
-            }
-        }
-      if ((z + 1) % edge == 0)
-        votes.close_layer(result.id);
-    });
+                  static_cast<double>(edge * edge * edge));
+  const auto add_plane = [&](const std::size_t z, const std::vector<double> &plane) {
+    for (std::size_t y = 0; y < region.size[1]; ++y)
+      {
+        const double *row  = &plane[(region.from[1] + y) * width + region.from[0]];
+        double last        = row[0];
+        unsigned int phase = phase_of(last);
+        for (std::size_t x = 0; x < region.size[0]; ++x)
+          {
+            if (row[x] != last)
+              phase = phase_of(last = row[x]);
+            if (phase >= phase_of.end())
+              refuse_value(p.file,
+                           {{region.from[2] + z, region.from[1] + y, region.from[0] + x}},
+                           row[x], thresholds);
+            result.fractions[phase] += 1.;
+            votes.add(y / edge * n_x + x / edge, phase);
+          }
+      }
+    if ((z + 1) % edge == 0)
+      votes.close_layer(result.id);
+  };
+  read_on_ranks([&]() { for_each_plane(file, region, add_plane); }, votes, edge == 1,
+                communicator);
+  sum_over_ranks(result.fractions, communicator);
   for (double &fraction : result.fractions)
-    fraction /= static_cast<double>(region.size[0] * region.size[1]) *
-                static_cast<double>(region.size[2]);
+    fraction /= static_cast<double>(of_all.size[0] * of_all.size[1]) *
+                static_cast<double>(of_all.size[2]);
   return result;
 }
 } // namespace mesoslip

@@ -1,7 +1,7 @@
 #ifndef mesoslip_morphology_voxel_reading_h
 #define mesoslip_morphology_voxel_reading_h
 
-#include "grid/uniform_grid.h"
+#include "grid/cell_planes.h"
 #include "io/voxel_file.h"
 
 #include <array>
@@ -49,20 +49,21 @@ VoxelRegion region_of_voxels(const MicrostructureParameters &parameters,
 /** Phases of cells that were read from voxels. */
 struct CellPhases
 {
-  std::vector<std::uint8_t> id;  ///< of each cell, x fastest
-  std::vector<double> fractions; ///< of each phase among the voxels
+  std::vector<std::uint8_t> id;  ///< of each cell of the planes of this rank, x fastest
+  std::vector<double> fractions; ///< of each phase among all voxels
 };
 
 /**
- * Reads the voxels of @p region plane by plane. A cell of several voxels takes the phase
+ * Reads the voxels of @p region plane by plane, each rank those of its own_planes() of cells. A cell of several voxels takes the phase
  * that most of them have; where several have as many, the one that lies furthest below its
  * share of the voxels, counted over the cells so far (x fastest) and this one, then the
- * first of them. @throws UserError naming the voxel when a value has no phase, or when it is
+ * first of them. Collective. @throws UserError naming the voxel when a value has no phase, or when it is
  * not clear which value is which phase
  */
 CellPhases read_cell_phases(const MicrostructureParameters &parameters,
                             VoxelFile &file,
-                            const VoxelRegion &region);
+                            const VoxelRegion &region,
+                            const MPI_Comm communicator);
 } // namespace mesoslip
 
 #endif

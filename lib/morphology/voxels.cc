@@ -1,6 +1,7 @@
 #include "morphology/voxels.h"
 
 #include "base/errors.h"
+#include "base/exchange.h"
 #include "base/text.h"
 #include "material/plausibility.h"
 #include "morphology/microstructure_parameters.h"
@@ -25,10 +26,12 @@ std::string percent_text(const double fraction)
 }
 
 /** Phases of the cells in the corners, from which the order of the axes shows. */
-std::string corners_line(const PhaseMap<3> &map, const std::vector<Phase<3>> &phases)
+std::string corners_line(const VoxelMorphology &cells, const MPI_Comm communicator)
 {
-  const auto &n    = map.grid.cells;
-  std::string text = "Corners:";
+  const auto &n           = cells.grid.cells;
+  const PlaneRange planes = own_planes(n[2], communicator);
+  std::vector<double> phase(8, 0.);
+  std::vector<std::string> places;
   for (unsigned int corner = 0; corner < 8; ++corner)
     {
       std::array<std::size_t, 3> at = {};
@@ -39,32 +42,42 @@ std::string corners_line(const PhaseMap<3> &map, const std::vector<Phase<3>> &ph
           at[d]            = upper ? n[d] - 1 : 0;
           place += std::string(d == 0 ? "" : " ") + "xyz"[d] + (upper ? "+" : "-");
         }
-      const std::size_t k = (at[2] * n[1] + at[1]) * n[0] + at[0];
-      text += (corner == 0 ? " (" : ", (") + place + ") " + phases[map.id[k]].name;
+      places.push_back(place);
+      if (const std::size_t plane = at[2] - planes.first; plane < planes.count)
+        phase[corner] = cells.phase_id[(plane * n[1] + at[1]) * n[0] + at[0]];
     }
+  sum_over_ranks(phase, communicator);
+  std::string text = "Corners:";
+  for (unsigned int corner = 0; corner < 8; ++corner)
+    text += (corner == 0 ? " (" : ", (") + places[corner] + ") " +
+            cells.phases[static_cast<std::size_t>(phase[corner])].name;
   return text;
 }
 
 /** Fraction of the last phase in up to four slices across each axis. */
-std::vector<std::string> slice_lines(const PhaseMap<3> &map,
-                                     const std::vector<Phase<3>> &phases)
+std::vector<std::string> slice_lines(const VoxelMorphology &cells,
+                                     const MPI_Comm communicator)
 {
   std::vector<std::string> lines;
-  const auto &n              = map.grid.cells;
-  const std::uint8_t counted = phases.size() - 1;
-  std::size_t stride         = 1;
+  const auto &n              = cells.grid.cells;
+  const std::uint8_t counted = cells.phases.size() - 1;
+  const std::size_t first =
+    own_planes(n[2], communicator).first * cells.grid.cells_in_layer();
+  std::size_t stride = 1;
   for (unsigned int d = 0; d < 3; ++d)
     {
       const unsigned int n_slices = std::min(4U, n[d]);
       std::vector<double> all(n_slices, 0.), part(n_slices, 0.);
-      for (std::size_t k = 0; k < map.id.size(); ++k)
+      for (std::size_t k = 0; k < cells.phase_id.size(); ++k)
         {
-          const std::size_t slice = k / stride % n[d] * n_slices / n[d];
+          const std::size_t slice = (first + k) / stride % n[d] * n_slices / n[d];
           all[slice] += 1.;
-          part[slice] += map.id[k] == counted ? 1. : 0.;
+          part[slice] += cells.phase_id[k] == counted ? 1. : 0.;
         }
+      sum_over_ranks(all, communicator);
+      sum_over_ranks(part, communicator);
       std::string line = "Slices across " + std::string(1, "xyz"[d]) +
-                         ", from below: " + phases[counted].name;
+                         ", from below: " + cells.phases[counted].name;
       for (unsigned int s = 0; s < n_slices; ++s)
         line += (s == 0 ? " " : ", ") + percent_text(part[s] / all[s]);
       lines.push_back(line);
@@ -73,20 +86,23 @@ std::vector<std::string> slice_lines(const PhaseMap<3> &map,
   return lines;
 }
 
-void describe_phases(VoxelMorphology &result, const std::vector<PhaseParameters> &phases)
+void describe_phases(VoxelMorphology &result,
+                     const std::vector<PhaseParameters> &phases,
+                     const MPI_Comm communicator)
 {
-  std::vector<std::size_t> count(phases.size(), 0);
-  for (const std::uint8_t id : result.map.id)
-    ++count[id];
-  const auto n = static_cast<double>(result.map.id.size());
+  std::vector<double> count(phases.size(), 0.);
+  for (const std::uint8_t id : result.phase_id)
+    count[id] += 1.;
+  sum_over_ranks(count, communicator);
+  const auto n = static_cast<double>(result.grid.n_cells());
   for (std::size_t p = 0; p < phases.size(); ++p)
     {
-      result.fractions.push_back(static_cast<double>(count[p]) / n);
+      result.fractions.push_back(count[p] / n);
       result.description.push_back("Phase " + std::to_string(p) + ", " + phases[p].name +
-                                   ": " + std::to_string(count[p]) + " cells, " +
-                                   percent_text(result.fractions[p]) + "; " +
+                                   ": " + std::to_string(std::llround(count[p])) +
+                                   " cells, " + percent_text(result.fractions[p]) + "; " +
                                    phases[p].text<3>());
-      if (count[p] == 0)
+      if (count[p] == 0.)
         result.warnings.push_back("phase '" + phases[p].name +
                                   "' of Phases/Names fills no cell of the morphology; "
                                   "mend what tells the phases apart, or leave its "
@@ -94,11 +110,13 @@ void describe_phases(VoxelMorphology &result, const std::vector<PhaseParameters>
     }
 }
 /** Places the inclusions, or says why there is no room for as many. */
-void place_inclusions(VoxelMorphology &result, const MicrostructureParameters &p)
+void place_inclusions(VoxelMorphology &result,
+                      const MicrostructureParameters &p,
+                      const MPI_Comm communicator)
 {
   const InclusionPlacement &rules = p.inclusions;
   InclusionMorphology placed      = place_random_inclusions(
-         p.box, rules, static_cast<std::uint8_t>(p.fibre_phase_index()));
+         p.box, rules, static_cast<std::uint8_t>(p.fibre_phase_index()), communicator);
   const double reached = placed.reached_fraction(rules.fraction_rule);
   const std::string n  = std::to_string(placed.inclusions.size()) + " ";
   if (!placed.target_reached)
@@ -124,17 +142,23 @@ void place_inclusions(VoxelMorphology &result, const MicrostructureParameters &p
     (both
        ? ", " + percent_text(placed.nominal_fraction) + " with overlaps counted each time"
        : ""));
-  result.map = std::move(placed.map);
+  result.phase_id = std::move(placed.map.id);
 }
 
 /** Reads the file of voxels. */
-void read_voxels(VoxelMorphology &result, const MicrostructureParameters &p)
+void read_voxels(VoxelMorphology &result,
+                 const MicrostructureParameters &p,
+                 const MPI_Comm communicator)
 {
-  const auto file          = VoxelFile::open(p.voxels.source(p.file));
-  const VoxelRegion region = region_of_voxels(p, file->shape());
-  CellPhases cells         = read_cell_phases(p, *file, region);
-  result.map.id            = std::move(cells.id);
-  const auto numbers       = [](const std::array<std::size_t, 3> &n) {
+  std::unique_ptr<VoxelFile> file;
+  VoxelRegion region;
+  on_all_ranks(communicator, [&]() {
+    file   = VoxelFile::open(p.voxels.source(p.file));
+    region = region_of_voxels(p, file->shape());
+  });
+  CellPhases cells   = read_cell_phases(p, *file, region, communicator);
+  result.phase_id    = std::move(cells.id);
+  const auto numbers = [](const std::array<std::size_t, 3> &n) {
     return std::to_string(n[0]) + " x " + std::to_string(n[1]) + " x " +
            std::to_string(n[2]);
   };
@@ -150,7 +174,7 @@ void read_voxels(VoxelMorphology &result, const MicrostructureParameters &p)
                                          ? ", one per cell"
                                          : ", " + n + " x " + n + " x " + n +
                                              " per cell, of which the majority decides"));
-  describe_phases(result, p.phases);
+  describe_phases(result, p.phases, communicator);
   for (std::size_t k = 0; k < p.phases.size(); ++k)
     if (const double before = cells.fractions[k], after = result.fractions[k];
         !(std::fabs(after - before) <= std::min(0.01, 0.1 * before)))
@@ -163,32 +187,36 @@ void read_voxels(VoxelMorphology &result, const MicrostructureParameters &p)
 }
 
 /** The orientations of the cells, if there is a file of them. */
-void read_orientations(VoxelMorphology &result, const MicrostructureParameters &p)
+void read_orientations(VoxelMorphology &result,
+                       const MicrostructureParameters &p,
+                       const MPI_Comm communicator)
 {
   if (p.orientation.file.empty())
     return;
-  CellOrientations found = read_cell_orientations(p, result.map.id, result.phases);
-  result.orientations    = std::move(found.orientations);
+  CellOrientations found =
+    read_cell_orientations(p, result.phase_id, result.phases, communicator);
+  result.orientations = std::move(found.orientations);
   for (const std::string &line : found.description)
     result.description.push_back(line);
   for (const std::string &warning : found.warnings)
     result.warnings.push_back(warning);
 }
 
-void describe_places(VoxelMorphology &result)
+void describe_places(VoxelMorphology &result, const MPI_Comm communicator)
 {
-  result.description.push_back(corners_line(result.map, result.phases));
-  for (const std::string &line : slice_lines(result.map, result.phases))
+  result.description.push_back(corners_line(result, communicator));
+  for (const std::string &line : slice_lines(result, communicator))
     result.description.push_back(line);
 }
 } // namespace
 
-VoxelMorphology make_voxels(const MicrostructureParameters &parameters)
+VoxelMorphology make_voxels(const MicrostructureParameters &parameters,
+                            const MPI_Comm communicator)
 {
   using Type = MicrostructureParameters::Type;
   VoxelMorphology result;
   const UniformGrid<3> &grid = parameters.box;
-  result.map.grid            = grid;
+  result.grid                = grid;
   result.phases              = make_phases<3>(parameters.phases);
   result.description         = {"Grid: " + voxel_numbers(grid.cells) + " cells of " +
                                 brief_text(4, grid.spacing[0], " x ", grid.spacing[1], " x ",
@@ -196,22 +224,23 @@ VoxelMorphology make_voxels(const MicrostructureParameters &parameters)
                                            grid.extent(1), " x ", grid.extent(2), " m")};
   if (parameters.type == Type::homogeneous)
     {
-      result.map.id.assign(grid.n_cells(), 0);
+      result.phase_id.assign(
+        own_planes(grid.cells[2], communicator).count * grid.cells_in_layer(), 0);
       result.description.emplace_back("Morphology: homogeneous");
-      describe_phases(result, parameters.phases);
+      describe_phases(result, parameters.phases, communicator);
       result.warnings.clear();
-      read_orientations(result, parameters);
+      read_orientations(result, parameters, communicator);
       return result;
     }
   if (parameters.type == Type::random_inclusions)
     {
-      place_inclusions(result, parameters);
-      describe_phases(result, parameters.phases);
+      place_inclusions(result, parameters, communicator);
+      describe_phases(result, parameters.phases, communicator);
     }
   else
-    read_voxels(result, parameters);
-  describe_places(result);
-  read_orientations(result, parameters);
+    read_voxels(result, parameters, communicator);
+  describe_places(result, communicator);
+  read_orientations(result, parameters, communicator);
   return result;
 }
 } // namespace mesoslip

@@ -1,8 +1,7 @@
 #ifndef mesoslip_morphology_voxels_h
 #define mesoslip_morphology_voxels_h
 
-#include "grid/cell_indices.h"
-#include "grid/uniform_grid.h"
+#include "grid/cell_planes.h"
 #include "material/orientations.h"
 #include "material/voigt.h"
 
@@ -13,18 +12,20 @@ namespace mesoslip
 {
 struct MicrostructureParameters;
 
-/** A morphology of voxels with the materials it is made of. */
+/** A morphology of voxels with the materials it is made of. Each rank has the cells of its
+ * own_planes(), all of them the rest. */
 struct VoxelMorphology
 {
-  PhaseMap<3> map;               ///< phase of each cell
-  std::vector<Phase<3>> phases;  ///< by index
-  std::vector<double> fractions; ///< volume fraction of each phase
-  Orientations orientations;     ///< of the cells, where they have their own
+  UniformGrid<3> grid;                ///< the whole box
+  std::vector<std::uint8_t> phase_id; ///< of each cell of this rank, x fastest
+  std::vector<Phase<3>> phases;       ///< by index
+  std::vector<double> fractions;      ///< volume fraction of each phase
+  Orientations orientations;          ///< of the cells, where they have their own
 
-  /** Of each cell its material: its phase, or this in one of its orientations. */
+  /** Of each cell of this rank its material: its phase, or this in one of its orientations. */
   CellView material_id() const
   {
-    return orientations.empty() ? CellView(map.id) : CellView(orientations.id);
+    return orientations.empty() ? CellView(phase_id) : CellView(orientations.id);
   }
 
   /** Lines for the log: grid, file, cells and material of each phase, phases of the cells
@@ -39,8 +40,9 @@ void check_voxels(const MicrostructureParameters &parameters);
 
 /** Reads the voxels, places random inclusions, or fills the box with the first phase.
  * @p parameters have passed check(). @throws UserError when it is not clear which value is
- * which phase, or when there is no room for as many inclusions */
-VoxelMorphology make_voxels(const MicrostructureParameters &parameters);
+ * which phase, or when there is no room for as many inclusions. Collective. */
+VoxelMorphology make_voxels(const MicrostructureParameters &parameters,
+                            const MPI_Comm communicator);
 } // namespace mesoslip
 
 #endif

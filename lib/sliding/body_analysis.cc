@@ -152,7 +152,7 @@ void BodyAnalysis::describe_body(std::ostream &out, const double bytes_of_histor
       << bytes_text(field_memory(parameters, body.grid) + bytes_of_histories)
       << " of memory\n";
   for (const std::string &warning : body_warnings())
-    out << "Warning: " << warning << '\n';
+    out << "warning: " << warning << '\n';
 }
 
 void BodyAnalysis::log_body(RunContext &context) const

@@ -141,7 +141,7 @@ class Plan:
         said = self._ask(step, *words, *(["--draft", step.output] if draft else []), *(["--resume"] if begun else []))
         if draft:
             self.drafted.add(step.name)
-        lines = [line for line in said.splitlines() if line.lower().startswith("warning: ") and "is a draft for" not in line]
+        lines = [line for line in said.splitlines() if line.startswith("warning: ") and "is a draft for" not in line]
         guessed = [need.name for need in step.needs if need.name in self.drafted]
         if guessed:
             lines.insert(0, f"{self._stand_in(step)} that {', '.join(guessed)} will compute")

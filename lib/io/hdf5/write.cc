@@ -143,6 +143,16 @@ void Hdf5File::reserve(const std::string &name, const Shape &shape)
     fail_writing(dataset_text(name) + " cannot be created");
 }
 
+namespace
+{
+hid_t type_of(const StoredNumber stored)
+{
+  return stored == StoredNumber::byte   ? H5T_NATIVE_UINT8
+         : stored == StoredNumber::word ? H5T_NATIVE_UINT16
+                                        : H5T_NATIVE_DOUBLE;
+}
+} // namespace
+
 void Hdf5File::reserve_rows(const std::string &name,
                             const Shape &shape,
                             const std::size_t n_together,
@@ -168,10 +178,8 @@ void Hdf5File::reserve_rows(const std::string &name,
   const bool empty = DraftMark::leaves_empty();
   H5Pset_alloc_time(properties, empty ? H5D_ALLOC_TIME_INCR : H5D_ALLOC_TIME_EARLY);
   H5Pset_fill_time(properties, empty ? H5D_FILL_TIME_IFSET : H5D_FILL_TIME_NEVER);
-  Hdf5Handle dataset(
-    H5Dcreate2(file, name.c_str(),
-               stored == StoredNumber::byte ? H5T_NATIVE_UINT8 : H5T_NATIVE_DOUBLE, space,
-               links, properties, H5P_DEFAULT));
+  Hdf5Handle dataset(H5Dcreate2(file, name.c_str(), type_of(stored), space, links,
+                                properties, H5P_DEFAULT));
   if (!dataset.valid() || !dataset.close())
     fail_writing(dataset_text(name) + " cannot be created");
 }

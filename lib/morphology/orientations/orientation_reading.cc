@@ -1,6 +1,8 @@
 #include "morphology/orientations/orientation_reading.h"
 
 #include "base/errors.h"
+#include "base/exchange.h"
+#include "grid/cell_planes.h"
 #include "material/plausibility.h"
 #include "morphology/microstructure_parameters.h"
 #include "morphology/orientations/palette.h"
@@ -27,33 +29,50 @@ std::string voxel_text(const std::array<std::size_t, 3> &xyz)
          std::to_string(xyz[0]) + "]";
 }
 
-/** The voxels that are cells. */
-VoxelRegion region_of_cells(const MicrostructureParameters &p)
+/** The voxels that are the cells of this rank. */
+VoxelRegion region_of_cells(const MicrostructureParameters &p,
+                            const MPI_Comm communicator)
 {
-  const auto n = voxels_of(p);
-  return p.type == MicrostructureParameters::Type::voxels
-           ? region_of_voxels(p, {n[2], n[1], n[0]})
-           : VoxelRegion{{}, n};
+  const auto n            = voxels_of(p);
+  VoxelRegion region      = p.type == MicrostructureParameters::Type::voxels
+                              ? region_of_voxels(p, {n[2], n[1], n[0]})
+                              : VoxelRegion{{}, n};
+  const PlaneRange planes = own_planes(p.box.cells[2], communicator);
+  region.from[2] += planes.first;
+  region.size[2] = planes.count;
+  return region;
 }
 
-/** Reads the angles or grains of the cells and fills the palette. */
+/** Puts the elements of the sets of all ranks into that of each. Collective. */
+template <typename T>
+void unite(std::set<T> &elements, const MPI_Comm communicator)
+{
+  const std::vector<T> own(elements.begin(), elements.end());
+  for (const auto &some : dealii::Utilities::MPI::all_gather(communicator, own))
+    elements.insert(some.begin(), some.end());
+}
+
+/** Reads the angles or grains of the cells of this rank. */
 class CellReader
 {
 public:
-  CellReader(const MicrostructureParameters &p, const std::vector<bool> &turns)
+  CellReader(const MicrostructureParameters &p,
+             const std::vector<bool> &turns,
+             const MPI_Comm communicator)
     : p(p)
     , reading(p.orientation)
     , turns(turns)
     , has_grains(!reading.table.empty())
-    , region(region_of_cells(p))
+    , region(region_of_cells(p, communicator))
     , palette(reading.step)
+  {
+  }
+
+  /** Of cells with these phases. */
+  void read(const std::vector<std::uint8_t> &phase_id)
   {
     if (has_grains)
       grains = read_grains(reading.table);
-  }
-
-  void read(const std::vector<std::uint8_t> &phase_id)
-  {
     const auto n    = voxels_of(p);
     const auto file = VoxelFile::open(reading.source(n));
     id.reserve(phase_id.size());
@@ -69,16 +88,41 @@ public:
                        {{region.from[0] + x, region.from[1] + y, region.from[2] + z}});
             }
       }
-    for (unsigned int phase = 0; phase < turns.size(); ++phase)
-      if (!seen.count(phase))
-        palette.add(phase, {});
-    if (palette.size() > Orientations::most_materials)
-      refuse_number();
   }
 
-  std::vector<std::uint16_t> id; ///< of the cells
-  std::set<double> found_grains; ///< that cells have which turn
-  double largest = 0.;           ///< angle of a cell (degrees), without its sign
+  /** Numbers the pairs of all ranks as one rank would, in the order of the cells. Collective. */
+  void share(const MPI_Comm communicator)
+  {
+    namespace mpi = dealii::Utilities::MPI;
+    unite(seen, communicator);
+    unite(found_grains, communicator);
+    largest   = mpi::max(largest, communicator);
+    deviation = mpi::max(palette.deviation(), communicator);
+    Palette all(0.); // angles are rounded already
+    std::vector<std::size_t> number;
+    const auto of_ranks = mpi::all_gather(communicator, palette.materials());
+    for (unsigned int r = 0; r < of_ranks.size(); ++r)
+      for (const OrientedPhase &pair : of_ranks[r])
+        {
+          const std::size_t k = all.add(pair.phase, pair.euler_angles);
+          if (r == mpi::this_mpi_process(communicator))
+            number.push_back(k);
+        }
+    for (unsigned int phase = 0; phase < turns.size(); ++phase)
+      if (!seen.count(phase))
+        all.add(phase, {});
+    if (all.size() > Orientations::most_materials)
+      refuse_number(all.size());
+    for (std::uint16_t &material : id)
+      material = static_cast<std::uint16_t>(number[material]);
+    materials = all.materials();
+  }
+
+  std::vector<std::uint16_t> id;        ///< of the cells of this rank
+  std::vector<OrientedPhase> materials; ///< of all cells
+  std::set<double> found_grains;        ///< that cells have which turn
+  double largest   = 0.;                ///< angle of a cell (degrees), without its sign
+  double deviation = 0.; ///< largest angle (degrees) by which rounding turns a cell
 
 private:
   std::size_t n_components() const
@@ -134,12 +178,11 @@ private:
     return angles;
   }
 
-  [[noreturn]] void refuse_number() const
+  [[noreturn]] void refuse_number(const std::size_t n) const
   {
     throw UserError(
       reading.file + " makes " +
-      (palette.size() >= Palette::most_seen ? "a million or more"
-                                            : std::to_string(palette.size())) +
+      (n >= Palette::most_seen ? "a million or more" : std::to_string(n)) +
       " different pairs of phase and orientation, and there may be up to " +
       std::to_string(Orientations::most_materials) + "; " +
       (reading.step > 0. ? "increase " : "set ") +
@@ -157,9 +200,7 @@ private:
   unsigned int last_phase   = 0;
   Angles last_angles        = {};
   std::uint16_t last_number = 0;
-
-public:
-  Palette palette;
+  Palette palette; ///< of the cells of this rank
 };
 
 /** The file that has the angles. */
@@ -184,12 +225,12 @@ std::vector<std::string> description_of(const CellReader &cells,
             std::filesystem::path(reading.file).filename().string() +
             " with the angles of " +
             std::filesystem::path(reading.table).filename().string();
-  text += ", " + std::to_string(cells.palette.size()) +
+  text += ", " + std::to_string(cells.materials.size()) +
           " different pairs of phase and orientation";
   if (reading.step > 0.)
-    text += brief_text(4, "; angles rounded to ", reading.step,
-                       " degrees, which turns a cell by up to ",
-                       cells.palette.deviation(), " degrees");
+    text +=
+      brief_text(4, "; angles rounded to ", reading.step,
+                 " degrees, which turns a cell by up to ", cells.deviation, " degrees");
   std::vector<std::string> lines = {text};
   std::vector<std::string> ignored, twice;
   for (std::size_t k = 0; k < turns.size(); ++k)
@@ -208,18 +249,27 @@ std::vector<std::string> description_of(const CellReader &cells,
 
 CellOrientations read_cell_orientations(const MicrostructureParameters &p,
                                         const std::vector<std::uint8_t> &phase_id,
-                                        const std::vector<Phase<3>> &phases)
+                                        const std::vector<Phase<3>> &phases,
+                                        const MPI_Comm communicator)
 {
   const std::vector<bool> turns = phases_that_turn(phases);
-  CellReader cells(p, turns);
-  cells.read(phase_id);
+  CellReader cells(p, turns, communicator);
+  on_all_ranks(communicator, [&]() { cells.read(phase_id); });
+  cells.share(communicator);
   CellOrientations result;
   result.description = description_of(cells, p, turns);
   if (cells.largest > 0. && cells.largest <= full_turn_in_radians)
     result.warnings.push_back(
       brief_text(4, "No angle of ", reading_name(p), " is larger than ", cells.largest,
                  " degrees: are they radians? They have to be degrees"));
-  result.orientations.materials = cells.palette.materials();
+  std::vector<double> &fractions = result.orientations.fractions;
+  fractions.assign(cells.materials.size(), 0.);
+  for (const std::uint16_t material : cells.id)
+    fractions[material] += 1.;
+  sum_over_ranks(fractions, communicator);
+  for (double &fraction : fractions)
+    fraction /= static_cast<double>(p.box.n_cells());
+  result.orientations.materials = std::move(cells.materials);
   result.orientations.id        = std::move(cells.id);
   return result;
 }

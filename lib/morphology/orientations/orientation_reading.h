@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <mpi.h>
 #include <string>
 #include <vector>
 
@@ -47,7 +48,7 @@ std::vector<bool> phases_that_turn(const std::vector<Phase<3>> &phases);
 /** What was read of the cells. */
 struct CellOrientations
 {
-  Orientations orientations;            ///< of the cells
+  Orientations orientations;            ///< of the cells; id of those of this rank
   std::vector<std::string> description; ///< lines for the log
   std::vector<std::string> warnings;    ///< sentences for the log: angles like radians
 };
@@ -57,13 +58,14 @@ struct CellOrientations
 void check_orientations(const MicrostructureParameters &parameters);
 
 /**
- * Reads the orientations of cells with the phases @p phase_id, in a byte each. Those of
- * isotropic @p phases do not count. @throws UserError naming the voxel of an angle that is no
+ * Reads the orientations of the cells of the own_planes() of this rank, which have the phases @p
+ * phase_id, in a byte each. Those of isotropic @p phases do not count. Collective. @throws UserError naming the voxel of an angle that is no
  * number or beyond 720 degrees or of a grain without angles, and when there are too many different ones
  */
 CellOrientations read_cell_orientations(const MicrostructureParameters &parameters,
                                         const std::vector<std::uint8_t> &phase_id,
-                                        const std::vector<Phase<3>> &phases);
+                                        const std::vector<Phase<3>> &phases,
+                                        const MPI_Comm communicator);
 } // namespace mesoslip
 
 #endif

@@ -116,7 +116,7 @@ void MeshAnalysis<dim>::describe(std::ostream &out) const
   out << dim * body.n_points << " degrees of freedom\n"
       << memory.text(dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD)) << '\n';
   for (const std::string &warning : morphology.warnings)
-    out << "Warning: " << warning << '\n';
+    out << "warning: " << warning << '\n';
 }
 
 template <int dim>

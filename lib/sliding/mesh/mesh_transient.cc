@@ -83,7 +83,7 @@ public:
     out << time.text() << "\nTimes: " << crossing_text(this->parameters, scales) << '\n'
         << needs.text() << bytes_text(needs.disk.bytes) << " on the disk\n";
     for (const std::string &warning : warnings())
-      out << "Warning: " << warning << '\n';
+      out << "warning: " << warning << '\n';
   }
 
   bool resumable() const override

@@ -93,7 +93,7 @@ void TransientAnalysis::describe(std::ostream &out) const
   out << time.text() << "\nTimes: " << crossing_text(parameters, scales) << '\n'
       << exact.text() << bytes_text(exact.disk.bytes) << " on the disk\n";
   for (const std::string &warning : warnings())
-    out << "Warning: " << warning << '\n';
+    out << "warning: " << warning << '\n';
 }
 
 void TransientAnalysis::write_draft(const std::string &folder) const

@@ -1,7 +1,7 @@
 #ifndef mesoslip_statics_voxel_solver_h
 #define mesoslip_statics_voxel_solver_h
 
-#include "grid/cell_indices.h"
+#include "grid/cell_planes.h"
 #include "grid/uniform_grid.h"
 #include "material/voigt.h"
 #include "statics/static_solver.h"
@@ -36,28 +36,28 @@ namespace mesoslip::voxel
 class Solver
 {
 public:
-  /** Cells of @p map. See below. */
+  /** Cells of @p map, which all ranks have. See below. */
   Solver(const PhaseMap<3> &map,
          const std::vector<VoigtMatrix<3>> &the_stiffness,
          const Sides sides,
          const MPI_Comm communicator = MPI_COMM_SELF)
-    : Solver(map.grid, CellView(map.id), the_stiffness, sides, communicator)
+    : Solver(CellPlanes::of_whole(map.grid, CellView(map.id), communicator),
+             the_stiffness,
+             sides)
   {
   }
 
   /**
-   * Phases of the cells of a box, of which rank 0's count, x fastest, have @p the_stiffness
-   * (Pa); at most 65535 of them. From 256 on they are called materials: cells take two bytes
+   * Phases of the cells of a box, which are needed no longer, have @p the_stiffness (Pa); at
+   * most 65535 of them. From 256 on they are called materials: cells take two bytes
    * instead of one, and all count as anisotropic. @p flat: see VoxelGrid; the box has one cell
    * along y, and there are at most 255 phases.
    * @throws std::invalid_argument for a phase without a stiffness
    */
-  Solver(const UniformGrid<3> &box,
-         const CellView &phase_id,
+  Solver(const CellPlanes &cells,
          const std::vector<VoigtMatrix<3>> &the_stiffness,
          const Sides sides,
-         const MPI_Comm communicator = MPI_COMM_SELF,
-         const bool flat             = false);
+         const bool flat = false);
 
   /** Of mixed sides: components of the fluctuation that are zero on them from now on; to be
    *  called before the first solve(), and between load cases that differ. */

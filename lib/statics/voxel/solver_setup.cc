@@ -33,43 +33,52 @@ double stiffness_ratio(const std::vector<double> &n_cells,
   return largest / smallest;
 }
 
-/** Numbers of cells of @p n_phases phases. */
-std::vector<double>
-count_cells(const UniformGrid<3> &box, const CellView &id, const std::size_t n_phases)
+/** Numbers of cells of @p n_phases phases on all ranks. */
+std::vector<double> count_cells(const CellPlanes &cells, const std::size_t n_phases)
 {
-  if (id.size() != box.n_cells() || id.size() == 0)
-    throw std::invalid_argument("The map has another number of phases than of cells.");
   std::vector<double> n(n_phases, 0.);
-  for (std::size_t k = 0; k < id.size(); ++k)
-    {
-      if (id[k] >= n_phases || n_phases >= most_phases)
-        throw std::invalid_argument("A cell has a phase without a stiffness.");
-      n[id[k]] += 1.;
-    }
+  on_all_ranks(cells.communicator, [&]() {
+    for (std::size_t k = 0; k < cells.own.size(); ++k)
+      {
+        if (cells.own[k] >= n_phases || n_phases >= most_phases)
+          throw std::invalid_argument("A cell has a phase without a stiffness.");
+        n[cells.own[k]] += 1.;
+      }
+  });
+  mesoslip::sum_over_ranks(n, cells.communicator);
   return n;
 }
 
 /** Phases of the cells of a rank's fields, [z][y][stride]; @p outside: of no cell. */
 CellIndices
-padded_phases(const CellView &id, const VoxelGrid &grid, const std::size_t outside)
+padded_phases(const CellPlanes &cells, const VoxelGrid &grid, const std::size_t outside)
 {
-  const std::size_t stride = grid.stride();
-  CellIndices phases(grid.n_cell_rows() * stride, outside);
-  // Numbers of cells in a field, ghosts included, and of those in the map.
+  const std::size_t stride             = grid.stride();
+  const std::array<unsigned int, 3> &n = grid.cells;
+  // Numbers of cells in a field, ghosts included, and of those in the box.
   const auto cell = [&](const std::size_t number, const unsigned int axis) {
-    const std::size_t n = grid.cells[axis];
-    return grid.sides == Sides::periodic ? (number + n - 1) % n : number - grid.first();
+    return grid.sides == Sides::periodic ? (number + n[axis] - 1) % n[axis]
+                                         : number - grid.first();
   };
-  std::size_t row = 0;
+  std::vector<unsigned int> planes;    // in the box
+  std::vector<std::size_t> first_rows; // of the same planes in the field
   for (std::size_t k = 0; k <= grid.n_nodes(2); ++k)
-    for (std::size_t j = 0; j < grid.cell_rows_in_plane(); ++j, row += stride)
+    if (const std::size_t plane = cell(k + grid.below(), 2); plane < n[2])
+      {
+        planes.push_back(static_cast<unsigned int>(plane));
+        first_rows.push_back(k * grid.cell_rows_in_plane());
+      }
+  const CellIndices brought = cells.bring(planes, outside);
+  CellIndices phases(grid.n_cell_rows() * stride, outside);
+  for (std::size_t k = 0; k < planes.size(); ++k)
+    for (std::size_t j = 0; j < grid.cell_rows_in_plane(); ++j)
       for (std::size_t i = 0; i <= grid.n_nodes(0); ++i)
         {
-          const std::array<unsigned int, 3> &n = grid.cells;
-          const std::array<std::size_t, 3> at  = {
-             {cell(i, 0), grid.flat ? 0 : cell(j, 1), cell(k + grid.below(), 2)}};
-          if (at[0] < n[0] && at[1] < n[1] && at[2] < n[2])
-            phases.set(row + i, id[(at[2] * n[1] + at[1]) * n[0] + at[0]]);
+          const std::array<std::size_t, 2> at = {
+            {cell(i, 0), grid.flat ? 0 : cell(j, 1)}};
+          if (at[0] < n[0] && at[1] < n[1])
+            phases.set((first_rows[k] + j) * stride + i,
+                       brought[(k * n[1] + at[1]) * n[0] + at[0]]);
         }
   return phases;
 }
@@ -95,44 +104,22 @@ Multigrid::Options options_for(const double ratio)
 }
 } // namespace
 
-Solver::Solver(const UniformGrid<3> &the_box,
-               const CellView &phase_id,
+Solver::Solver(const CellPlanes &cells,
                const std::vector<VoigtMatrix<3>> &the_stiffness,
                const Sides sides,
-               const MPI_Comm communicator,
                const bool flat)
   : stiffness(the_stiffness)
+  , n_cells(count_cells(cells, the_stiffness.size()))
+  , length(cells.grid.spacing[1])
   , strains(the_stiffness.size(), VoigtMatrix<3>::Zero())
 {
-  on_root(communicator,
-          [&]() { n_cells = count_cells(the_box, phase_id, stiffness.size()); });
-  std::array<double, 6> box = {};
-  for (unsigned int d = 0; d < 3; ++d)
-    {
-      box[d]     = the_box.cells[d];
-      box[d + 3] = the_box.spacing[d];
-    }
-  broadcast_object(communicator, n_cells);
-  broadcast_object(communicator, box);
-  length       = box[4];
   voxels.sides = sides;
   voxels.flat  = flat;
+  voxels.cells = cells.grid.cells;
   for (unsigned int d = 0; d < 3; ++d)
-    {
-      voxels.cells[d]   = static_cast<unsigned int>(box[d]);
-      voxels.spacing[d] = box[d + 3] / length;
-    }
-  divide(voxels, communicator);
-  const auto of_rank = [&](const unsigned int rank) {
-    VoxelGrid grid = voxels;
-    grid.rank      = grid.is_divided() ? rank : 0;
-    return padded_phases(phase_id, grid, stiffness.size());
-  };
-  const std::string others =
-    scatter(communicator, [&](const unsigned int rank) { return of_rank(rank).text(); });
-  phases = dealii::Utilities::MPI::this_mpi_process(communicator) == 0
-             ? of_rank(0)
-             : CellIndices(others, stiffness.size());
+    voxels.spacing[d] = cells.grid.spacing[d] / length;
+  divide(voxels, cells.communicator);
+  phases = padded_phases(cells, voxels, stiffness.size());
   set_table();
   for (unsigned int d = 0; d < 3; ++d)
     if (voxels.n_all_nodes(d) == 0)

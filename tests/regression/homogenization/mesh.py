@@ -164,7 +164,7 @@ def check_refusals(folder):
         text = folder.run(status, "rve_homogenization", "case.prm", "--validate", *sets(settings))
         assert words is None or all(word in text for word in words), (settings, text)
     text = folder.run(0, "rve_homogenization", "case.prm", "--validate", "--set=Mesh/Scale=1000")
-    assert "Warning: Mesh/Scale: the body along x" in text and "is it in mm?" in text, text
+    assert "warning: Mesh/Scale: the body along x" in text and "is it in mm?" in text, text
     folder.write("no_scale.prm", PHASES + prm({"Mesh/File": "large.msh"}))
     Box([56, 16], [4, 2], lambda x: "matrix").write(folder("large.msh"))
     text = folder.run(2, "rve_homogenization", "no_scale.prm", "--validate")

@@ -206,7 +206,7 @@ def check_warnings(folder):
     """What looks like another unit is warned about as on a grid; a run that no machine can hold is refused as there."""
     def warnings(prm_file, slips):
         out = folder.run(0, "contact_dynamics", prm_file, "--validate", *("--set=" + slip for slip in slips))
-        found = [line for line in out.splitlines() if line.startswith("Warning: ")]
+        found = [line for line in out.splitlines() if line.startswith("warning: ")]
         return sorted(line.replace("Mesh/Scale", "Body/Size") for line in found if "Body/Size along" not in line)
 
     slips = (["Top/Pressure=5", "Flat/Velocity=3000", "Time/End time=1e-6", "Friction/Coefficient=30", "Flat/Gap=1"],

@@ -49,7 +49,7 @@ voxel::Solver make_solver(const PhaseMap<3> &map,
   std::vector<std::uint16_t> id;
   for (const std::uint8_t phase : map.id)
     id.push_back(static_cast<std::uint16_t>(phase + n * (7 * id.size() % 100)));
-  return {map.grid, CellView(id), materials, sides, MPI_COMM_WORLD};
+  return {CellPlanes::of_whole(map.grid, CellView(id), MPI_COMM_WORLD), materials, sides};
 }
 
 void compare_operator(const Phases kind, const Sides sides)

@@ -2,10 +2,12 @@
 
 A random array is written as .npy (both orders of axes and bytes, whole and floating point numbers), .raw, HDF5, PNG and TIFF stacks, and
 every one has to give the phases of the .npy in rve.h5. Cells of several voxels are compared with a majority written apart, ties included.
+Both also on several ranks, of which each reads its planes, and of which some may have none.
 What does not fit is refused with exit status 2 before anything is computed.
 """
 
 import os
+import re
 import tempfile
 
 import h5py
@@ -28,10 +30,10 @@ def settings_of(cells, names=NAMES, **more):
     return settings | {f"Microstructure/{key}": value for key, value in more.items()}
 
 
-def phases(folder, cells, **more):
+def phases(folder, cells, ranks=1, **more):
     """Phases [z][y][x] of rve.h5 and what the program says."""
     folder.write("rve.prm", prm(settings_of(cells, **more)))
-    said = folder.run(0, "rve_homogenization", "rve.prm", "--output", "rve")
+    said = folder.run(0, "rve_homogenization", "rve.prm", "--output", "rve", ranks=ranks)
     with h5py.File(folder("rve", "rve.h5")) as file:
         return file["phase/id"][...], said
 
@@ -68,10 +70,25 @@ def check_kinds(folder):
             write_stack(folder, "pngs", array, "png")
             kinds |= {"pngs": {}, "pngs/slice_00?.png": {}}
         for name, more in kinds.items():
-            found, said = phases(folder, (7, 5, 9), File=name, **more)
-            assert (found == expected).all(), f"{name} of {raw} gives other phases: {said}"
-            assert "Corners: (x- y- z-) soft, (x+ y- z-) " + NAMES[expected[0, 0, 6]] in said, said
-            print(f"{name:20s} {np.dtype(raw).name:8s} the same phases")
+            for ranks in (1, 4) if raw == np.uint16 else (1,):
+                found, said = phases(folder, (7, 5, 9), ranks, File=name, **more)
+                assert (found == expected).all() and found.dtype == np.uint8, f"{name} of {raw} on {ranks} ranks gives other phases: {said}"
+                assert "Corners: (x- y- z-) soft, (x+ y- z-) " + NAMES[expected[0, 0, 6]] in said, said
+                assert "(x+ y+ z+) " + NAMES[expected[-1, -1, -1]] in said and places(said) == places_of(expected), said
+                print(f"{name:20s} {np.dtype(raw).name:8s} the same phases on {ranks} ranks")
+
+
+def places(said):
+    """Shares of the last phase (%) in slices across each axis."""
+    return [[float(share) for share in re.findall(r"([\d.e-]+) %", line)] for line in said.splitlines() if line.startswith("Slices across")]
+
+
+def places_of(phases):
+    slices = []
+    for axis, n in ((2, phases.shape[2]), (1, phases.shape[1]), (0, phases.shape[0])):
+        last = np.moveaxis(phases == 2, axis, 0)
+        slices.append([float(f"{100 * last[np.arange(n) * 4 // n == s].mean():.4g}") for s in range(4)])
+    return slices
 
 
 def check_thresholds(folder):
@@ -116,8 +133,9 @@ def check_coarsening(folder):
     np.save(folder("fine.npy"), array)
     for n in (2, 3, 6):
         expected, ties = majority(array, n)
-        found, said = phases(folder, expected.shape[::-1], File="fine.npy", Coarsening=n)
-        assert (found == expected).all() and f"{n} x {n} x {n} per cell" in said, said
+        for ranks in (1, 2, 3, 5):  # 12 / 6 planes are too few for three
+            found, said = phases(folder, expected.shape[::-1], ranks, File="fine.npy", Coarsening=n)
+            assert (found == expected).all() and f"{n} x {n} x {n} per cell" in said, (ranks, said)
         print(f"cells of {n}^3 voxels, {ties} ties of {expected.size}")
         assert ties > 0 or n > 2
     inner = array[1:11, 4:14, 9:17]
@@ -195,6 +213,17 @@ def check_refusals(folder):
         print(said, end="")
         assert all(word in said for word in words) and not os.path.exists(folder("bad", "rve.h5")), f"{words} not in: {said}"
         assert said.count("\n") == 1, said
+    for more, words in (({"Image values": "0, 1, 3"}, "[2][0][0] has the value 2"), ({"Image values": "0, 1, 3", "Coarsening": 1}, "[2][0][0] has"),
+                        ({"Image values": "0, 5, 2"}, "[1][0][0] has the value 1")):
+        folder.write("bad.prm", prm(settings_of((2, 3, 4), File="good.npy", **more)))
+        for ranks in (2, 4):
+            status, _, said = folder.end("rve_homogenization", "bad.prm", "--output", "bad", "--quiet", ranks=ranks)
+            assert status == 2 and words in said and said.count("rve_homogenization: ") == 1, said
+    np.save(folder("double.npy"), np.repeat(np.repeat(np.repeat(good, 2, 0), 2, 1), 2, 2))
+    folder.write("bad.prm", prm(settings_of((2, 3, 4), **{"File": "double.npy", "Coarsening": 2, "Image values": "0, 5, 2"})))
+    for ranks in (1, 3):  # a rank that waits for the majorities of the one that fails
+        status, _, said = folder.end("rve_homogenization", "bad.prm", "--output", "bad", "--quiet", ranks=ranks)
+        assert status == 2 and "[2][0][0] has the value 1" in said and said.count("rve_homogenization: ") == 1, said
     large = np.lib.format.open_memmap(folder("large.npy"), mode="w+", dtype=np.uint8, shape=(1200, 1200, 1200))  # no blocks on the disk
     del large
     folder.write("bad.prm", prm(settings_of((1200, 1200, 1200), File="large.npy")))

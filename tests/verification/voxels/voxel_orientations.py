@@ -94,6 +94,16 @@ def check_against_elements(folder, name, ids, stiffness, settings, phase, all_ra
             check_table(folder, f"{name}{ranks}", condition, stress, phase[ids])
 
 
+def check_ranks(folder, name, all_ranks):
+    """Materials have the numbers that one rank gives them, in its file and in a draft."""
+    for ranks in all_ranks:
+        folder.run(0, "rve_homogenization", f"{name}{ranks}.prm", "--validate", "--draft", f"draft-{name}{ranks}", ranks=ranks)
+        for made in (f"{name}{ranks}", f"draft-{name}{ranks}"):
+            with h5py.File(folder(f"{name}1", "rve.h5")) as one, h5py.File(folder(made, "rve.h5")) as other:
+                for dataset in ("phase/id", "orientation/id", "orientation/phase", "orientation/euler_angles"):
+                    assert (one[dataset][...] == other[dataset][...]).all() and one[dataset].dtype == other[dataset].dtype, (made, dataset)
+
+
 def check_table(folder, name, condition, stress, phases):
     """Means of the stresses over the phases."""
     with open(folder(name, "loads.csv")) as file:
@@ -115,6 +125,7 @@ def check_one_phase(folder):
     stiffness = np.array([turned(STIFFNESS, a) for a in angles.reshape(-1, 3)])
     settings = settings_of((6, 5, 4), {"crystal": CRYSTAL}) | {"Microstructure/Orientation file": "angles.npy"}
     check_against_elements(folder, "one", np.arange(120).reshape(6, 5, 4), stiffness, settings, np.zeros(120, int), (1, 2, 3))
+    check_ranks(folder, "one", (1, 2, 3))
     said = folder.run(0, "rve_homogenization", "one1.prm", "--validate")
     assert "Orientations: angles of angles.npy, 120 different pairs of phase and orientation" in said, said
     bounds = folder.summary("one1")["bounds"]
@@ -134,6 +145,7 @@ def check_many_materials(folder):
     settings = settings_of(shape, {"soft": SOFT, "crystal": CRYSTAL}) | {
         "Microstructure/Type": "voxels", "Microstructure/File": "phases.npy", "Microstructure/Orientation file": "many_angles.npy"}
     check_against_elements(folder, "many", np.arange(phases.size).reshape(shape), stiffness, settings, phases.ravel(), (1, 2))
+    check_ranks(folder, "many", (1, 2))
     said = folder.run(0, "rve_homogenization", "many1.prm", "--validate")
     n = int(phases.sum()) + 1
     assert n > 255 and f"{n} different pairs" in said and "isotropic phases do not count: soft" in said, said

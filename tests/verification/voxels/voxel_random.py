@@ -1,8 +1,9 @@
 """Random inclusions in a box of voxels: what the programs print and write, ensembles, orientations, refusals.
 
-The mean, deviation and interval of an ensemble have to be those of runs of its seeds one by one; on two ranks as on one. Fractions of
-rve.h5 are those printed. Continuous fibres along an axis have that axis stiffest, and turning all with the orientation of an anisotropic
-phase turns the stiffness. What has no room or contradicts itself is refused with exit status 2.
+The mean, deviation and interval of an ensemble have to be those of runs of its seeds one by one; on two and five ranks as on one. Each
+rank places the inclusions in its planes: they lie where they lie on one. Fractions of rve.h5 are those printed. Continuous fibres along an
+axis have that axis stiffest, and turning all with the orientation of an anisotropic phase turns the stiffness. What has no room or
+contradicts itself is refused with exit status 2.
 """
 
 import os
@@ -36,6 +37,7 @@ def stiffness(folder, name):
 
 
 def check_shapes(folder):
+    loose = {"Homogenization/Tolerance": 1e-4, "Homogenization/Reuse": "false"}
     for shape, more in SHAPES.items():
         for sides in ("periodic", "cut", "inside"):
             said = run(folder, settings_of(Shape=shape, Sides=sides, **more), "shape")
@@ -45,6 +47,15 @@ def check_shapes(folder):
             assert abs(printed - 100 * fraction) < 1e-2 and abs(fraction - 0.2) < 0.055, said  # half a cylinder is 5 %
             assert ("too few" in said) == (abs(fraction - 0.2) > 0.01), said
             print(f"{shape:12s}{sides:10s} 20 % wanted, {printed} % reached")
+        for sides, overlap in (("periodic", "false"), ("cut", "true")):
+            found, lines = [], []
+            for ranks in (1, 2, 5):
+                said = run(folder, settings_of(loose, Shape=shape, Sides=sides, **more, **{"Allow overlap": overlap}), "shape", ranks)
+                with h5py.File(folder("shape", "rve.h5")) as file:
+                    found.append(file["phase/id"][...])
+                lines.append([line.strip() for line in said.splitlines() if line.strip().startswith(("Morphology", "Phase", "Corners", "Slices"))])
+            assert len(lines[0]) == 7 and lines[1:] == 2 * lines[:1], "\n".join(map(str, lines))
+            assert all((other == found[0]).all() for other in found), (shape, sides)
     for axis in range(3):
         run(folder, settings_of(Shape="cylinders", Axis="xyz"[axis]), "along")
         moduli = np.diag(stiffness(folder, "along"))[:3]
@@ -85,7 +96,7 @@ def check_ensemble(folder):
     for seed in range(7, 7 + n):
         run(folder, settings_of(Seed=seed), f"seed{seed}")
         found.append(stiffness(folder, f"seed{seed}"))
-    for ranks in (1, 2):
+    for ranks in (1, 2, 5):
         run(folder, settings_of({"Ensemble/Members": n, "Ensemble/Confidence": confidence}, Seed=7), f"all{ranks}", ranks=ranks)
         summary = folder.summary(f"all{ranks}")["ensemble"]
         deviation = np.std(found, axis=0, ddof=1)

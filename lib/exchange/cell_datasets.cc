@@ -1,0 +1,43 @@
+#include "exchange/cell_datasets.h"
+
+#include "io/parallel_rows.h"
+
+#include <deal.II/base/mpi.h>
+
+#include <vector>
+
+namespace mesoslip
+{
+void reserve_cells(const std::string &path,
+                   const Shape &shape,
+                   const bool with_orientations)
+{
+  Hdf5File file      = Hdf5File::resume(path);
+  const auto reserve = [&](const char *name, const StoredNumber stored) {
+    file.reserve_rows(name, shape, 1, stored);
+    file.write_unit(name, "-");
+  };
+  reserve(phases_dataset, StoredNumber::byte);
+  if (with_orientations)
+    reserve(orientations_dataset, StoredNumber::word);
+  file.leave();
+}
+
+void write_cell_planes(const std::string &path,
+                       const std::string &name,
+                       const CellPlanes &cells)
+{
+  ParallelRows rows(path, name, cells.communicator);
+  const PlaneRange planes = own_planes(cells.grid.cells[2], cells.communicator);
+  const std::size_t n     = cells.grid.cells_in_layer();
+  const unsigned int most = dealii::Utilities::MPI::max(planes.count, cells.communicator);
+  for (unsigned int k = 0; k < most; ++k)
+    {
+      const bool is_own = k < planes.count;
+      std::vector<double> values(is_own ? n : 0);
+      for (std::size_t i = 0; i < values.size(); ++i)
+        values[i] = cells.own[k * n + i];
+      rows.write(is_own ? planes.first + k : 0, 0, values);
+    }
+}
+} // namespace mesoslip
