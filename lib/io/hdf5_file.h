@@ -200,7 +200,8 @@ public:
   template <typename T>
   void write(const std::string &name, const Shape &shape, const std::vector<T> &data);
 
-  /** Creates a dataset of numbers of this shape for ParallelRows to fill. */
+  /** Creates a dataset of numbers T of this shape for ParallelRows or write_row() to fill. */
+  template <typename T = double>
   void reserve(const std::string &name, const Shape &shape);
 
   /**
@@ -214,10 +215,10 @@ public:
                     const std::size_t n_together = 1,
                     const StoredNumber stored    = StoredNumber::float64);
 
-  /** Writes whole rows from number @p row on of a dataset made by reserve_rows(). */
-  void write_row(const std::string &name,
-                 const std::size_t row,
-                 const std::vector<double> &values);
+  /** Writes whole rows from number @p row on of a dataset made by reserve() or reserve_rows(). */
+  template <typename T>
+  void
+  write_row(const std::string &name, const std::size_t row, const std::vector<T> &values);
 
   /**
    * All values, row-major. A dataset of another shape than @p expected (if not empty;
