@@ -216,7 +216,7 @@ public:
                     const StoredNumber stored    = StoredNumber::float64);
 
   /** Writes whole rows from number @p row on of a dataset made by reserve() or reserve_rows(). */
-  template <typename T>
+  template <typename T = double>
   void
   write_row(const std::string &name, const std::size_t row, const std::vector<T> &values);
 
