@@ -69,9 +69,8 @@ BodyMemory memory_on_mesh(const ContactParameters &parameters, const Mesh<dim> &
 
 BodyMemory memory_of_box(const ContactParameters &parameters, const UniformGrid<3> &grid)
 {
-  constexpr double bytes_of_corners = 8. * bytes_of_corner, bytes_of_brick = 330.,
-                   bytes_of_side_cell = 400.;
-  const auto cells                    = static_cast<double>(grid.n_cells());
+  constexpr double bytes_of_corners = 8. * bytes_of_corner, bytes_of_brick = 330.;
+  const auto cells = static_cast<double>(grid.n_cells());
   double nodes = 1., inside = 1.;
   for (const unsigned int n : grid.cells)
     {
@@ -80,7 +79,7 @@ BodyMemory memory_of_box(const ContactParameters &parameters, const UniformGrid<
     }
   if (parameters.analysis != ContactAnalysis::transient)
     return of_static_body<3>(parameters, nodes, bytes_of_corners * cells);
-  return {bytes_of_side_cell * (cells - inside),
+  return {bytes_of_corners * (cells - inside),
           bytes_of_brick * cells + bytes_of_snapshots(parameters, 3. * nodes), 0.};
 }
 
