@@ -12,14 +12,14 @@ void reserve_cells(const std::string &path,
                    const Shape &shape,
                    const bool with_orientations)
 {
-  Hdf5File file      = Hdf5File::resume(path);
-  const auto reserve = [&](const char *name, const StoredNumber stored) {
-    file.reserve_rows(name, shape, 1, stored);
-    file.write_unit(name, "-");
-  };
-  reserve(phases_dataset, StoredNumber::byte);
+  Hdf5File file = Hdf5File::resume(path);
+  file.reserve<std::uint8_t>(phases_dataset, shape);
+  file.write_unit(phases_dataset, "-");
   if (with_orientations)
-    reserve(orientations_dataset, StoredNumber::word);
+    {
+      file.reserve<std::uint16_t>(orientations_dataset, shape);
+      file.write_unit(orientations_dataset, "-");
+    }
   file.leave();
 }
 

@@ -20,6 +20,22 @@ UserError misfit(const Hdf5File &file, const std::string &program)
                    "run " +
                    program + " again");
 }
+
+/** Writes what the numbers of the cells stand for. */
+void write_oriented(Hdf5File &file, const std::vector<OrientedPhase> &materials)
+{
+  const std::size_t n = materials.size();
+  std::vector<std::uint8_t> phases;
+  std::vector<double> euler;
+  for (const OrientedPhase &material : materials)
+    {
+      phases.push_back(static_cast<std::uint8_t>(material.phase));
+      euler.insert(euler.end(), material.euler_angles.begin(),
+                   material.euler_angles.end());
+    }
+  write_dataset(file, of_phases, {n}, phases);
+  write_dataset(file, angles, {n, 3}, euler, "degree");
+}
 } // namespace
 
 void write_orientations(Hdf5File &file,
@@ -28,19 +44,36 @@ void write_orientations(Hdf5File &file,
 {
   if (orientations.empty())
     return;
-  const std::size_t n = orientations.materials.size();
-  std::vector<std::uint8_t> phases;
-  std::vector<double> euler;
-  for (const OrientedPhase &material : orientations.materials)
-    {
-      phases.push_back(static_cast<std::uint8_t>(material.phase));
-      euler.insert(euler.end(), material.euler_angles.begin(),
-                   material.euler_angles.end());
-    }
-  write_dataset(file, of_phases, {n}, phases);
-  write_dataset(file, angles, {n, 3}, euler, "degree");
+  write_oriented(file, orientations.materials);
   if (!orientations.id.empty())
     write_dataset(file, orientations_dataset, cells, orientations.id);
+}
+
+void write_materials(Hdf5File &file,
+                     const std::string &phases,
+                     const UniformGrid<3> &grid,
+                     const std::vector<OrientedPhase> &oriented,
+                     const CellReader &materials_in)
+{
+  const Shape cells = shape_of_cells(grid);
+  file.reserve<std::uint8_t>(phases, cells);
+  file.write_unit(phases, "-");
+  if (!oriented.empty())
+    {
+      write_oriented(file, oriented);
+      file.reserve<std::uint16_t>(orientations_dataset, cells);
+      file.write_unit(orientations_dataset, "-");
+    }
+  for_each_piece(whole_block(grid), [&](const CellBlock<3> &block) {
+    const std::vector<std::uint16_t> materials = materials_in(block);
+    std::vector<std::uint8_t> phase;
+    for (const std::uint16_t m : materials)
+      phase.push_back(
+        static_cast<std::uint8_t>(oriented.empty() ? m : oriented[m].phase));
+    file.write_row(phases, block.first[2], phase);
+    if (!oriented.empty())
+      file.write_row(orientations_dataset, block.first[2], materials);
+  });
 }
 
 CellMaterials::CellMaterials(const Hdf5File &file,
@@ -68,32 +101,46 @@ CellMaterials::CellMaterials(const Hdf5File &file,
     throw misfit(file, program);
 }
 
-std::vector<std::uint16_t> CellMaterials::of_cells(const Hdf5File &file,
-                                                   const std::size_t first,
-                                                   const std::size_t count) const
+/** What @p read (dataset, a number of its type) reads of both datasets, see of_cells(). */
+template <typename Read>
+std::vector<std::uint16_t> CellMaterials::checked(const Hdf5File &file,
+                                                  const Read &read) const
 {
-  const auto phase =
-    read_cells<std::uint8_t>(file, phases, first, count, program + " writes it");
+  const std::vector<std::uint8_t> phase = read(phases, std::uint8_t());
   require_phases(file, phases, phase, n_phases, program);
   if (oriented.empty())
     return {phase.begin(), phase.end()};
-  auto id = read_cells<std::uint16_t>(file, orientations_dataset, first, count);
-  for (std::size_t k = 0; k < count; ++k)
+  const std::vector<std::uint16_t> id = read(orientations_dataset, std::uint16_t());
+  for (std::size_t k = 0; k < id.size(); ++k)
     if (id[k] >= oriented.size() || oriented[id[k]].phase != phase[k])
       throw misfit(file, program);
   return id;
 }
 
-Orientations CellMaterials::orientations(const Hdf5File &file) const
+std::vector<std::uint16_t> CellMaterials::of_cells(const Hdf5File &file,
+                                                   const std::size_t first,
+                                                   const std::size_t count) const
 {
-  Orientations all;
-  if (oriented.empty())
-    return all;
-  std::size_t n = 1;
-  for (const std::size_t extent : shape)
-    n *= extent;
-  all.materials = oriented;
-  all.id        = of_cells(file, 0, n);
-  return all;
+  return checked(file, [&](const std::string &dataset, auto number) {
+    return read_cells<decltype(number)>(file, dataset, first, count,
+                                        program + " writes it");
+  });
 }
+
+template <int dim>
+std::vector<std::uint16_t> CellMaterials::of_cells(const Hdf5File &file,
+                                                   const CellBlock<dim> &block) const
+{
+  const Shape offset(block.first.rbegin(), block.first.rend()),
+    count(block.cells.rbegin(), block.cells.rend());
+  return checked(file, [&](const std::string &dataset, auto number) {
+    return file.read_block<decltype(number)>(dataset, offset, count,
+                                             program + " writes it");
+  });
+}
+
+template std::vector<std::uint16_t> CellMaterials::of_cells(const Hdf5File &,
+                                                            const CellBlock<2> &) const;
+template std::vector<std::uint16_t> CellMaterials::of_cells(const Hdf5File &,
+                                                            const CellBlock<3> &) const;
 } // namespace mesoslip

@@ -1,6 +1,7 @@
 #ifndef mesoslip_exchange_orientation_datasets_h
 #define mesoslip_exchange_orientation_datasets_h
 
+#include "grid/cell_reader.h"
 #include "io/hdf5_file.h"
 #include "material/orientations.h"
 
@@ -15,6 +16,14 @@ namespace mesoslip
 void write_orientations(Hdf5File &file,
                         const Orientations &orientations,
                         const Shape &cells);
+
+/** Writes the dataset @p phases of the phases of all cells of @p grid and, if there are @p oriented
+ * phases, /orientation, of which @p materials_in gives the numbers, some layers at a time. */
+void write_materials(Hdf5File &file,
+                     const std::string &phases,
+                     const UniformGrid<3> &grid,
+                     const std::vector<OrientedPhase> &oriented,
+                     const CellReader &materials_in);
 
 /** The datasets of the phases of cells and of their orientations, if there are any. */
 struct CellMaterials
@@ -33,8 +42,10 @@ struct CellMaterials
   std::vector<std::uint16_t>
   of_cells(const Hdf5File &file, const std::size_t first, const std::size_t count) const;
 
-  /** The orientations with the materials of all cells; empty where there are none. */
-  Orientations orientations(const Hdf5File &file) const;
+  /** The same of the cells of @p block of a grid, x fastest. */
+  template <int dim>
+  std::vector<std::uint16_t> of_cells(const Hdf5File &file,
+                                      const CellBlock<dim> &block) const;
 
   /** The phase of one of the materials. */
   unsigned int phase_of(const std::uint16_t material) const
@@ -47,6 +58,10 @@ struct CellMaterials
   std::string program;                 ///< that wrote the file
   Shape shape;                         ///< of the dataset of the phases; empty without it
   std::vector<OrientedPhase> oriented; ///< the distinct pairs of phase and orientation
+
+private:
+  template <typename Read>
+  std::vector<std::uint16_t> checked(const Hdf5File &file, const Read &read) const;
 };
 } // namespace mesoslip
 

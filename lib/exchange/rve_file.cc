@@ -189,22 +189,6 @@ void RveFile<dim>::require_grid(const std::string &nothing) const
                     "; run rve_homogenization on a grid");
 }
 
-/** Extents of a field of the cells. */
-template <int dim>
-Shape RveFile<dim>::cells() const
-{
-  return is_mesh() ? Shape{any_extent} : shape_of_cells(grid);
-}
-
-template <int dim>
-std::vector<std::uint8_t> RveFile<dim>::phase_id() const
-{
-  auto id =
-    file.read<std::uint8_t>(phases_dataset, cells(), "rve_homogenization writes it");
-  require_phases(file, phases_dataset, id, phases.size(), rve_program);
-  return id;
-}
-
 template <int dim>
 std::pair<std::vector<Phase<dim>>, std::vector<double>>
 RveContent<dim>::constituents() const
@@ -236,8 +220,10 @@ double RveFile<dim>::mean_density() const
       return mean;
     }
   std::vector<std::size_t> count(phases.size());
-  for (const std::uint8_t id : phase_id())
-    ++count[id];
+  for_each_piece(whole_block(grid), [&](const CellBlock<dim> &block) {
+    for (const std::uint16_t id : constituent_ids(block))
+      ++count[materials.phase_of(id)];
+  });
   double sum = 0.;
   for (std::size_t p = 0; p < count.size(); ++p)
     sum += phases[p].density * count[p];
@@ -260,7 +246,7 @@ VoigtMatrix<dim> RveFile<dim>::stiffness(const std::string &name) const
 template <int dim>
 std::vector<double> RveFile<dim>::concentration(const std::string &name) const
 {
-  Shape shape = cells();
+  Shape shape = is_mesh() ? Shape{any_extent} : shape_of_cells(grid);
   shape.insert(shape.end(), {n_voigt<dim>, n_voigt<dim>});
   return file.read<double>(concentration_dataset(name), shape, concentration_hint(name));
 }

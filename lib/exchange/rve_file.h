@@ -134,15 +134,6 @@ public:
   /** @throws UserError if the volume is a mesh, of which @p nothing can be taken. */
   void require_grid(const std::string &nothing) const;
 
-  /** Phase of each cell, on a grid x fastest; below the number of phases. */
-  std::vector<std::uint8_t> phase_id() const;
-
-  /** Orientations of the cells; empty where they are those of the phases. */
-  Orientations orientations() const
-  {
-    return materials.orientations(file);
-  }
-
   /** What the cells are made of: the phases, or these in all their orientations. */
   std::vector<Phase<dim>> constituents() const
   {
@@ -155,6 +146,12 @@ public:
                                              const std::size_t count) const
   {
     return materials.of_cells(file, first, count);
+  }
+
+  /** The same of the cells of @p block of a grid, x fastest. @throws UserError */
+  std::vector<std::uint16_t> constituent_ids(const CellBlock<dim> &block) const
+  {
+    return materials.of_cells(file, block);
   }
 
   /** Volume mean of the density (kg/m^3). */
@@ -177,7 +174,6 @@ public:
 
 private:
   explicit RveFile(Hdf5File &&opened);
-  Shape cells() const;
 
   Hdf5File file;
 

@@ -50,6 +50,40 @@ CellBlock<dim> block_around(const UniformGrid<dim> &grid,
     }
   return block;
 }
+
+/** All cells of @p grid. */
+template <int dim>
+CellBlock<dim> whole_block(const UniformGrid<dim> &grid)
+{
+  return {{}, grid.cells};
+}
+
+/** Calls @p treat (first, count) for pieces of @p n cells that are small beside the libraries of a
+ * program: whole layers of @p in_layer of them. */
+template <typename Treat>
+void for_each_piece(const std::size_t n, const std::size_t in_layer, const Treat &treat)
+{
+  constexpr std::size_t few = 1 << 14;
+  const std::size_t piece   = std::max<std::size_t>(few / in_layer, 1) * in_layer;
+  for (std::size_t first = 0; first < n; first += piece)
+    treat(first, std::min(piece, n - first));
+}
+
+/** Calls @p treat with such pieces of @p block, which has cells: blocks of whole layers across
+ * the last axis, in their order. */
+template <int dim, typename Treat>
+void for_each_piece(const CellBlock<dim> &block, const Treat &treat)
+{
+  const std::size_t in_layer = block.n_cells() / block.cells[dim - 1];
+  CellBlock<dim> piece       = block;
+  for_each_piece(block.n_cells(), in_layer,
+                 [&](const std::size_t first, const std::size_t count) {
+                   piece.first[dim - 1] =
+                     block.first[dim - 1] + static_cast<unsigned int>(first / in_layer);
+                   piece.cells[dim - 1] = static_cast<unsigned int>(count / in_layer);
+                   treat(piece);
+                 });
+}
 } // namespace mesoslip
 
 #endif

@@ -26,8 +26,7 @@ enum class Signature
 enum class StoredNumber
 {
   float64,
-  byte, ///< whole numbers from 0 to 255
-  word  ///< the same to 65535
+  byte ///< whole numbers from 0 to 255
 };
 
 /** "[3][41][61][2]"; an any_extent prints as "[*]". */
@@ -201,7 +200,8 @@ public:
   template <typename T>
   void write(const std::string &name, const Shape &shape, const std::vector<T> &data);
 
-  /** Creates a dataset of numbers of this shape for ParallelRows to fill. */
+  /** Creates a dataset of numbers T of this shape for ParallelRows or write_row() to fill. */
+  template <typename T = double>
   void reserve(const std::string &name, const Shape &shape);
 
   /**
@@ -215,10 +215,10 @@ public:
                     const std::size_t n_together = 1,
                     const StoredNumber stored    = StoredNumber::float64);
 
-  /** Writes whole rows from number @p row on of a dataset made by reserve_rows(). */
-  void write_row(const std::string &name,
-                 const std::size_t row,
-                 const std::vector<double> &values);
+  /** Writes whole rows from number @p row on of a dataset made by reserve() or reserve_rows(). */
+  template <typename T = double>
+  void
+  write_row(const std::string &name, const std::size_t row, const std::vector<T> &values);
 
   /**
    * All values, row-major. A dataset of another shape than @p expected (if not empty;

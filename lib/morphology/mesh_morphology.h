@@ -2,7 +2,7 @@
 #define mesoslip_morphology_mesh_morphology_h
 
 #include "grid/brick_box.h"
-#include "grid/cell_indices.h"
+#include "grid/cell_reader.h"
 #include "material/orientations.h"
 #include "material/voigt.h"
 #include "mesh/mesh.h"
@@ -47,25 +47,22 @@ struct MeshMorphology
   /** Of a grid in 3D, whose nodes and cells are numbered with x fastest, then y. */
   std::optional<BrickBox> box;
 
-  std::vector<std::uint8_t> phase_id; ///< of a box: of all its cells
-  Orientations orientations;          ///< the same, where they have their own
+  /** Reads the materials of the cells of a box: their phases, or which of @p oriented. */
+  CellReader materials_in;
 
-  /** Of each cell of a box its material: its phase, or this in one of its orientations. */
-  CellView material_id() const
-  {
-    return orientations.empty() ? CellView(phase_id) : CellView(orientations.id);
-  }
+  /** The phases in the orientations that cells of a box have; empty: as they are. */
+  std::vector<OrientedPhase> oriented;
 
-  /** What the cells are made of, by material_id. */
+  /** What the cells are made of, by their numbers. */
   std::vector<Phase<dim>> materials() const
   {
-    return oriented_phases(phases, orientations.materials);
+    return oriented_phases(phases, oriented);
   }
 
   /** The phase of material @p m. */
   unsigned int phase_of(const unsigned int m) const
   {
-    return orientations.empty() ? m : orientations.materials[m].phase;
+    return oriented.empty() ? m : oriented[m].phase;
   }
 
   /** Numbers in the box of the points of the mesh, ascending, where the mesh has only some;

@@ -42,6 +42,27 @@ void check_size(const BodyParameters &body, const std::array<double, dim> &volum
     throw UserError(sizes + "leave Size empty to take it from there, or set Body/Cells "
                             "to the numbers of cells of the larger body");
 }
+
+/** Along each axis, the number of cells of @p grid in one of the volume. @throws UserError */
+template <int dim>
+std::array<unsigned int, dim> refinement(const RveFile<dim> &rve,
+                                         const UniformGrid<dim> &grid)
+{
+  rve.require_grid("a heterogeneous body on a grid takes nothing");
+  const std::array<unsigned int, dim> coarse = rve.grid.cells, fine = grid.cells;
+  std::array<unsigned int, dim> ratio;
+  bool fits = true;
+  for (unsigned int d = 0; d < dim; ++d)
+    {
+      ratio[d] = fine[d] / coarse[d];
+      fits     = fits && ratio[d] > 0 && fine[d] % coarse[d] == 0;
+    }
+  if (!fits)
+    throw UserError("Body/Cells: " + extents_text(fine, dim) + " is no multiple of the " +
+                    extents_text(coarse, dim) + " cells of " + rve.path() +
+                    ", whose morphology a heterogeneous body takes");
+  return ratio;
+}
 } // namespace
 
 template <int dim>
@@ -99,33 +120,38 @@ UniformGrid<dim> make_grid(const BodyParameters &body, const RveFile<dim> *rve)
   return grid;
 }
 
-template <int dim, typename Index>
-std::vector<Index> refine(const RveFile<dim> &rve,
-                          const UniformGrid<dim> &grid,
-                          const std::vector<Index> &of_cells)
+template <int dim>
+std::vector<std::uint16_t> constituents_in(const RveFile<dim> &rve,
+                                           const UniformGrid<dim> &grid,
+                                           const CellBlock<dim> &block)
 {
-  rve.require_grid("a heterogeneous body on a grid takes nothing");
-  const std::array<unsigned int, dim> coarse = rve.grid.cells, fine = grid.cells;
-  std::array<unsigned int, 3> ratio = {{1, 1, 1}}, n = ratio, n_coarse = ratio;
-  bool fits = true;
+  const auto ratio                    = refinement(rve, grid);
+  std::array<unsigned int, dim> lower = {}, upper = {};
   for (unsigned int d = 0; d < dim; ++d)
     {
-      ratio[d]    = fine[d] / coarse[d];
-      n[d]        = fine[d];
-      n_coarse[d] = coarse[d];
-      fits        = fits && ratio[d] > 0 && fine[d] % coarse[d] == 0;
+      lower[d] = block.first[d] / ratio[d];
+      upper[d] = (block.first[d] + block.cells[d] - 1) / ratio[d];
     }
-  if (!fits)
-    throw UserError("Body/Cells: " + extents_text(fine, dim) + " is no multiple of the " +
-                    extents_text(coarse, dim) + " cells of " + rve.path() +
-                    ", whose morphology a heterogeneous body takes");
-  std::vector<Index> id;
-  id.reserve(grid.n_cells());
-  for (std::size_t k = 0; k < n[2]; ++k)
-    for (std::size_t j = 0; j < n[1]; ++j)
-      for (std::size_t i = 0; i < n[0]; ++i)
-        id.push_back(of_cells[(k / ratio[2] * n_coarse[1] + j / ratio[1]) * n_coarse[0] +
-                              i / ratio[0]]);
+  const CellBlock<dim> coarse = block_around<dim>(rve.grid, lower, upper, 0);
+  const std::vector<std::uint16_t> of_coarse = rve.constituent_ids(coarse);
+  if (coarse.cells == block.cells)
+    return of_coarse;
+  // What each place along an axis adds to the number of the cell of the volume.
+  std::array<std::vector<std::size_t>, 3> part = {{{0}, {0}, {0}}};
+  std::size_t stride                           = 1;
+  for (unsigned int d = 0; d < dim; ++d)
+    {
+      part[d].clear();
+      for (unsigned int i = block.first[d]; i < block.first[d] + block.cells[d]; ++i)
+        part[d].push_back((i / ratio[d] - lower[d]) * stride);
+      stride *= coarse.cells[d];
+    }
+  std::vector<std::uint16_t> id;
+  id.reserve(block.n_cells());
+  for (const std::size_t k : part[2])
+    for (const std::size_t j : part[1])
+      for (const std::size_t i : part[0])
+        id.push_back(of_coarse[k + j + i]);
   return id;
 }
 
@@ -139,13 +165,11 @@ void require_densities(const RveFile<dim> &rve)
                       "/Density and run rve_homogenization again");
 }
 
-#define MESOSLIP_INSTANTIATE(dim)                                                        \
-  template Phase<dim> given_phase<dim>(const BodyParameters &);                          \
-  template UniformGrid<dim> make_grid(const BodyParameters &, const RveFile<dim> *);     \
-  template std::vector<std::uint8_t> refine(                                             \
-    const RveFile<dim> &, const UniformGrid<dim> &, const std::vector<std::uint8_t> &);  \
-  template std::vector<std::uint16_t> refine(                                            \
-    const RveFile<dim> &, const UniformGrid<dim> &, const std::vector<std::uint16_t> &); \
+#define MESOSLIP_INSTANTIATE(dim)                                                    \
+  template Phase<dim> given_phase<dim>(const BodyParameters &);                      \
+  template UniformGrid<dim> make_grid(const BodyParameters &, const RveFile<dim> *); \
+  template std::vector<std::uint16_t> constituents_in(                               \
+    const RveFile<dim> &, const UniformGrid<dim> &, const CellBlock<dim> &);         \
   template void require_densities(const RveFile<dim> &);
 MESOSLIP_INSTANTIATE(2)
 MESOSLIP_INSTANTIATE(3)

@@ -21,13 +21,13 @@ Phase<dim> given_phase(const BodyParameters &body);
 template <int dim>
 UniformGrid<dim> make_grid(const BodyParameters &body, const RveFile<dim> *rve);
 
-/** What the cells of @p grid have of @p of_cells of the volume, such as their phases; each lies
- * in one cell of it. @throws UserError unless the numbers of cells are multiples of those of
- * the volume */
-template <int dim, typename Index>
-std::vector<Index> refine(const RveFile<dim> &rve,
-                          const UniformGrid<dim> &grid,
-                          const std::vector<Index> &of_cells);
+/** Which of the constituents of the volume the cells of @p block of @p grid are made of, x fastest;
+ * each lies in one cell of the volume. @throws UserError unless the numbers of cells are
+ * multiples of those of the volume, or when they cannot be read */
+template <int dim>
+std::vector<std::uint16_t> constituents_in(const RveFile<dim> &rve,
+                                           const UniformGrid<dim> &grid,
+                                           const CellBlock<dim> &block);
 
 /** @throws UserError naming a phase without density */
 template <int dim>

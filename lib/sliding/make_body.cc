@@ -29,8 +29,9 @@ void read_materials(const BodyParameters &given,
         {"effective", rve.stiffness(given.stiffness_name), rve.mean_density(), 0.}};
       return;
     }
-  body.phases   = rve.phases;
-  body.phase_id = refine(rve, body.grid, rve.phase_id());
+  body.phases = rve.phases;
+  for (const std::uint16_t id : constituents_in(rve, body.grid, whole_block(body.grid)))
+    body.phase_id.push_back(static_cast<std::uint8_t>(rve.materials.phase_of(id)));
 }
 
 std::vector<double> friction_of_nodes(const BodyDescription &body,

@@ -65,7 +65,7 @@ struct Box
     , box{{c.cells, c.edges, {}}, c.periodic}
     , mesh(mesh_of_cells(box.grid))
     , op(divide_box(box,
-                    CellView(random_phases()),
+                    reader_of(box.grid, random_phases()),
                     static_cast<unsigned int>(phases.size()),
                     communicator),
          phases,
@@ -306,7 +306,7 @@ TEST(Brick, EigenvaluesOfTheCube)
                nu                          = 0.5 * lambda / (lambda + mu);
   const BrickBox box                       = {{{{1, 1, 1}}, {{h, h, h}}, {}}, {}};
   const std::vector<std::uint8_t> one_cell = {0};
-  const BrickOperator op(divide_box(box, CellView(one_cell), 1, MPI_COMM_SELF),
+  const BrickOperator op(divide_box(box, reader_of(box.grid, one_cell), 1, MPI_COMM_SELF),
                          {{isotropic_stiffness<3>(E, nu), rho}}, MPI_COMM_SELF);
   Eigen::Matrix<double, 24, 24> matrix;
   NodalField<double> u(8, 1, 3), f(8, 1, 3);
@@ -344,7 +344,7 @@ TEST(Brick, BoundOfACubeIsExact)
   const double lambda = E * nu / ((1. + nu) * (1. - 2. * nu)), mu = E / (2. * (1. + nu));
   const BrickBox box                       = {{{{1, 1, 1}}, {{h, h, h}}, {}}, {}};
   const std::vector<std::uint8_t> one_cell = {0};
-  const BrickOperator op(divide_box(box, CellView(one_cell), 1, MPI_COMM_SELF),
+  const BrickOperator op(divide_box(box, reader_of(box.grid, one_cell), 1, MPI_COMM_SELF),
                          {{isotropic_stiffness<3>(E, nu), rho}}, MPI_COMM_SELF);
   const double exact = std::sqrt(4. * (3. * lambda + 2. * mu) / (rho * h * h));
   EXPECT_NEAR(op.frequency_bound(), exact, 1e-12 * exact);

@@ -29,22 +29,28 @@ std::vector<unsigned int> planes_of_ranks(const BrickBox &box, const unsigned in
   return first;
 }
 
-/** Phases of the cells of a rank, see BrickSlab. */
-CellIndices phases_of_slab(const BrickSlab &slab, const CellView &all)
+/** Phases of the cells of a rank, see BrickSlab. @throws what @p phases throws */
+CellIndices phases_of_slab(const BrickSlab &slab, const CellReader &phases)
 {
-  const auto &n             = slab.box.grid.cells;
-  const unsigned int n_rows = n[2];
-  CellIndices phase((std::size_t{slab.n_planes} + 1) * n_rows * slab.stride, slab.none);
-  for (unsigned int layer = 0; layer <= slab.n_planes; ++layer)
+  const auto &n = slab.box.grid.cells;
+  CellIndices phase((std::size_t{slab.n_planes} + 1) * n[2] * slab.stride, slab.none);
+  const unsigned int end = slab.n_planes + (slab.has_layer(true) ? 1 : 0);
+  unsigned int layer     = slab.has_layer(false) ? 0 : 1;
+  while (layer < end)
     {
-      if ((layer == 0 && !slab.has_layer(false)) ||
-          (layer == slab.n_planes && !slab.has_layer(true)))
-        continue;
-      const unsigned int j = (slab.first_plane + layer + n[1] - 1) % n[1];
-      for (std::size_t k = 0; k < n_rows; ++k)
-        for (std::size_t i = 0; i < n[0]; ++i)
-          phase.set((std::size_t{layer} * n_rows + k) * slab.stride + i,
-                    all[(k * n[1] + j) * n[0] + i]);
+      // As many as lie side by side, up to where a periodic box begins again.
+      const unsigned int j     = (slab.first_plane + layer + n[1] - 1) % n[1],
+                         after = std::min(end, layer + n[1] - j);
+      const auto copy          = [&](const CellBlock<3> &block) {
+        const std::vector<std::uint16_t> read = phases(block);
+        auto next                             = read.begin();
+        for (unsigned int k = block.first[2]; k < block.first[2] + block.cells[2]; ++k)
+          for (std::size_t l = layer; l < after; ++l)
+            for (unsigned int i = 0; i < n[0]; ++i)
+              phase.set((l * n[2] + k) * slab.stride + i, *next++);
+      };
+      for_each_piece(CellBlock<3>{{{0, j, 0}}, {{n[0], after - layer, n[2]}}}, copy);
+      layer = after;
     }
   return phase;
 }
@@ -194,7 +200,7 @@ std::array<unsigned int, 3> BrickSlab::place_of(const unsigned int point) const
 }
 
 BrickSlab divide_box(const BrickBox &box,
-                     const CellView &phase_id,
+                     const CellReader &phases,
                      const unsigned int n_phases,
                      const MPI_Comm communicator,
                      const std::vector<unsigned int> &cells)
@@ -204,10 +210,7 @@ BrickSlab divide_box(const BrickBox &box,
                      rank                = mpi::this_mpi_process(communicator);
   const std::vector<unsigned int> planes = planes_of_ranks(box, n_ranks);
   BrickSlab slab                         = extents_of_slab(box, planes, rank, n_phases);
-  const std::string phase = scatter(communicator, [&](const unsigned int other) {
-    return phases_of_slab(extents_of_slab(box, planes, other, n_phases), phase_id).text();
-  });
-  slab.phase = rank == 0 ? phases_of_slab(slab, phase_id) : CellIndices(phase, n_phases);
+  on_all_ranks(communicator, [&]() { slab.phase = phases_of_slab(slab, phases); });
   SlabPart(slab).make(cells);
   return slab;
 }

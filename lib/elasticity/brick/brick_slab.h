@@ -3,6 +3,7 @@
 
 #include "grid/brick_box.h"
 #include "grid/cell_indices.h"
+#include "grid/cell_reader.h"
 #include "mesh/mesh_part.h"
 
 #include <array>
@@ -53,13 +54,13 @@ struct BrickSlab
 };
 
 /**
- * Divides the box among the ranks. @p phase_id, of each cell with x fastest, then y, counts
- * on rank 0 only; phases are below @p n_phases. Each of @p cells becomes one of the part of
- * the rank that has it. Collective.
- * @throws UserError for more ranks than layers of cells
+ * Divides the box among the ranks, of which each reads its @p phases, some layers across z at a
+ * time; they are below @p n_phases. Each of @p cells becomes one of the part of the rank that
+ * has it. Collective.
+ * @throws UserError for more ranks than layers of cells, and what @p phases throws on one rank
  */
 BrickSlab divide_box(const BrickBox &box,
-                     const CellView &phase_id,
+                     const CellReader &phases,
                      const unsigned int n_phases,
                      const MPI_Comm communicator,
                      const std::vector<unsigned int> &cells = {});

@@ -130,6 +130,7 @@ void Hdf5File::write_attribute(const std::string &object,
     write_them({}, &value);
 }
 
+template <typename T>
 void Hdf5File::reserve(const std::string &name, const Shape &shape)
 {
   remove(name);
@@ -137,21 +138,11 @@ void Hdf5File::reserve(const std::string &name, const Shape &shape)
                    properties = creation_properties();
   H5Pset_alloc_time(properties, H5D_ALLOC_TIME_EARLY);
   H5Pset_fill_time(properties, H5D_FILL_TIME_NEVER);
-  Hdf5Handle dataset(H5Dcreate2(file, name.c_str(), H5T_NATIVE_DOUBLE, space, links,
+  Hdf5Handle dataset(H5Dcreate2(file, name.c_str(), hdf5::native_type<T>(), space, links,
                                 properties, H5P_DEFAULT));
   if (!dataset.valid() || !dataset.close())
     fail_writing(dataset_text(name) + " cannot be created");
 }
-
-namespace
-{
-hid_t type_of(const StoredNumber stored)
-{
-  return stored == StoredNumber::byte   ? H5T_NATIVE_UINT8
-         : stored == StoredNumber::word ? H5T_NATIVE_UINT16
-                                        : H5T_NATIVE_DOUBLE;
-}
-} // namespace
 
 void Hdf5File::reserve_rows(const std::string &name,
                             const Shape &shape,
@@ -178,15 +169,18 @@ void Hdf5File::reserve_rows(const std::string &name,
   const bool empty = DraftMark::leaves_empty();
   H5Pset_alloc_time(properties, empty ? H5D_ALLOC_TIME_INCR : H5D_ALLOC_TIME_EARLY);
   H5Pset_fill_time(properties, empty ? H5D_FILL_TIME_IFSET : H5D_FILL_TIME_NEVER);
-  Hdf5Handle dataset(H5Dcreate2(file, name.c_str(), type_of(stored), space, links,
-                                properties, H5P_DEFAULT));
+  Hdf5Handle dataset(
+    H5Dcreate2(file, name.c_str(),
+               stored == StoredNumber::byte ? H5T_NATIVE_UINT8 : H5T_NATIVE_DOUBLE, space,
+               links, properties, H5P_DEFAULT));
   if (!dataset.valid() || !dataset.close())
     fail_writing(dataset_text(name) + " cannot be created");
 }
 
+template <typename T>
 void Hdf5File::write_row(const std::string &name,
                          const std::size_t row,
-                         const std::vector<double> &values)
+                         const std::vector<T> &values)
 {
   const Encoded encoded(file_path + ": " + dataset_text(name), values.data(),
                         values.size());
@@ -232,5 +226,13 @@ void Hdf5File::write_header(const std::string &format,
   template void Hdf5File::write_attribute<std::vector<T>>(                             \
     const std::string &, const std::string &, const std::vector<T> &);
 MESOSLIP_HDF5_TYPES(MESOSLIP_INSTANTIATE)
+#undef MESOSLIP_INSTANTIATE
+#define MESOSLIP_INSTANTIATE(T)                                                \
+  template void Hdf5File::reserve<T>(const std::string &, const Shape &);      \
+  template void Hdf5File::write_row<T>(const std::string &, const std::size_t, \
+                                       const std::vector<T> &);
+MESOSLIP_INSTANTIATE(double)
+MESOSLIP_INSTANTIATE(std::uint8_t)
+MESOSLIP_INSTANTIATE(std::uint16_t)
 #undef MESOSLIP_INSTANTIATE
 } // namespace mesoslip

@@ -3,6 +3,7 @@
 
 #include "exchange/body_snapshots.h"
 #include "exchange/rve_file.h"
+#include "grid/cell_block.h"
 #include "mesh/cell_gradients.h"
 #include "mesh/cell_locator.h"
 
@@ -59,17 +60,6 @@ struct CellSet
   UniformGrid<dim> grid; ///< of a mesh its box as one cell
   Mesh<dim> mesh;        ///< points and cells
 };
-
-/** Calls @p treat (first, count) for pieces of @p n cells that are small beside the libraries of a
- * program: whole layers of @p in_layer of them. */
-template <typename Treat>
-void for_each_piece(const std::size_t n, const std::size_t in_layer, const Treat &treat)
-{
-  constexpr std::size_t few = 1 << 14;
-  const std::size_t piece   = std::max<std::size_t>(few / in_layer, 1) * in_layer;
-  for (std::size_t first = 0; first < n; first += piece)
-    treat(first, std::min(piece, n - first));
-}
 
 /** The places along the axes of cell number @p k of a grid. */
 template <int dim>

@@ -4,6 +4,8 @@
 #include "sliding/complex/complex_cases.h"
 #include "sliding/run_plan.h"
 
+#include <algorithm>
+
 namespace mesoslip
 {
 namespace
@@ -67,15 +69,17 @@ BodyMemory memory_on_mesh(const ContactParameters &parameters, const Mesh<dim> &
 
 BodyMemory memory_of_box(const ContactParameters &parameters, const UniformGrid<3> &grid)
 {
-  constexpr double bytes_of_corners = 8. * bytes_of_corner, bytes_of_brick = 330.,
-                   bytes_of_phase = 1.;
-  const auto cells                = static_cast<double>(grid.n_cells());
-  double nodes                    = 1.;
+  constexpr double bytes_of_corners = 8. * bytes_of_corner, bytes_of_brick = 330.;
+  const auto cells = static_cast<double>(grid.n_cells());
+  double nodes = 1., inside = 1.;
   for (const unsigned int n : grid.cells)
-    nodes *= n + 1.;
+    {
+      nodes *= n + 1.;
+      inside *= std::max(n, 2U) - 2.;
+    }
   if (parameters.analysis != ContactAnalysis::transient)
     return of_static_body<3>(parameters, nodes, bytes_of_corners * cells);
-  return {bytes_of_phase * cells,
+  return {bytes_of_corners * (cells - inside),
           bytes_of_brick * cells + bytes_of_snapshots(parameters, 3. * nodes), 0.};
 }
 

@@ -45,7 +45,7 @@ struct BodyMemory
 template <int dim>
 BodyMemory memory_on_mesh(const ContactParameters &parameters, const Mesh<dim> &mesh);
 
-/** The same for a box of voxels, of which steps need no mesh but at the sides. */
+/** The same for a box of voxels, of which steps need no mesh but that of rank 0 at the sides. */
 BodyMemory memory_of_box(const ContactParameters &parameters, const UniformGrid<3> &grid);
 } // namespace mesoslip
 

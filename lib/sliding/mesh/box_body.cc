@@ -1,5 +1,6 @@
 #include "sliding/mesh/box_body.h"
 
+#include "base/exchange.h"
 #include "base/files.h"
 #include "base/text.h"
 #include "exchange/mesh_datasets.h"
@@ -12,7 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <optional>
+#include <memory>
 #include <set>
 #include <utility>
 
@@ -29,12 +30,44 @@ std::string grid_line(const UniformGrid<3> &grid)
                     grid.extent(1), " x ", grid.extent(2), " m");
 }
 
-void describe_phases(MeshMorphology<3> &box, const std::vector<PhaseParameters> &phases)
+/** The materials of the cells of a body on @p grid: those of @p rve, unless all are alike. */
+CellReader reader_of_box(const BodyParameters &parameters,
+                         const UniformGrid<3> &grid,
+                         const std::shared_ptr<const RveFile<3>> &rve)
 {
-  std::vector<std::size_t> count(phases.size(), 0);
-  for (const std::uint8_t id : box.phase_id)
-    ++count[id];
-  const auto n = static_cast<double>(box.phase_id.size());
+  if (!parameters.heterogeneous)
+    return [](const CellBlock<3> &block) {
+      return std::vector<std::uint16_t>(block.n_cells());
+    };
+  return
+    [rve, grid](const CellBlock<3> &block) { return constituents_in(*rve, grid, block); };
+}
+
+/** Sets the materials of the cells of the mesh, ascending in the box. Returns the number of cells
+ * of each phase in the whole box, of which it reads some layers at a time. */
+std::vector<std::size_t> find_materials(MeshMorphology<3> &box)
+{
+  std::vector<std::size_t> count(box.phases.size());
+  auto &cells        = box.mesh.cells;
+  std::size_t number = 0;
+  unsigned int next  = 0;
+  for_each_piece(whole_block(box.box->grid), [&](const CellBlock<3> &block) {
+    for (const std::uint16_t material : box.materials_in(block))
+      {
+        ++count[box.phase_of(material)];
+        if (next < cells.size() && box.whole_cell(next) == number)
+          cells[next++].material_id = material;
+        ++number;
+      }
+  });
+  return count;
+}
+
+void describe_phases(MeshMorphology<3> &box,
+                     const std::vector<PhaseParameters> &phases,
+                     const std::vector<std::size_t> &count)
+{
+  const auto n = static_cast<double>(box.n_cells());
   for (std::size_t p = 0; p < phases.size(); ++p)
     {
       box.fractions.push_back(static_cast<double>(count[p]) / n);
@@ -179,29 +212,24 @@ MeshMorphology<3> make_box(const ContactParameters &parameters,
 {
   const std::string &path = parameters.body.rve_file;
   const bool whole        = parameters.analysis != ContactAnalysis::transient;
-  std::optional<RveFile<3>> rve;
+  std::shared_ptr<const RveFile<3>> rve;
   if (!path.empty())
     {
       require_readable_file("Body/RVE file: ", path, "run rve_homogenization first");
-      rve.emplace(path);
+      rve = std::make_shared<const RveFile<3>>(path);
     }
   MeshMorphology<3> body;
-  const UniformGrid<3> grid = make_grid<3>(parameters.body, rve ? &*rve : nullptr);
+  const UniformGrid<3> grid = make_grid<3>(parameters.body, rve.get());
   const double bytes        = memory_of_box(parameters, grid).on_machine(n_here, n_ranks);
   require_memory({bytes, cells_that_fit({grid.cells.begin(), grid.cells.end()}, bytes) +
                            "; reduce Body/Cells, or take more machines"});
   body.file = path;
   body.box  = {
      grid, {{!parameters.mesh.periodic[0].empty(), !parameters.mesh.periodic[1].empty()}}};
-  body.description = {grid_line(grid)};
-  body.phase_id.resize(grid.n_cells());
+  body.description  = {grid_line(grid)};
+  body.materials_in = reader_of_box(parameters.body, grid, rve);
   if (parameters.body.heterogeneous)
-    {
-      body.phase_id     = refine(*rve, grid, rve->phase_id());
-      body.orientations = rve->orientations();
-      if (!body.orientations.empty())
-        body.orientations.id = refine(*rve, grid, body.orientations.id);
-    }
+    body.oriented = rve->materials.oriented;
   if (whole)
     make_whole_mesh(body);
   else
@@ -213,17 +241,29 @@ MeshMorphology<3> make_box(const ContactParameters &parameters,
                      std::back_inserter(cells));
       keep_cells(body, cells);
     }
-  for (unsigned int k = 0; k < body.mesh.cells.size(); ++k)
-    body.mesh.cells[k].material_id = body.material_id()[body.whole_cell(k)];
   body.mesh.boundaries = {"Left", "Right", "Front", "Back", "Contact", "Top"};
   body.phases          = make_phases<3>(parameters.mesh.phases);
   for (const Phase<3> &material : body.materials())
     body.mesh.phases.push_back(material.name);
-  describe_phases(body, parameters.mesh.phases);
-  if (!body.orientations.empty())
-    body.description.push_back(
-      "Orientations: " + std::to_string(body.orientations.materials.size()) +
-      " different pairs of phase and orientation");
+  describe_phases(body, parameters.mesh.phases, find_materials(body));
+  if (!body.oriented.empty())
+    body.description.push_back("Orientations: " + std::to_string(body.oriented.size()) +
+                               " different pairs of phase and orientation");
   return body;
+}
+
+void share_box(const BodyParameters &parameters, MeshMorphology<3> &body)
+{
+  BrickBox box = body.box.value_or(BrickBox());
+  broadcast_object(MPI_COMM_WORLD, box);
+  on_all_ranks(MPI_COMM_WORLD, [&]() {
+    if (body.box)
+      return;
+    std::shared_ptr<const RveFile<3>> rve;
+    if (parameters.heterogeneous)
+      rve = std::make_shared<const RveFile<3>>(RveFile<3>::open_too(parameters.rve_file));
+    body.box          = box;
+    body.materials_in = reader_of_box(parameters, box.grid, rve);
+  });
 }
 } // namespace mesoslip

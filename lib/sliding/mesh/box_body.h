@@ -17,6 +17,10 @@ MeshMorphology<3> make_box(const ContactParameters &parameters,
                            const unsigned int n_here  = 1,
                            const unsigned int n_ranks = 1);
 
+/** Gives the other ranks the box of @p body, which rank 0 has, and its materials. Collective.
+ * @throws UserError when they cannot open the file */
+void share_box(const BodyParameters &parameters, MeshMorphology<3> &body);
+
 /** The faces of the mesh on the side of the box whose name is number @p side of the groups. */
 std::vector<BoundaryFace<3>> faces_of_side(const MeshMorphology<3> &body,
                                            const unsigned int side);

@@ -1,6 +1,5 @@
 #include "sliding/mesh/distributed_body.h"
 
-#include "base/exchange.h"
 #include "dynamics/brick_stepper.h"
 #include "dynamics/mesh_stepper.h"
 
@@ -126,13 +125,13 @@ class BodyOfBricks : public DistributedBody<3>
 {
 public:
   BodyOfBricks(const BrickBox &box,
-               const CellView &phase_id,
+               const CellReader &materials,
                const std::vector<MeshPlace> &probes,
                const std::vector<ElasticPhase<3>> &phases,
                const InstructionSet isa,
                const MPI_Comm communicator)
     : op(divide_box(box,
-                    phase_id,
+                    materials,
                     static_cast<unsigned int>(phases.size()),
                     communicator,
                     cells_of(probes)),
@@ -196,15 +195,9 @@ distribute_body(const MeshMorphology<dim> &morphology,
                 const MPI_Comm communicator)
 {
   if constexpr (dim == 3)
-    {
-      bool is_box  = morphology.box.has_value();
-      BrickBox box = morphology.box.value_or(BrickBox());
-      broadcast_object(communicator, is_box);
-      broadcast_object(communicator, box);
-      if (is_box)
-        return std::make_unique<BodyOfBricks>(box, morphology.material_id(), probes,
-                                              phases, isa, communicator);
-    }
+    if (morphology.box)
+      return std::make_unique<BodyOfBricks>(*morphology.box, morphology.materials_in,
+                                            probes, phases, isa, communicator);
   return std::make_unique<BodyOfMesh<dim>>(morphology.mesh, contact, phases, isa,
                                            communicator);
 }

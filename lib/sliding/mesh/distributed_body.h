@@ -43,10 +43,10 @@ template <int dim>
 std::unique_ptr<DistributedBody<dim>> make_distributed_body(const MeshOperator<dim> &op);
 
 /**
- * Divides the body of rank 0 among the ranks: a box of bricks by layers, any other mesh by
- * METIS, where cells at the points of the @p contact weigh more. Of a box the part has no
- * cells but those of the @p probes. Collective.
- * @throws UserError for more ranks than layers of cells of a box
+ * Divides the body among the ranks: a box of bricks, which all of them have, by layers, a mesh,
+ * which rank 0 has, by METIS, where cells at the points of the @p contact weigh more. Of a box
+ * the part has no cells but those of the @p probes. Collective.
+ * @throws UserError for more ranks than layers of cells of a box, or if these cannot be read
  */
 template <int dim>
 std::unique_ptr<DistributedBody<dim>>

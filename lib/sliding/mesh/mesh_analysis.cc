@@ -79,10 +79,13 @@ MeshAnalysis<dim>::MeshAnalysis(const ContactParameters &given)
   });
   broadcast_object(MPI_COMM_WORLD, body);
   broadcast_object(MPI_COMM_WORLD, memory);
-  std::vector<OrientedPhase> materials = morphology.orientations.materials;
-  broadcast_object(MPI_COMM_WORLD, materials);
+  broadcast_object(MPI_COMM_WORLD, morphology.oriented);
+  // Only steps are divided before all else is made on rank 0.
+  if constexpr (dim == 3)
+    if (parameters.mesh.is_box() && parameters.analysis == ContactAnalysis::transient)
+      share_box(parameters.body, morphology);
   for (const Phase<dim> &phase :
-       oriented_phases(make_phases<dim>(parameters.mesh.phases), materials))
+       oriented_phases(make_phases<dim>(parameters.mesh.phases), morphology.oriented))
     phases.push_back({phase.stiffness, phase.density});
   if (n_ranks > body.n_cells)
     throw UserError("the mesh has " + std::to_string(body.n_cells) +

@@ -52,8 +52,9 @@ protected:
   /** Puts the contact nodes of the description into the order of @p elastic. */
   void order_contact(const MeshBody<dim> &elastic);
 
-  const ContactParameters parameters;    ///< all of them, checked
-  MeshMorphology<dim> morphology;        ///< on rank 0
+  const ContactParameters parameters; ///< all of them, checked
+  /** On rank 0; of a box that is advanced in time all ranks have what reads its cells. */
+  MeshMorphology<dim> morphology;
   MeshBodyDescription body;              ///< the same on all ranks
   std::vector<ElasticPhase<dim>> phases; ///< of the cells, the same on all ranks
   BodyMemory memory;                     ///< to which analyses add what they need

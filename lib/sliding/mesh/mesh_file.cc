@@ -21,11 +21,9 @@ void write_cells(Hdf5File &file, const MeshMorphology<dim> &morphology)
   if constexpr (dim == 3)
     if (morphology.box)
       {
-        const UniformGrid<3> &grid = morphology.box->grid;
-        write_grid(file, grid);
-        const Shape cells = {grid.cells[2], grid.cells[1], grid.cells[0]};
-        write_dataset(file, phase_of_cells, cells, morphology.phase_id);
-        return write_orientations(file, morphology.orientations, cells);
+        write_grid(file, morphology.box->grid);
+        return write_materials(file, phase_of_cells, morphology.box->grid,
+                               morphology.oriented, morphology.materials_in);
       }
   write_mesh(file, morphology.mesh);
   std::vector<std::uint8_t> phase_id;
@@ -43,7 +41,7 @@ Hdf5File create_mesh_file(const std::string &path,
 {
   Hdf5File file = Hdf5File::create(path);
   file.write_header(morphology.box ? format : format + "-mesh",
-                    morphology.orientations.empty() ? 1 : 2, dim, body.digest);
+                    morphology.oriented.empty() ? 1 : 2, dim, body.digest);
   write_phases(file, "/material", morphology.phases, true);
   file.write_attribute("/material", "rve_digest", body.rve_digest);
   write_cells(file, morphology);

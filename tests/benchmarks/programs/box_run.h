@@ -77,8 +77,10 @@ private:
     if (phases.size() > 1)
       {
         std::mt19937 random(1);
-        for (std::uint8_t &id : found.box.phase_id)
-          id = static_cast<std::uint8_t>(random() % 4 == 0 ? phases.size() - 1 : 0);
+        std::vector<std::uint8_t> id(found.box.n_cells());
+        for (std::uint8_t &one : id)
+          one = static_cast<std::uint8_t>(random() % 4 == 0 ? phases.size() - 1 : 0);
+        found.box.materials_in = reader_of(found.box.box->grid, id);
       }
     join_periodic_sides(found.box, p.mesh);
     found.body = describe_body(found.box, p);

@@ -1,6 +1,6 @@
 """contact_dynamics and stress_localization on a box of voxels whose orientations come from a file: as on a mesh of the same cells, in which
-each grain is a phase with its Euler angles, on 1, 2 and 3 ranks; with more materials than fit a byte; modes and static contact; localized
-and direct stresses are those of the turned stiffnesses."""
+each grain is a phase with its Euler angles, on 1, 2 and 3 ranks; with more materials than fit a byte; refined as from voxels of that size;
+modes and static contact; localized and direct stresses are those of the turned stiffnesses."""
 
 import re
 import tempfile
@@ -14,6 +14,7 @@ from mesh_files import Box
 from scenes import Folder, prm
 
 GRAINS = 12
+FINE = tuple(2 * n for n in CELLS)  # of a body that is refined
 SEARCH = ("inputs", "iterations", "state_changes", "solver_iterations", "residual", "friction_change")  # how statics were found
 CRYSTAL = {"Type": "orthotropic", "Young moduli": "240e9, 60e9, 90e9", "Poisson ratios": "0.2, 0.25, 0.3", "Shear moduli": "40e9, 30e9, 50e9",
            "Density": 2600, "Friction coefficient": 0.5}
@@ -23,20 +24,26 @@ PHASES = {"Phases/Names": "matrix, crystal", **{f"Phases/matrix/{key}": value fo
 
 
 def prepare(folder):
-    """The volume of grains in a matrix, twice: with the number of the grain, and with angles that all differ a little; and the mesh."""
+    """The volume of grains in a matrix, three times: with the number of the grain, with finer voxels, and with angles that all differ a
+    little; and the mesh."""
     random = np.random.default_rng(11)
     voxels = np.where(random.random(CELLS[::-1]) < 0.03, -1, random.integers(0, GRAINS, CELLS[::-1]))
     angles = np.round(random.uniform((0, 0, 0), (360, 180, 360), (GRAINS, 3)), 3)
     np.save(folder("phases.npy"), (voxels >= 0).astype(np.uint8))
     np.save(folder("grains.npy"), voxels)
+    np.save(folder("fine_phases.npy"), refined((voxels >= 0).astype(np.uint8)))
+    np.save(folder("fine_grains.npy"), refined(voxels))
     folder.write("grains.csv", "grain,phi1 [degrees],Phi [degrees],phi2 [degrees]\n"
                  + "".join("%d,%r,%r,%r\n" % (n, *map(float, a)) for n, a in enumerate(angles)))
     np.save(folder("angles.npy"), angles[voxels] + 1e-12 * np.arange(voxels.size).reshape(*voxels.shape, 1))
     volume = {"Dimension": 3, "Grid/Cells": "%d, %d, %d" % CELLS, "Grid/Size": "%g, %g, %g" % SIZE, "Microstructure/Type": "voxels",
               "Microstructure/File": "phases.npy", **PHASES}
-    folder.write("rve.prm", prm({**volume, "Microstructure/Orientation file": "grains.npy", "Microstructure/Orientation table": "grains.csv"}))
+    grains = {"Microstructure/Orientation file": "grains.npy", "Microstructure/Orientation table": "grains.csv"}
+    folder.write("rve.prm", prm({**volume, **grains}))
+    folder.write("fine.prm", prm({**volume, **grains, "Grid/Cells": "%d, %d, %d" % FINE, "Microstructure/File": "fine_phases.npy",
+                                  "Microstructure/Orientation file": "fine_grains.npy"}))
     folder.write("many.prm", prm({**volume, "Microstructure/Orientation file": "angles.npy"}))
-    for name in ("rve", "many"):
+    for name in ("rve", "fine", "many"):
         folder.run(0, "rve_homogenization", f"{name}.prm", "--output", name)
 
     def phase(middle):
@@ -52,6 +59,30 @@ def prepare(folder):
     for n, euler in enumerate(angles):
         settings |= {f"Phases/grain{n}/{key}": value for key, value in CRYSTAL.items()} | {f"Phases/grain{n}/Euler angles": "%r, %r, %r" % tuple(map(float, euler))}
     return settings
+
+
+def refined(values):
+    """Of cells [z][y][x], those that each is cut into."""
+    for axis, (n, fine) in enumerate(zip(values.shape, FINE[::-1])):
+        values = np.repeat(values, fine // n, axis=axis)
+    return values
+
+
+def check_refined(folder):
+    """A body with finer cells than its volume is that of a volume of such cells, whichever rank reads which of them."""
+    shorter = ("--set=Time/Time step=6e-9", "--set=Time/End time=1.8e-6", "--set=Snapshots/Interval=6e-7")
+    finer = ("--set=Body/Cells=%d, %d, %d" % FINE,)
+    for name in boxes.SUPPORTS:
+        folder.run(0, "contact_dynamics", f"{name}.prm", "--output", "of_fine", *shorter, "--set=Body/RVE file=fine/rve.h5")
+        for of, ranks in (("rve", 1), ("rve", 2), ("rve", 3), ("rve", 7), ("many", 3)):
+            folder.run(0, "contact_dynamics", f"{name}.prm", "--output", "refined", *shorter, *finer, f"--set=Body/RVE file={of}/rve.h5", ranks=ranks)
+            with h5py.File(folder("of_fine", "dynamics.h5")) as one, h5py.File(folder("refined", "dynamics.h5")) as other, \
+                 h5py.File(folder(of, "rve.h5")) as volume:
+                u, v = (file["snapshots/displacement"][()] for file in (one, other))
+                assert u.shape == v.shape and np.abs(u - v).max() < 1e-9 * np.abs(u).max() > 0, (name, of, ranks)
+                for of_body, of_volume in (("material/phase_id", "phase/id"), ("orientation/id", "orientation/id")):
+                    assert np.array_equal(other[of_body][()], refined(volume[of_volume][()])), (name, of, ranks, of_body)
+                    assert other[of_body].dtype == volume[of_volume].dtype == one[of_body].dtype, (name, of, ranks, of_body)
 
 
 def check_as_mesh(folder, of_mesh):
@@ -156,8 +187,9 @@ def main():
         of_mesh = prepare(folder)
         check_localized(folder)
         check_as_mesh(folder, of_mesh)
+        check_refined(folder)
         check_other_analyses(folder, of_mesh)
-    print("a box with orientations of its cells: as the mesh whose grains are phases, on several ranks, localized")
+    print("a box with orientations of its cells: as the mesh whose grains are phases, on several ranks, refined, localized")
 
 
 if __name__ == "__main__":

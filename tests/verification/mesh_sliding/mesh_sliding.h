@@ -146,9 +146,14 @@ private:
     MeshMorphology<dim> morphology;
     morphology.mesh = c.mesh;
     if constexpr (dim == 3)
-      morphology.box = c.box;
-    for (const auto &cell : c.mesh.cells)
-      morphology.phase_id.push_back(static_cast<std::uint8_t>(cell.material_id));
+      if (c.box)
+        {
+          std::vector<std::uint8_t> id;
+          for (const auto &cell : c.mesh.cells)
+            id.push_back(static_cast<std::uint8_t>(cell.material_id));
+          morphology.box          = c.box;
+          morphology.materials_in = reader_of(c.box->grid, id);
+        }
     return distribute_body(morphology, contact, {}, c.phases, InstructionSet::automatic,
                            communicator);
   }
