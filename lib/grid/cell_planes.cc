@@ -44,10 +44,10 @@ PlaneRange planes_of_rank(const unsigned int n_planes,
                           const unsigned int rank,
                           const unsigned int n_ranks)
 {
-  const auto begin = [&](const std::size_t r) {
-    return static_cast<unsigned int>(r * n_planes / n_ranks);
-  };
-  return {begin(rank), begin(std::size_t{rank} + 1) - begin(rank)};
+  const std::size_t r = rank;
+  const auto begin    = static_cast<unsigned int>(r * n_planes / n_ranks),
+             end      = static_cast<unsigned int>((r + 1) * n_planes / n_ranks);
+  return {begin, end - begin};
 }
 
 PlaneRange own_planes(const unsigned int n_planes, const MPI_Comm communicator)

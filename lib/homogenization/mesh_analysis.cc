@@ -18,10 +18,13 @@ namespace mesoslip
 {
 namespace
 {
-/** Bytes that a node costs all ranks together, measured with ML: cells, matrix, hierarchy,
- * load cases. */
+/** Bytes that a node costs all ranks together, measured with ML: cells, matrix, hierarchy, load
+ * cases. */
 template <int dim>
-constexpr double bytes_per_node = dim == 2 ? 4600. : 21000.;
+constexpr double bytes_per_node = dim == 2 ? 3400. : 15000.;
+/** More where several boundary conditions or members are computed one after the other. */
+template <int dim>
+constexpr double bytes_of_several = dim == 2 ? 1200. : 6000.;
 
 template <int dim>
 class MeshVolumeAnalysis : public VolumeAnalysis<dim>
@@ -32,9 +35,8 @@ public:
   {
     on_root(MPI_COMM_WORLD, [this]() { read_all(); });
     broadcast_object(MPI_COMM_WORLD, sizes);
-    require_memory(
-      {share_of_this_machine() * bytes_per_node<dim> * static_cast<double>(sizes[0]),
-       "take a coarser mesh or more machines"});
+    require_memory({share_of_this_machine() * bytes_of_volume(),
+                    "take a coarser mesh or more machines"});
   }
 
   void describe(std::ostream &out) const override
@@ -49,8 +51,7 @@ public:
           out << "warning: " << warning << '\n';
       }
     out << n_cases() * volumes.size() << " load cases, about "
-        << static_cast<unsigned long>(150 + 1e-6 * bytes_per_node<dim> *
-                                              static_cast<double>(sizes[0]))
+        << static_cast<unsigned long>(150 + 1e-6 * bytes_of_volume())
         << " MB, divided among the ranks\n"
         << bytes_text(this->need().bytes) << " on the disk\n";
     for (const std::string &warning : slips())
@@ -132,6 +133,14 @@ private:
   std::uint64_t n_cases() const
   {
     return n_voigt<dim> * parameters.conditions.size();
+  }
+
+  /** What the first mesh takes on all ranks together (bytes). */
+  double bytes_of_volume() const
+  {
+    const bool several = parameters.conditions.size() > 1 || parameters.n_members > 1;
+    const double more  = several ? bytes_of_several<dim> : 0.;
+    return (bytes_per_node<dim> + more) * static_cast<double>(sizes[0]);
   }
 
   /** Phase of each cell of the first mesh; on rank 0. */

@@ -71,8 +71,8 @@ class VoxelAnalysis : public VolumeAnalysis<3>
 public:
   VoxelAnalysis(const RveParameters &given, const std::string &digest_of_inputs)
     : VolumeAnalysis<3>(given, digest_of_inputs)
+    , volume(make_voxels(given.microstructure, MPI_COMM_WORLD))
   {
-    volume = make_voxels(parameters.microstructure, MPI_COMM_WORLD);
   }
 
   void describe(std::ostream &out) const override

@@ -145,8 +145,9 @@ VoxelRegion own_region(VoxelRegion region,
                        const MPI_Comm communicator)
 {
   const PlaneRange planes = own_planes(p.box.cells[2], communicator);
-  region.from[2] += std::size_t{planes.first} * p.voxels.coarsening;
-  region.size[2] = std::size_t{planes.count} * p.voxels.coarsening;
+  const std::size_t edge  = p.voxels.coarsening;
+  region.from[2] += edge * planes.first;
+  region.size[2] = edge * planes.count;
   return region;
 }
 
