@@ -53,12 +53,12 @@ void unite(std::set<T> &elements, const MPI_Comm communicator)
 }
 
 /** Reads the angles or grains of the cells of this rank. */
-class CellReader
+class OrientationReader
 {
 public:
-  CellReader(const MicrostructureParameters &p,
-             const std::vector<bool> &turns,
-             const MPI_Comm communicator)
+  OrientationReader(const MicrostructureParameters &p,
+                    const std::vector<bool> &turns,
+                    const MPI_Comm communicator)
     : p(p)
     , reading(p.orientation)
     , turns(turns)
@@ -212,7 +212,7 @@ std::string reading_name(const MicrostructureParameters &p)
     .string();
 }
 
-std::vector<std::string> description_of(const CellReader &cells,
+std::vector<std::string> description_of(const OrientationReader &cells,
                                         const MicrostructureParameters &p,
                                         const std::vector<bool> &turns)
 {
@@ -253,7 +253,7 @@ CellOrientations read_cell_orientations(const MicrostructureParameters &p,
                                         const MPI_Comm communicator)
 {
   const std::vector<bool> turns = phases_that_turn(phases);
-  CellReader cells(p, turns, communicator);
+  OrientationReader cells(p, turns, communicator);
   on_all_ranks(communicator, [&]() { cells.read(phase_id); });
   cells.share(communicator);
   CellOrientations result;
