@@ -182,35 +182,33 @@ void read_on_ranks(const std::function<void()> &read,
 
 CellPhases read_cell_phases(const MicrostructureParameters &p,
                             VoxelFile &file,
-                            const VoxelRegion &of_all,
+                            const VoxelRegion &region,
                             const MPI_Comm communicator)
 {
-  const bool thresholds    = !p.image.thresholds.empty();
-  const VoxelRegion region = own_region(of_all, p, communicator);
-  const PhaseOfValue phase_of(p.image.thresholds,
-                              thresholds
-                                ? std::vector<double>()
-                                : values_of_voxel_phases(p, file, region, communicator));
+  const bool thresholds = !p.image.thresholds.empty();
+  const VoxelRegion own = own_region(region, p, communicator);
+  const PhaseOfValue phase_of(
+    p.image.thresholds, thresholds ? std::vector<double>()
+                                   : values_of_voxel_phases(p, file, own, communicator));
   const std::size_t edge = p.voxels.coarsening, width = file.shape()[2],
                     n_x = p.box.cells[0];
   CellPhases result;
-  result.id.reserve(n_x * p.box.cells[1] * (region.size[2] / edge));
+  result.id.reserve(n_x * p.box.cells[1] * (own.size[2] / edge));
   result.fractions.assign(p.phases.size(), 0.);
   CellVotes votes(n_x * p.box.cells[1], p.phases.size(),
                   static_cast<double>(edge * edge * edge));
   const auto add_plane = [&](const std::size_t z, const std::vector<double> &plane) {
-    for (std::size_t y = 0; y < region.size[1]; ++y)
+    for (std::size_t y = 0; y < own.size[1]; ++y)
       {
-        const double *row  = &plane[(region.from[1] + y) * width + region.from[0]];
+        const double *row  = &plane[(own.from[1] + y) * width + own.from[0]];
         double last        = row[0];
         unsigned int phase = phase_of(last);
-        for (std::size_t x = 0; x < region.size[0]; ++x)
+        for (std::size_t x = 0; x < own.size[0]; ++x)
           {
             if (row[x] != last)
               phase = phase_of(last = row[x]);
             if (phase >= phase_of.end())
-              refuse_value(p.file,
-                           {{region.from[2] + z, region.from[1] + y, region.from[0] + x}},
+              refuse_value(p.file, {{own.from[2] + z, own.from[1] + y, own.from[0] + x}},
                            row[x], thresholds);
             result.fractions[phase] += 1.;
             votes.add(y / edge * n_x + x / edge, phase);
@@ -219,12 +217,12 @@ CellPhases read_cell_phases(const MicrostructureParameters &p,
     if ((z + 1) % edge == 0)
       votes.close_layer(result.id);
   };
-  read_on_ranks([&]() { for_each_plane(file, region, add_plane); }, votes, edge == 1,
+  read_on_ranks([&]() { for_each_plane(file, own, add_plane); }, votes, edge == 1,
                 communicator);
   sum_over_ranks(result.fractions, communicator);
   for (double &fraction : result.fractions)
-    fraction /= static_cast<double>(of_all.size[0] * of_all.size[1]) *
-                static_cast<double>(of_all.size[2]);
+    fraction /= static_cast<double>(region.size[0] * region.size[1]) *
+                static_cast<double>(region.size[2]);
   return result;
 }
 } // namespace mesoslip
