@@ -8,18 +8,26 @@
 
 namespace mesoslip
 {
-void reserve_cells(const std::string &path,
+void reserve_cells(Hdf5File &file,
+                   const std::string &phases,
                    const Shape &shape,
                    const bool with_orientations)
 {
-  Hdf5File file = Hdf5File::resume(path);
-  file.reserve<std::uint8_t>(phases_dataset, shape);
-  file.write_unit(phases_dataset, "-");
+  file.reserve<std::uint8_t>(phases, shape);
+  file.write_unit(phases, "-");
   if (with_orientations)
     {
       file.reserve<std::uint16_t>(orientations_dataset, shape);
       file.write_unit(orientations_dataset, "-");
     }
+}
+
+void reserve_cells(const std::string &path,
+                   const Shape &shape,
+                   const bool with_orientations)
+{
+  Hdf5File file = Hdf5File::resume(path);
+  reserve_cells(file, phases_dataset, shape, with_orientations);
   file.leave();
 }
 

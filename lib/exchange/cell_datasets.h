@@ -14,6 +14,13 @@ inline constexpr char phases_dataset[] = "/phase/id";
 /** Dataset of the orientations of cells. */
 inline constexpr char orientations_dataset[] = "/orientation/id";
 
+/** Makes room in @p file for a dataset @p phases of the phases of cells in an array of that @p shape,
+ * and for their orientations. */
+void reserve_cells(Hdf5File &file,
+                   const std::string &phases,
+                   const Shape &shape,
+                   const bool with_orientations);
+
 /** Makes room for the phases of cells in an array of that @p shape, and for their orientations, in the
  * file @p path that was begun and left; write_cell_planes() fills it. */
 void reserve_cells(const std::string &path,

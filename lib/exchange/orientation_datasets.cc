@@ -55,15 +55,9 @@ void write_materials(Hdf5File &file,
                      const std::vector<OrientedPhase> &oriented,
                      const CellReader &materials_in)
 {
-  const Shape cells = shape_of_cells(grid);
-  file.reserve<std::uint8_t>(phases, cells);
-  file.write_unit(phases, "-");
   if (!oriented.empty())
-    {
-      write_oriented(file, oriented);
-      file.reserve<std::uint16_t>(orientations_dataset, cells);
-      file.write_unit(orientations_dataset, "-");
-    }
+    write_oriented(file, oriented);
+  reserve_cells(file, phases, shape_of_cells(grid), !oriented.empty());
   for_each_piece(whole_block(grid), [&](const CellBlock<3> &block) {
     const std::vector<std::uint16_t> materials = materials_in(block);
     std::vector<std::uint8_t> phase;

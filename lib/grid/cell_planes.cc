@@ -34,7 +34,7 @@ std::vector<unsigned int> planes_in(const PlaneRange &range,
 {
   std::vector<unsigned int> found;
   for (const unsigned int plane : planes)
-    if (plane >= range.first && plane < range.first + range.count)
+    if (range.contains(plane))
       found.push_back(plane);
   return found;
 }
@@ -88,16 +88,14 @@ CellIndices CellPlanes::bring(const std::vector<unsigned int> &wanted,
   for (unsigned int r = 0; r < n_ranks; ++r)
     if (const auto planes = planes_in(range, wanted_of_rank[r]); !planes.empty())
       to_send[r] = copy_planes(own, range.first, planes, n, largest).text();
-  std::map<unsigned int, CellIndices> received;
-  for (const auto &[rank, text] : mpi::some_to_some(communicator, to_send))
-    received.emplace(rank, CellIndices(text, largest));
   CellIndices brought(wanted.size() * n, largest);
-  for (const auto &[rank, cells] : received)
+  for (const auto &[rank, text] : mpi::some_to_some(communicator, to_send))
     {
+      const CellIndices cells(text, largest);
       const PlaneRange theirs = planes_of_rank(grid.cells[2], rank, n_ranks);
       std::size_t from        = 0;
       for (std::size_t k = 0; k < wanted.size(); ++k)
-        if (wanted[k] >= theirs.first && wanted[k] < theirs.first + theirs.count)
+        if (theirs.contains(wanted[k]))
           for (std::size_t i = 0; i < n; ++i)
             brought.set(k * n + i, cells[from++]);
     }

@@ -10,11 +10,17 @@
 
 namespace mesoslip
 {
-/** Consecutive planes of cells of a box across z. */
+/** Consecutive planes of cells of a box across one of its axes. */
 struct PlaneRange
 {
   unsigned int first = 0; ///< number of the first plane
   unsigned int count = 0; ///< number of planes
+
+  /** Whether plane @p number is one of them. */
+  bool contains(const unsigned int number) const
+  {
+    return number >= first && number < first + count;
+  }
 };
 
 /** The planes that rank @p rank has of @p n_planes: from r N / n to (r + 1) N / n. */
@@ -46,8 +52,8 @@ public:
                     const std::size_t largest) const;
 
   const UniformGrid<3> grid;   ///< the whole box
-  const CellView own;          ///< of the planes of this rank
-  const MPI_Comm communicator; ///< of the ranks
+  const CellView own;          ///< the numbers of the cells in the planes of this rank
+  const MPI_Comm communicator; ///< of the ranks that have the planes
 };
 
 /** The cells of the planes of this rank, of @p all those of @p box that rank 0 has; none is

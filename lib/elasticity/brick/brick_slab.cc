@@ -2,6 +2,7 @@
 
 #include "base/errors.h"
 #include "base/exchange.h"
+#include "grid/cell_planes.h"
 #include "grid/nodal_field.h"
 
 #include <deal.II/base/mpi.h>
@@ -13,20 +14,17 @@ namespace mesoslip
 {
 namespace
 {
-/** First plane of nodes of each rank and, last, that of the whole box. */
-std::vector<unsigned int> planes_of_ranks(const BrickBox &box, const unsigned int n_ranks)
+/** The layers of cells across y of this rank. */
+PlaneRange own_layers(const BrickBox &box, const MPI_Comm communicator)
 {
-  const unsigned int n_layers = box.grid.cells[1];
+  const unsigned int n_layers = box.grid.cells[1],
+                     n_ranks  = dealii::Utilities::MPI::n_mpi_processes(communicator);
   if (n_ranks > n_layers)
     throw UserError("the body has " + std::to_string(n_layers) +
                     " layers of cells along y, which are divided among the processes; "
                     "start at most as many, not " +
                     std::to_string(n_ranks));
-  std::vector<unsigned int> first(n_ranks + 1);
-  for (unsigned int r = 0; r <= n_ranks; ++r)
-    first[r] =
-      static_cast<unsigned int>(static_cast<std::size_t>(n_layers) * r / n_ranks);
-  return first;
+  return own_planes(n_layers, communicator);
 }
 
 /** Phases of the cells of a rank, see BrickSlab. @throws what @p phases throws */
@@ -55,16 +53,15 @@ CellIndices phases_of_slab(const BrickSlab &slab, const CellReader &phases)
   return phase;
 }
 
-/** The extents of the slab of a rank, without phases and part. */
+/** The extents of the slab with these layers of cells, without phases and part. */
 BrickSlab extents_of_slab(const BrickBox &box,
-                          const std::vector<unsigned int> &planes,
-                          const unsigned int rank,
+                          const PlaneRange &layers,
                           const unsigned int n_phases)
 {
   BrickSlab slab;
   slab.box         = box;
-  slab.first_plane = planes[rank];
-  slab.n_planes    = planes[rank + 1] - planes[rank] + 1;
+  slab.first_plane = layers.first;
+  slab.n_planes    = layers.count + 1;
   slab.n_nodes = {{box.grid.cells[0] + (box.periodic[0] ? 0 : 1), box.grid.cells[2] + 1}};
   slab.stride  = whole_vectors<double>(slab.n_nodes[0] + 2);
   slab.none    = n_phases;
@@ -205,11 +202,7 @@ BrickSlab divide_box(const BrickBox &box,
                      const MPI_Comm communicator,
                      const std::vector<unsigned int> &cells)
 {
-  namespace mpi                          = dealii::Utilities::MPI;
-  const unsigned int n_ranks             = mpi::n_mpi_processes(communicator),
-                     rank                = mpi::this_mpi_process(communicator);
-  const std::vector<unsigned int> planes = planes_of_ranks(box, n_ranks);
-  BrickSlab slab                         = extents_of_slab(box, planes, rank, n_phases);
+  BrickSlab slab = extents_of_slab(box, own_layers(box, communicator), n_phases);
   on_all_ranks(communicator, [&]() { slab.phase = phases_of_slab(slab, phases); });
   SlabPart(slab).make(cells);
   return slab;
