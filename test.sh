@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Builds and runs the tests: ./test.sh [option] [ctest options]
 #   without one      what CI runs: all tests but the long ones, then --lint and --sanitize
-#   --quick          unit and regression tests only
-#   --label NAME     unit, verification, regression, lint or long
+#   --quick          unit, system and regression tests only
+#   --label NAME     unit, verification, system, regression, lint or long
 #   --sanitize       unit tests, and those of programs and verification that are quick enough, with AddressSanitizer,
 #                    UndefinedBehaviorSanitizer, LeakSanitizer and the assertions of deal.II's Debug library, in build-sanitize
 #   --lint           clang-format, clang-tidy and cppcheck over library and programs
@@ -28,7 +28,7 @@ fuzz() {
 release() {
   install_packages
   [ -z "${CI:-}" ] || (mesoslip_packages=(chromium python3-paraview) && install_packages) ||
-    say "Without them regression/report/browser or regression/programs/xdmf is skipped"
+    say "Without them system/report/browser or system/programs/xdmf is skipped"
   build build all
   ctest --test-dir build --output-on-failure -j "$(nproc)" "$@"
 }

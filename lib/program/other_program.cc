@@ -16,7 +16,7 @@ struct OwnSections
   std::vector<std::string> sections; ///< at the top level, of no other program
 };
 
-/** tests/regression/programs/bad_input.py compares them with the keys of the programs. */
+/** tests/system/programs/bad_input.py compares them with the keys of the programs. */
 const std::vector<OwnSections> &own_sections()
 {
   static const std::vector<OwnSections> all = {

@@ -31,7 +31,7 @@ function(mesoslip_fuzzer target)
     add_test(NAME fuzz/${target} COMMAND ${program} ${folder}/corpus/${target} ${ARG_MUTATIONS}
              ${CMAKE_CURRENT_BINARY_DIR}/fuzz_${target}.last)
   endif()
-  set_tests_properties(fuzz/${target} PROPERTIES LABELS regression TIMEOUT 120 ENVIRONMENT "ASAN_OPTIONS=detect_leaks=0")
+  set_tests_properties(fuzz/${target} PROPERTIES LABELS system TIMEOUT 120 ENVIRONMENT "ASAN_OPTIONS=detect_leaks=0")
   add_dependencies(fuzzers ${program})
 endfunction()
 

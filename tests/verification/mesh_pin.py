@@ -1,5 +1,5 @@
 """The paper's pin on a mesh of deal.II against the grid: ML on 1, 2 and 4 ranks (METIS) and multigrid give the same stiffness,
-frequencies and contact forces to 1e-8. For the page; `regression/programs/ranks` has smaller bodies."""
+frequencies and contact forces to 1e-8. For the page; `system/programs/ranks` has smaller bodies."""
 
 import os
 

@@ -137,7 +137,7 @@ logarithm. Data: [convergence.csv](verification/convergence.csv).
 Largest differences, over the largest value, between ML on a mesh of deal.II that METIS divides and multigrid on the
 grid, through the programs with `prm/paper` at its full 560 x 160 cells. They have to be below 1e-8: stiffnesses are
 of second order in the tolerance of the solver (1e-8), forces of the static contact of first order. Five minutes of
-CPU time; `regression/programs/ranks` does the same with smaller bodies.
+CPU time; `system/programs/ranks` does the same with smaller bodies.
 
 {pin}
 
@@ -158,9 +158,9 @@ CPU time; `regression/programs/ranks` does the same with smaller bodies.
   same trilinear elements (HEX8), periodic: all 21 entries of spheres of contrast 8 and 100 and of three phases at random differ by 5e-14 to 4e-12 of the largest one,
   and each entry by at most 2e-10 of itself ([table](performance/fans.csv), [entries](performance/fans-entries.csv)); `./run.sh benchmarks fans --fans FANS` repeats it.
 * Boxes of voxels against a finite element code in scipy (`verification/voxels/voxels`), every kind of voxel file against NumPy (`verification/voxels/voxel_files`), ensembles
-  and turned phases (`verification/voxels/voxel_random`), orientations by cell (`verification/voxels/voxel_orientations`, `regression/sliding/oriented_boxes`).
+  and turned phases (`verification/voxels/voxel_random`), orientations by cell (`verification/voxels/voxel_orientations`, `system/sliding/oriented_boxes`).
 * Macroscopic loads and mixed uniform conditions against dense NumPy: `verification/volumes/macroscopic_loads`, `verification/volumes/mixed_conditions`.
-* Complex modes of heterogeneous pins against scipy, and their growth in runs: `regression/sliding/complex_modes`, `regression/pages/prediction`;
+* Complex modes of heterogeneous pins against scipy, and their growth in runs: `system/sliding/complex_modes`, `system/pages/prediction`;
   at an angle to the sliding in 3D against a closed form and numpy: `verification/contact/oblique_modes`.
 
 ## Not covered

@@ -7,7 +7,7 @@ import tempfile
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 TOP = os.path.dirname(os.path.dirname(HERE))
-sys.path[:0] = [os.path.join(TOP, "tests", "stability"), os.path.join(TOP, "applications", "tools", "studies")]
+sys.path[:0] = [os.path.join(TOP, "applications", "tools", "studies", *folder) for folder in (("stability",), ())]
 
 import limit  # noqa: E402
 import long_runs  # noqa: E402

@@ -135,7 +135,7 @@ TEST(MicrostructureParameters, FibreErrors)
   expect_contains(error_of({fibres("Placement spacing=1.5e-4")}), "does not divide");
 }
 
-// Each with its own words; the command line's are in regression/programs/bad_input.
+// Each with its own words; the command line's are in system/programs/bad_input.
 TEST(MicrostructureParameters, KeysWithoutEffectAreRefused)
 {
   const std::string fibre = "Phases/fibre/", image = "Microstructure/Type=image",

@@ -55,7 +55,7 @@ def _search(found):
             f"([theory](../theory.md#11-complex-modes-libeigenvaluescomplex)); here up to {found.searched / 1e3:.0f} kHz. The argument principle counts "
             f"{found.missing or 'no'} others in any of the runs. No mode above {found.bound / 1e3:.0f} kHz can grow at 1500 ns on these cells, by the numerical range of friction in the "
             f"elastic energy; between the two frequencies nothing was searched. Residuals are below {found.residual:.0e} of the terms of the equation. "
-            "Growth and frequency are also those of a run (next table, and `tests/regression/pages/prediction.py`). Contact nodes that are separated in the static state are free; "
+            "Growth and frequency are also those of a run (next table, and `tests/system/pages/prediction.py`). Contact nodes that are separated in the static state are free; "
             f"there are {_separated(found)}."]
 
 

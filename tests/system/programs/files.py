@@ -14,7 +14,7 @@ from scenes import PROGRAMS, TOP, Folder, prm
 
 from study import Study
 
-CHAIN = os.path.join(TOP, "tests", "regression", "chains", "reference")
+CHAIN = os.path.join(TOP, "tests", "system", "chains", "reference")
 SMALL = {"Time/End time": 4e-6, "Snapshots/From": 1e-6, "Observation/Energy interval": 10}
 STATIC = prm({"Analysis": "static contact", "Body/Material": "heterogeneous"})
 MODAL = prm({"Analysis": "modal", "Body/Material": "heterogeneous", "Modal/Number of modes": 2})

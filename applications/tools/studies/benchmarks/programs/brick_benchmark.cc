@@ -9,7 +9,7 @@
  * seconds of a step, median, lowest and highest, of rank 0 alone, of all ranks together and
  * of all ranks with a body each of its own.
  */
-#include "../../verification/mesh_sliding/mesh_sliding.h"
+#include "verification/mesh_sliding/mesh_sliding.h"
 
 #include "box_run.h"
 #include "matrix_step.h"

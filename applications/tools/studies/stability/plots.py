@@ -3,7 +3,7 @@
 import os
 import sys
 
-sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "applications", "tools"))
+sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
 import numpy as np  # noqa: E402
 from report.base.figures import (BLACK, BLUE, GREEN, GREY, ORANGE, PINK, RUN_COLOURS, above, above_all, lettered,  # noqa: E402
                      plt)  # figures chooses the backend

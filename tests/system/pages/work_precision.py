@@ -8,7 +8,7 @@ import numpy as np
 
 from scenes import TOP
 
-sys.path[:0] = [os.path.join(TOP, "tests", "benchmarks", *folder) for folder in ((), ("accuracy",))]
+sys.path[:0] = [os.path.join(TOP, "applications", "tools", "studies", "benchmarks", *folder) for folder in ((), ("accuracy",))]
 
 import fits  # noqa: E402
 import pin  # noqa: E402

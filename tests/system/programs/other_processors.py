@@ -13,7 +13,7 @@ import tempfile
 from scenes import TOP
 
 HERE, CROSS, EMULATOR = "g++", "aarch64-linux-gnu-g++", "qemu-aarch64"
-SOURCES = ["tests/regression/programs/other_processors.cc", "lib/elasticity/row_kernel.cc", "lib/elasticity/element_kernel.cc",
+SOURCES = ["tests/system/programs/other_processors.cc", "lib/elasticity/row_kernel.cc", "lib/elasticity/element_kernel.cc",
            "lib/statics/multigrid/kernels/kernels_table.cc",
            "lib/contact/contact_kernel.cc"]
 # Contraction off everywhere: the baseline has no fused multiply-add.

@@ -9,7 +9,7 @@ import numpy as np
 
 from scenes import TOP
 
-sys.path[:0] = [os.path.join(TOP, "tests", "benchmarks", *folder) for folder in ((), ("speed",))]
+sys.path[:0] = [os.path.join(TOP, "applications", "tools", "studies", "benchmarks", *folder) for folder in ((), ("speed",))]
 
 import shortcuts as benchmark  # noqa: E402
 from common import Study  # noqa: E402

@@ -8,7 +8,7 @@ import re
 import subprocess
 import sys
 
-TOP = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
+TOP = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), *4 * [".."]))
 sys.path.insert(0, os.path.join(TOP, "applications", "tools", "studies"))
 
 from fits import spread  # noqa: E402

@@ -1,5 +1,5 @@
 """What the programs leave out where a scene does not need it: each shortcut as two settings of one scene that have to give
-the same answer. `skips.py` measures the time saved, `tests/regression/chains/shortcuts.py` the answers, on smaller grids."""
+the same answer. `skips.py` measures the time saved, `tests/system/chains/shortcuts.py` the answers, on smaller grids."""
 
 import dataclasses
 import math

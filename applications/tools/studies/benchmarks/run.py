@@ -13,7 +13,8 @@ import sys
 
 sys.dont_write_bytecode = True
 HERE = os.path.dirname(os.path.abspath(__file__))
-sys.path[:0] = [HERE, *(os.path.join(HERE, folder) for folder in ("accuracy", "speed", "../scenes", "../verification"))]
+TESTS = os.path.join(HERE, "..", "..", "..", "..", "tests")
+sys.path[:0] = [HERE, *(os.path.join(HERE, folder) for folder in ("accuracy", "speed")), os.path.join(TESTS, "scenes"), os.path.join(TESTS, "verification")]
 
 from common import TOP, Bench  # noqa: E402
 from study import parse_arguments  # noqa: E402

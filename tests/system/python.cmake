@@ -27,12 +27,12 @@ function(mesoslip_python_tests label processors)
   endforeach()
 endfunction()
 
-mesoslip_python_tests(regression 1 chains/chain_inputs chains/python_module chains/python_runs chains/setup chains/shortcuts
+mesoslip_python_tests(system 1 chains/chain_inputs chains/python_module chains/python_runs chains/setup chains/shortcuts
                       homogenization/refused_statics pages/dependencies pages/gallery pages/links pages/mesh_scripts pages/parameter_reference pages/prediction
                       pages/site pages/studies pages/thickness pages/verification_page pages/work_precision programs/bad_input programs/completion
                       programs/disk programs/earlier_results programs/profile_rows programs/terminal report/browser report/whole_page
                       report/report_layout report/report_modes sliding/complex_modes_growth sliding/complex_modes_laws)
-mesoslip_python_tests(regression 2 chains/chain chains/chain_validation chains/drafts chains/package homogenization/mesh localization/mesh_localization localization/voxels
+mesoslip_python_tests(system 2 chains/chain chains/chain_validation chains/drafts chains/package homogenization/mesh localization/mesh_localization localization/voxels
                       pages/first_steps pages/guide pages/paper pages/tomogram programs/command_line programs/files programs/other_processors
                       programs/ranks programs/xdmf sliding/boxes sliding/complex_modes sliding/contact_map sliding/mesh_dynamics
                       sliding/mesh_flat sliding/mesh_modes sliding/mesh_periodic sliding/mesh_static_contact sliding/oriented_boxes
@@ -44,7 +44,7 @@ mesoslip_python_tests(verification 2 contact/large_strains contact/mesh_ranks co
                       volumes/macroscopic_loads volumes/macroscopic_loads_kinds volumes/mixed_conditions voxels/voxel_extremes voxels/voxel_orientations
                       voxels/voxel_random voxels/voxels)
 if(MESOSLIP_DOXYGEN)
-  mesoslip_python_tests(regression 1 pages/doxygen)
+  mesoslip_python_tests(system 1 pages/doxygen)
 else()
-  message(STATUS "mesoslip: no doxygen; regression/pages/doxygen is left out")
+  message(STATUS "mesoslip: no doxygen; system/pages/doxygen is left out")
 endif()

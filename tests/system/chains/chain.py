@@ -12,7 +12,7 @@ import h5py
 
 from scenes import TOP, Folder, run_chain
 
-CHAIN = os.path.join(TOP, "tests", "regression", "chains", "reference")
+CHAIN = os.path.join(TOP, "tests", "system", "chains", "reference")
 REFERENCE = os.path.join(CHAIN, "reference.json")
 
 # Numbers of summary.json that are compared; regression values, not truths.

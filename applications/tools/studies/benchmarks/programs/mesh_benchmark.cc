@@ -10,9 +10,9 @@
  * lowest and highest, in turns of rank 0 alone, of its matrix, of all ranks together and of
  * all ranks with a body each of its own, which is the bound where memory is shared.
  */
-#include "../../verification/mesh_sliding/mesh_sliding.h"
 #include "matrix_step.h"
 #include "measuring.h"
+#include "verification/mesh_sliding/mesh_sliding.h"
 
 #include <fstream>
 #include <map>

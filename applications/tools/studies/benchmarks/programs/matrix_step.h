@@ -1,7 +1,7 @@
 #ifndef mesoslip_tests_benchmarks_matrix_step_h
 #define mesoslip_tests_benchmarks_matrix_step_h
 
-#include "../../verification/mesh_sliding/mesh_sliding.h"
+#include "verification/mesh_sliding/mesh_sliding.h"
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>

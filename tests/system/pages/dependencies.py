@@ -55,7 +55,7 @@ def main():
             for path in sources:
                 problems += of_file(topic, path, lib)
     if not architecture.is_drawn():
-        problems.append("doc/architecture.svg is not that of the sources: PYTHONPATH=tests/scenes tests/regression/pages/architecture.py draws it")
+        problems.append("doc/architecture.svg is not that of the sources: PYTHONPATH=tests/scenes tests/system/pages/architecture.py draws it")
     print("\n".join(sorted(set(problems))))
     sys.exit(1 if problems else 0)
 

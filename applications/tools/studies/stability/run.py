@@ -6,8 +6,8 @@ import os
 import sys
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-TOP = os.path.dirname(os.path.dirname(HERE))
-sys.path[:0] = [HERE, os.path.join(TOP, "tests", "scenes"), os.path.join(TOP, "applications", "tools", "studies")]
+TOP = os.path.normpath(os.path.join(HERE, *4 * [".."]))
+sys.path[:0] = [HERE, os.path.join(TOP, "tests", "scenes"), os.path.dirname(HERE)]
 
 import redraw  # noqa: E402
 import sections  # noqa: E402

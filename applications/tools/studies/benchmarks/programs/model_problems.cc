@@ -8,11 +8,11 @@
  * gives one line of CSV; cpu_s is that of the time loop alone, without observers:
  * median, lowest and highest of the repetitions.
  */
-#include "../../verification/dynamics/impact_bar.h"
-#include "../../verification/dynamics/rectangle_mode.h"
-#include "../../verification/sliding/oblique_layer.h"
 #include "box_run.h"
 #include "measuring.h"
+#include "verification/dynamics/impact_bar.h"
+#include "verification/dynamics/rectangle_mode.h"
+#include "verification/sliding/oblique_layer.h"
 
 #include <Eigen/Dense>
 

@@ -26,10 +26,10 @@
  * observers. Times are wall-clock: median, lowest and highest of the repetitions; cpu_s is
  * the least time of the processor of rank 0.
  */
-#include "../../verification/mesh_sliding/mesh_sliding.h"
 #include "box_run.h"
 #include "measuring.h"
 #include "vector_units.h"
+#include "verification/mesh_sliding/mesh_sliding.h"
 
 #include "grid/halo.h"
 
