@@ -74,7 +74,8 @@ bool started_by_mpirun();
  * What a process without mpirun does not need of Open MPI is left out of its start; call
  * before MPI_Init. No daemon for ranks that are spawned: a quarter of the time to start,
  * and it outlives a run that is killed. No session folder: processes that start and end
- * side by side share one and remove it under each other (one start of 200 fails).
+ * side by side share one and remove it under each other (one start of 200 fails). No search for
+ * networks between machines, which waits for 0.2 s.
  */
 void prepare_mpi_of_one_process();
 

@@ -17,6 +17,12 @@ mesoslip_warnings(io_program)
 deal_ii_setup_target(io_program)
 target_link_libraries(io_program mesoslip_program)
 
+# The programs without the time that their start takes, for scenes.py.
+add_executable(program_server ${CMAKE_CURRENT_LIST_DIR}/../scenes/program_server.cc)
+mesoslip_warnings(program_server)
+deal_ii_setup_target(program_server)
+target_link_libraries(program_server mesoslip_sliding mesoslip_localization)
+
 # mesoslip_python_tests(<label> <processors> <name>...); exit status 77: what the test needs is not installed.
 function(mesoslip_python_tests label processors)
   foreach(name ${ARGN})
