@@ -5,6 +5,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdlib>
 #include <exception>
 #include <new>
@@ -38,6 +39,56 @@ std::string receive(const MPI_Comm communicator, const int rank)
   return text;
 }
 } // namespace
+
+namespace mpi
+{
+unsigned int n_mpi_processes(const MPI_Comm communicator)
+{
+  return dealii::Utilities::MPI::n_mpi_processes(communicator);
+}
+
+unsigned int this_mpi_process(const MPI_Comm communicator)
+{
+  return dealii::Utilities::MPI::this_mpi_process(communicator);
+}
+
+template <typename Number>
+Number sum(const Number &value, const MPI_Comm communicator)
+{
+  return dealii::Utilities::MPI::sum(value, communicator);
+}
+
+template <typename Number>
+Number max(const Number &value, const MPI_Comm communicator)
+{
+  return dealii::Utilities::MPI::max(value, communicator);
+}
+
+template <typename Number>
+Number min(const Number &value, const MPI_Comm communicator)
+{
+  return dealii::Utilities::MPI::min(value, communicator);
+}
+
+void internal::broadcast_bytes(void *bytes,
+                               const std::size_t n,
+                               const int owner,
+                               const MPI_Comm communicator)
+{
+  MPI_Bcast(bytes, static_cast<int>(n), MPI_BYTE, owner, communicator);
+}
+
+template double sum(const double &, const MPI_Comm);
+template unsigned int sum(const unsigned int &, const MPI_Comm);
+template std::uint64_t sum(const std::uint64_t &, const MPI_Comm);
+template double max(const double &, const MPI_Comm);
+template int max(const int &, const MPI_Comm);
+template unsigned int max(const unsigned int &, const MPI_Comm);
+template std::uint64_t max(const std::uint64_t &, const MPI_Comm);
+template int min(const int &, const MPI_Comm);
+template unsigned int min(const unsigned int &, const MPI_Comm);
+template std::uint64_t min(const std::uint64_t &, const MPI_Comm);
+} // namespace mpi
 
 void broadcast(const MPI_Comm communicator, std::string &text, const int owner)
 {

@@ -1,24 +1,54 @@
 #ifndef mesoslip_base_exchange_h
 #define mesoslip_base_exchange_h
 
-#include "base/errors.h"
-
-#include <deal.II/base/mpi.h>
-
-#include <boost/archive/binary_iarchive.hpp>
-#include <boost/archive/binary_oarchive.hpp>
-#include <boost/iostreams/device/array.hpp>
-#include <boost/iostreams/device/back_inserter.hpp>
-#include <boost/iostreams/stream.hpp>
-
-#include <exception>
+#include <cstddef>
 #include <functional>
 #include <mpi.h>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace mesoslip
 {
+/** The few questions of dealii::Utilities::MPI that most sources ask, without its header, which takes seconds to compile. */
+namespace mpi
+{
+/** Number of ranks. */
+unsigned int n_mpi_processes(const MPI_Comm communicator);
+
+/** Number of this rank. */
+unsigned int this_mpi_process(const MPI_Comm communicator);
+
+/** Sum over the ranks: of double and unsigned integers. Collective. */
+template <typename Number>
+Number sum(const Number &value, const MPI_Comm communicator);
+
+/** Largest of the ranks: of double and integers. Collective. */
+template <typename Number>
+Number max(const Number &value, const MPI_Comm communicator);
+
+/** Smallest of the ranks: of int and unsigned integers. Collective. */
+template <typename Number>
+Number min(const Number &value, const MPI_Comm communicator);
+
+namespace internal
+{
+void broadcast_bytes(void *bytes,
+                     const std::size_t n,
+                     const int owner,
+                     const MPI_Comm communicator);
+} // namespace internal
+
+/** The @p value of rank @p owner, a plain number or struct. Collective. */
+template <typename T>
+T broadcast(T value, const int owner, const MPI_Comm communicator)
+{
+  static_assert(std::is_trivially_copyable_v<T>);
+  internal::broadcast_bytes(&value, sizeof(T), owner, communicator);
+  return value;
+}
+} // namespace mpi
+
 /**
  * Runs @p work on rank 0 while the others wait; what it throws is thrown on all ranks
  * (UserError, NumericalFailure and Interrupted as such, others as std::runtime_error).
@@ -79,79 +109,6 @@ bool started_by_mpirun();
  */
 void prepare_mpi_of_one_process();
 
-/**
- * What the serialize() of @p object saves, bit by bit, for the same program on the same
- * kind of machine.
- */
-template <typename T>
-std::string save_state(const T &object)
-{
-  std::string bytes;
-  {
-    boost::iostreams::stream<boost::iostreams::back_insert_device<std::string>> out(
-      boost::iostreams::back_inserter(bytes));
-    boost::archive::binary_oarchive(out) << object;
-  }
-  return bytes;
-}
-
-/**
- * Restores @p object from the bytes that save_state() gave; whoever stores them in a file
- * stores a checksum with them. More may follow them.
- * @throws UserError "<source>: ..." if they are no such state.
- */
-template <typename T>
-void load_state(const std::string &bytes, T &object, const std::string &source)
-{
-  try
-    {
-      boost::iostreams::stream<boost::iostreams::array_source> in(bytes.data(),
-                                                                  bytes.size());
-      boost::archive::binary_iarchive(in) >> object;
-    }
-  catch (const std::exception &error)
-    {
-      throw UserError(source + " is damaged: the state in it cannot be read (" +
-                      error.what() + ")");
-    }
-}
-
-/** Gives each rank the object that @p make (its number) returns on rank 0, made one after the
- * other so that rank 0 never has all of them. */
-template <typename Make>
-auto scatter_objects(const MPI_Comm communicator, const Make &make)
-{
-  const std::string text = scatter(
-    communicator, [&](const unsigned int rank) { return save_state(make(rank)); });
-  if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-    return make(0U);
-  decltype(make(0U)) object;
-  load_state(text, object, "the message of another process");
-  return object;
-}
-
-/**
- * Gives every rank the @p object of rank @p owner. Objects travel whole, so that no
- * member can be left behind: their serialize() is best made of serialize_members().
- */
-template <typename T>
-void broadcast_object(const MPI_Comm communicator, T &object, const int owner = 0)
-{
-  if (dealii::Utilities::MPI::n_mpi_processes(communicator) > 1)
-    object = dealii::Utilities::MPI::broadcast(communicator, object, owner);
-}
-
-/** Gives rank 0 the @p object of rank @p owner, whole; the other ranks keep theirs. */
-template <typename T>
-void bring_object_to_root(const MPI_Comm communicator, T &object, const int owner)
-{
-  const int rank =
-    static_cast<int>(dealii::Utilities::MPI::this_mpi_process(communicator));
-  std::string message = rank == owner ? save_state(object) : std::string();
-  bring_to_root(communicator, message, owner);
-  if (rank == 0 && owner != 0)
-    load_state(message, object, "the message of another process");
-}
 } // namespace mesoslip
 
 #endif

@@ -1,5 +1,6 @@
 #include "body/rigid_motions.h"
 
+#include "base/exchange.h"
 #include <deal.II/base/mpi.h>
 
 #include <Eigen/Dense>
@@ -11,7 +12,6 @@ namespace mesoslip
 {
 namespace
 {
-namespace mpi = dealii::Utilities::MPI;
 }
 
 template <int dim>
@@ -73,8 +73,9 @@ RigidMotions<dim>::hold_of(const DofMask &mask,
                (spring.stiffness / stiffest);
       }
   Hold hold;
-  mpi::sum(dealii::ArrayView<const double>(own.data(), own.size()), body.communicator(),
-           dealii::ArrayView<double>(hold.data(), hold.size()));
+  dealii::Utilities::MPI::sum(dealii::ArrayView<const double>(own.data(), own.size()),
+                              body.communicator(),
+                              dealii::ArrayView<double>(hold.data(), hold.size()));
   return hold;
 }
 

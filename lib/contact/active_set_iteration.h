@@ -1,6 +1,7 @@
 #ifndef mesoslip_contact_active_set_iteration_h
 #define mesoslip_contact_active_set_iteration_h
 
+#include "base/exchange.h"
 #include "contact/anderson_acceleration.h"
 #include "contact/equilibrium_solver.h"
 #include "contact/incremental_friction.h"
@@ -117,7 +118,7 @@ private:
         for (unsigned int c = 0; c < n_tangents && body.is_counted({i, j}); ++c)
           sum[c] += force(c, {i, j});
     for (double &component : sum)
-      component = dealii::Utilities::MPI::sum(component, body.communicator());
+      component = mpi::sum(component, body.communicator());
     return sum;
   }
 

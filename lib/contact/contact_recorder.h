@@ -3,8 +3,6 @@
 
 #include "contact/node_loads.h"
 
-#include <boost/serialization/vector.hpp>
-
 #include <array>
 #include <cstdint>
 #include <vector>

@@ -1,9 +1,8 @@
 #ifndef mesoslip_contact_equilibrium_solver_h
 #define mesoslip_contact_equilibrium_solver_h
 
+#include "base/exchange.h"
 #include "body/rigid_motions.h"
-
-#include <deal.II/base/mpi.h>
 
 #include <algorithm>
 #include <cmath>
@@ -54,8 +53,7 @@ public:
   {
     constrained = mask;
     springs     = on;
-    on_springs =
-      dealii::Utilities::MPI::max(springs.empty() ? 0 : 1, body.communicator()) > 0;
+    on_springs  = mpi::max(springs.empty() ? 0 : 1, body.communicator()) > 0;
     solver->set_constrained_on_springs(mask, springs);
   }
 
@@ -132,8 +130,8 @@ private:
             free += x * x;
             all += internal * internal;
           }
-    free = dealii::Utilities::MPI::sum(free, body.communicator());
-    all  = dealii::Utilities::MPI::sum(all, body.communicator());
+    free = mpi::sum(free, body.communicator());
+    all  = mpi::sum(all, body.communicator());
     return all > 0. ? std::sqrt(free / all) : (free > 0. ? 1. : 0.);
   }
 

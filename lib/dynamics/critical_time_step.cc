@@ -1,9 +1,8 @@
 #include "dynamics/critical_time_step.h"
 
+#include "base/exchange.h"
 #include "elasticity/uniform_grid_operator.h"
 #include "grid/nodal_field.h"
-
-#include <deal.II/base/mpi.h>
 
 #include <Eigen/Eigenvalues>
 
@@ -100,9 +99,7 @@ FrequencyEstimate iterate(const Operator &op,
 {
   // Lanczos without reorthogonalization: the extreme Ritz values do not suffer.
   const std::size_t n = v.size();
-  const auto total    = [&](const auto number) {
-    return dealii::Utilities::MPI::sum(number, op.communicator);
-  };
+  const auto total = [&](const auto number) { return mpi::sum(number, op.communicator); };
   const std::uint64_t n_all = total(std::uint64_t(n));
   std::vector<double> old(n, 0.), y(n), diagonal, off;
   const auto norm = [&](const std::vector<double> &x) {

@@ -1,6 +1,6 @@
 #include "dynamics/deformation.h"
 
-#include "base/exchange.h"
+#include "base/object_exchange.h"
 #include "mesh/linear_shape.h"
 
 #include <deal.II/base/tensor.h>

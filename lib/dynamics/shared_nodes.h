@@ -3,8 +3,7 @@
 
 #include "mesh/mesh_part.h"
 
-#include <deal.II/base/types.h>
-
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -21,7 +20,7 @@ class SharedNodes
 {
 public:
   /** No node: what stands for one where arrays are filled up to whole vectors. */
-  static constexpr unsigned int none = dealii::numbers::invalid_unsigned_int;
+  static constexpr unsigned int none = std::numeric_limits<unsigned int>::max();
 
   /** Those of @p points, originals of the whole mesh, which the surface is made of. */
   template <int dim>

@@ -181,8 +181,7 @@ private:
     } mine = {fastest, 0}, best;
     MPI_Comm_rank(stepper.communicator, &mine.rank);
     MPI_Allreduce(&mine, &best, 1, MPI_DOUBLE_INT, MPI_MAXLOC, stepper.communicator);
-    broadcast_object(stepper.communicator, worst, best.rank);
-    return worst;
+    return mpi::broadcast(worst, best.rank, stepper.communicator);
   }
 
 

@@ -5,6 +5,7 @@
 #include "dynamics/stepper.h"
 #include "dynamics/surface_condition.h"
 
+#include <cassert>
 #include <optional>
 
 namespace mesoslip
@@ -50,8 +51,8 @@ protected:
               counted_point(part, top_point),
               communicator)
   {
-    AssertDimension(u.n_columns(), part.points.size());
-    AssertDimension(w.n_columns(), part.points.size());
+    assert(u.n_columns() == part.points.size());
+    assert(w.n_columns() == part.points.size());
   }
 
 private:

@@ -3,7 +3,6 @@
 #include "base/exchange.h"
 
 #include <deal.II/base/exceptions.h>
-#include <deal.II/base/mpi.h>
 
 #include <algorithm>
 #include <array>
@@ -47,8 +46,8 @@ TopSurface<dim>::TopSurface(const TopSetup &setup,
     }
   else
     area = std::accumulate(tributary.begin(), tributary.begin() + n_distinct, 0.);
-  top_area = dealii::Utilities::MPI::sum(area, ranks);
-  n_in_top = dealii::Utilities::MPI::sum(static_cast<double>(n_distinct), ranks);
+  top_area = mpi::sum(area, ranks);
+  n_in_top = mpi::sum(static_cast<double>(n_distinct), ranks);
   if (top_area > 0.)
     platen_mass = setup.platen_mass * (area / top_area);
 }
@@ -87,7 +86,7 @@ void TopSurface<dim>::initialize(const SurfaceView<dim> &surface)
   for (unsigned int i = 0; i < n_distinct; ++i)
     if (surface.inverse_mass[dim - 1][i] > 0.)
       moving_mass += 1. / surface.inverse_mass[dim - 1][i];
-  moving_mass = dealii::Utilities::MPI::sum(moving_mass, ranks);
+  moving_mass = mpi::sum(moving_mass, ranks);
   started     = true;
 }
 

@@ -5,9 +5,6 @@
 #include "dynamics/surface_condition.h"
 #include "parameters/load_history.h"
 
-#include <boost/serialization/array.hpp>
-#include <boost/serialization/vector.hpp>
-
 #include <array>
 #include <cstdint>
 #include <limits>

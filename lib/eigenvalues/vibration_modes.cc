@@ -1,6 +1,7 @@
 #include "eigenvalues/vibration_modes.h"
 
 #include "base/errors.h"
+#include "base/exchange.h"
 #include "body/rigid_motions.h"
 #include "eigenvalues/free_dofs.h"
 
@@ -156,7 +157,7 @@ double normalize(NodalField<double> &shape, const ElasticBody<dim> &body)
   for (unsigned int j = 0; j < body.n_rows(); ++j)
     for (unsigned int i = 0; i < body.n_columns(); ++i)
       most = std::max(most, length_of({i, j}));
-  most = dealii::Utilities::MPI::max(most, body.communicator());
+  most = mpi::max(most, body.communicator());
 
   // Utilities::MPI::min() of deal.II 9.4 takes unsigned numbers of 64 bits for signed ones.
   constexpr std::uint64_t nowhere = std::numeric_limits<std::int64_t>::max();
@@ -169,7 +170,7 @@ double normalize(NodalField<double> &shape, const ElasticBody<dim> &body)
           first = body.number({i, j});
           place = {i, j};
         }
-  const std::uint64_t lowest = dealii::Utilities::MPI::min(first, body.communicator());
+  const std::uint64_t lowest = mpi::min(first, body.communicator());
   double factor              = -std::numeric_limits<double>::max();
   if (first == lowest && first != nowhere)
     {
@@ -179,7 +180,7 @@ double normalize(NodalField<double> &shape, const ElasticBody<dim> &body)
           component = shape(c, place);
       factor = (component < 0. ? -1. : 1.) * length_of(place);
     }
-  factor = dealii::Utilities::MPI::max(factor, body.communicator());
+  factor = mpi::max(factor, body.communicator());
   for (std::size_t k = 0; k < shape.size(); ++k)
     shape.begin()[k] *= (factor < 0. ? -1. : 1.) / std::fabs(factor);
   return std::fabs(factor);
@@ -231,7 +232,7 @@ std::vector<Vector> lowest_eigenvectors(const FreeDofs<dim> &dofs,
   const unsigned int n_lanczos =
     static_cast<unsigned int>(std::min<std::size_t>(2 * n_modes + 10, dofs.size() - 1));
   Vector start = dofs.zero();
-  std::mt19937 generator(1 + dealii::Utilities::MPI::this_mpi_process(communicator));
+  std::mt19937 generator(1 + mpi::this_mpi_process(communicator));
   std::uniform_real_distribution<> number(-1., 1.);
   for (double &x : start)
     x = number(generator);
@@ -240,7 +241,7 @@ std::vector<Vector> lowest_eigenvectors(const FreeDofs<dim> &dofs,
   std::vector<std::complex<double>> values(n_modes);
   std::vector<Vector> vectors(n_modes, start);
   dealii::SolverControl control(1000, 1e-10, false, false);
-  if (dealii::Utilities::MPI::n_mpi_processes(communicator) == 1)
+  if (mpi::n_mpi_processes(communicator) == 1)
     {
       ArpackSolver arpack(control, ArpackSolver::AdditionalData(
                                      n_lanczos, ArpackSolver::largest_magnitude, true));
@@ -249,7 +250,7 @@ std::vector<Vector> lowest_eigenvectors(const FreeDofs<dim> &dofs,
       return vectors;
     }
   // PARPACK takes no part without entries.
-  if (dealii::Utilities::MPI::min(start.locally_owned_size(), communicator) == 0)
+  if (mpi::min(start.locally_owned_size(), communicator) == 0)
     throw UserError(
       "Modal: one of the processes has no free degree of freedom of its own, "
       "as there are few cells; start fewer of them");

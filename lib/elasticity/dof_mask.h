@@ -3,6 +3,7 @@
 
 #include "grid/nodal_field.h"
 
+#include <cassert>
 #include <cstdint>
 #include <vector>
 
@@ -84,8 +85,8 @@ public:
 private:
   std::size_t index(const NodeIndex &node) const
   {
-    AssertIndexRange(node.i, columns);
-    AssertIndexRange(node.j, n_rows());
+    assert(node.i < columns);
+    assert(node.j < n_rows());
     return static_cast<std::size_t>(node.j) * columns + node.i;
   }
 

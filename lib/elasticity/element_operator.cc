@@ -56,7 +56,7 @@ bool can_be_shared(const unsigned int dim, const std::vector<std::int64_t> &shap
 /** Corners relative to the first one, in units of @p length. */
 template <int dim>
 std::vector<std::int64_t> shape_of(const std::vector<dealii::Point<dim>> &points,
-                                   const dealii::CellData<dim> &cell,
+                                   const Cell &cell,
                                    const double length)
 {
   std::vector<std::int64_t> shape = {cell.material_id};
@@ -73,7 +73,7 @@ std::vector<std::int64_t> shape_of(const std::vector<dealii::Point<dim>> &points
  * written takes a processor longer. Other cells gain nothing.
  */
 template <int dim>
-std::vector<std::size_t> spread_out(const std::vector<dealii::CellData<dim>> &cells,
+std::vector<std::size_t> spread_out(const std::vector<Cell> &cells,
                                     const std::size_t n_points)
 {
   constexpr std::size_t n_candidates = 64, far_enough = std::size_t{2} * lanes<double>;
@@ -108,7 +108,7 @@ std::vector<std::size_t> spread_out(const std::vector<dealii::CellData<dim>> &ce
 
 template <int dim>
 double mean_diagonal(const std::vector<dealii::Point<dim>> &points,
-                     const std::vector<dealii::CellData<dim>> &cells)
+                     const std::vector<Cell> &cells)
 {
   double sum = 0.;
   for (const auto &cell : cells)
@@ -215,8 +215,7 @@ ElementOperator<dim>::find_congruent(const std::vector<dealii::Point<dim>> &poin
 }
 
 template <int dim>
-std::vector<double>
-ElementOperator<dim>::element_matrix(const dealii::CellData<dim> &cell) const
+std::vector<double> ElementOperator<dim>::element_matrix(const Cell &cell) const
 {
   // A batch of the cell and of cells of no account, each with nodes of its own.
   constexpr unsigned int stride = kernels::node_stride<dim>;
@@ -277,7 +276,7 @@ ElementOperator<dim>::make_groups(const std::vector<dealii::Point<dim>> &points,
   std::array<std::array<Group, 3>, 2> groups;
   std::array<std::array<std::map<std::uint32_t, std::vector<std::uint32_t>>, 3>, 2>
     waiting;
-  for (const std::size_t k : spread_out(cells, points.size()))
+  for (const std::size_t k : spread_out<dim>(cells, points.size()))
     {
       const auto &vertices   = cells[k].vertices;
       const bool shared      = matrix[k] >= 0;

@@ -5,9 +5,7 @@
 #include "elasticity/uniform_material.h"
 #include "grid/instruction_set.h"
 #include "grid/nodal_field.h"
-
-#include <deal.II/base/point.h>
-#include <deal.II/grid/tria_description.h>
+#include "mesh/mesh.h"
 
 #include <array>
 #include <vector>
@@ -28,7 +26,7 @@ class ElementOperator
 {
 public:
   /** Corners as indices into the points, phases as material_id. */
-  using Cells = std::vector<dealii::CellData<dim>>;
+  using Cells = std::vector<Cell>;
 
   /**
    * The cells of each of @p parts are multiplied together, much in the order given, which
@@ -82,7 +80,7 @@ private:
   std::vector<int> find_congruent(const std::vector<dealii::Point<dim>> &points,
                                   const Cells &cells);
   /** As CellBatches::stiffness wants it. */
-  std::vector<double> element_matrix(const dealii::CellData<dim> &cell) const;
+  std::vector<double> element_matrix(const Cell &cell) const;
   std::vector<Group> make_groups(const std::vector<dealii::Point<dim>> &points,
                                  const Cells &cells);
   void finish_batch(const unsigned int n_corners,
@@ -106,7 +104,7 @@ private:
  */
 template <int dim>
 std::vector<double> lumped_mass(const std::vector<dealii::Point<dim>> &points,
-                                const std::vector<dealii::CellData<dim>> &cells,
+                                const std::vector<Cell> &cells,
                                 const std::vector<ElasticPhase<dim>> &phases);
 } // namespace mesoslip
 

@@ -34,7 +34,7 @@ struct ShapeTable
 
 template <int dim>
 std::vector<double> lumped_mass(const std::vector<dealii::Point<dim>> &points,
-                                const std::vector<dealii::CellData<dim>> &cells,
+                                const std::vector<Cell> &cells,
                                 const std::vector<ElasticPhase<dim>> &phases)
 {
   std::vector<double> mass(points.size());
@@ -58,9 +58,9 @@ std::vector<double> lumped_mass(const std::vector<dealii::Point<dim>> &points,
 }
 
 template std::vector<double> lumped_mass(const std::vector<dealii::Point<2>> &,
-                                         const std::vector<dealii::CellData<2>> &,
+                                         const std::vector<Cell> &,
                                          const std::vector<ElasticPhase<2>> &);
 template std::vector<double> lumped_mass(const std::vector<dealii::Point<3>> &,
-                                         const std::vector<dealii::CellData<3>> &,
+                                         const std::vector<Cell> &,
                                          const std::vector<ElasticPhase<3>> &);
 } // namespace mesoslip

@@ -8,7 +8,7 @@ namespace
 {
 /** Cells with points of other ranks, other cells. */
 template <int dim>
-std::vector<std::vector<dealii::CellData<dim>>> split_cells(const MeshPart<dim> &part)
+std::vector<std::vector<Cell>> split_cells(const MeshPart<dim> &part)
 {
   std::vector<bool> is_shared(part.points.size(), false);
   for (const auto &neighbour : part.neighbours)
@@ -16,7 +16,7 @@ std::vector<std::vector<dealii::CellData<dim>>> split_cells(const MeshPart<dim> 
       is_shared[p] = true;
   for (const auto &[copy, first] : part.copies)
     is_shared[copy] = is_shared[first] = true;
-  std::vector<std::vector<dealii::CellData<dim>>> cells(2);
+  std::vector<std::vector<Cell>> cells(2);
   for (const auto &cell : part.cells)
     {
       const bool at_border =

@@ -5,6 +5,7 @@
 #include "grid/uniform_grid.h"
 #include "material/voigt.h"
 
+#include <cassert>
 #include <cstdint>
 #include <vector>
 
@@ -92,8 +93,8 @@ public:
   /** Phase of cell @p i from the left, @p j from the bottom. */
   std::uint8_t phase_of(const unsigned int i, const unsigned int j) const
   {
-    AssertIndexRange(i, the_grid.cells[0]);
-    AssertIndexRange(j, the_grid.cells[1]);
+    assert(i < the_grid.cells[0]);
+    assert(j < the_grid.cells[1]);
     return ids.empty() ? occurring[0] : ids[j * id_stride + i];
   }
 

@@ -1,8 +1,7 @@
 #include "exchange/cell_datasets.h"
 
+#include "base/exchange.h"
 #include "io/parallel_rows.h"
-
-#include <deal.II/base/mpi.h>
 
 #include <vector>
 
@@ -38,7 +37,7 @@ void write_cell_planes(const std::string &path,
   ParallelRows rows(path, name, cells.communicator);
   const PlaneRange planes = own_planes(cells.grid.cells[2], cells.communicator);
   const std::size_t n     = cells.grid.cells_in_layer();
-  const unsigned int most = dealii::Utilities::MPI::max(planes.count, cells.communicator);
+  const unsigned int most = mpi::max(planes.count, cells.communicator);
   for (unsigned int k = 0; k < most; ++k)
     {
       const bool is_own = k < planes.count;

@@ -28,11 +28,11 @@ void turn_faces(unsigned int *corners, const std::size_t n)
 }
 
 template <int dim>
-std::vector<dealii::CellData<dim>> cells_of(const std::vector<unsigned int> &topology,
-                                            const std::size_t n_points,
-                                            const std::string &broken)
+std::vector<Cell> cells_of(const std::vector<unsigned int> &topology,
+                           const std::size_t n_points,
+                           const std::string &broken)
 {
-  std::vector<dealii::CellData<dim>> cells;
+  std::vector<Cell> cells;
   for (std::size_t at = 0; at < topology.size();)
     {
       const unsigned int n = n_corners<dim>(topology[at++]);

@@ -10,7 +10,6 @@
 
 namespace mesoslip
 {
-namespace mpi = dealii::Utilities::MPI;
 
 namespace
 {
@@ -83,13 +82,14 @@ CellIndices CellPlanes::bring(const std::vector<unsigned int> &wanted,
   const PlaneRange range     = own_planes(grid.cells[2], communicator);
   if (n_ranks == 1)
     return copy_planes(own, 0, wanted, n, largest);
-  const auto wanted_of_rank = mpi::all_gather(communicator, wanted);
+  const auto wanted_of_rank = dealii::Utilities::MPI::all_gather(communicator, wanted);
   std::map<unsigned int, std::string> to_send;
   for (unsigned int r = 0; r < n_ranks; ++r)
     if (const auto planes = planes_in(range, wanted_of_rank[r]); !planes.empty())
       to_send[r] = copy_planes(own, range.first, planes, n, largest).text();
   CellIndices brought(wanted.size() * n, largest);
-  for (const auto &[rank, text] : mpi::some_to_some(communicator, to_send))
+  for (const auto &[rank, text] :
+       dealii::Utilities::MPI::some_to_some(communicator, to_send))
     {
       const CellIndices cells(text, largest);
       const PlaneRange theirs = planes_of_rank(grid.cells[2], rank, n_ranks);

@@ -1,11 +1,10 @@
 #ifndef mesoslip_grid_nodal_field_h
 #define mesoslip_grid_nodal_field_h
 
-#include <deal.II/base/exceptions.h>
-
-#include <boost/serialization/array_wrapper.hpp>
+#include "base/serialize_members.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
 #include <cstdlib>
 #include <stdexcept>
@@ -171,14 +170,14 @@ public:
   /** Component @p c of one node. */
   Number &operator()(const unsigned int c, const NodeIndex &node)
   {
-    AssertIndexRange(node.i, columns);
+    assert(node.i < columns);
     return row(c, node.j)[node.i];
   }
 
   /** As above, read only. */
   const Number &operator()(const unsigned int c, const NodeIndex &node) const
   {
-    AssertIndexRange(node.i, columns);
+    assert(node.i < columns);
     return row(c, node.j)[node.i];
   }
 
@@ -226,8 +225,7 @@ public:
     archive &saved_columns &saved_rows;
     if (saved_columns != columns || saved_rows != rows)
       throw std::length_error("a field of other extents was saved");
-    auto values = boost::serialization::make_array(begin(), size());
-    archive &values;
+    serialize_array(archive, begin(), size());
   }
 
 private:
@@ -239,8 +237,8 @@ private:
   std::size_t offset(const unsigned int c, const int j) const
   {
     const unsigned int place = static_cast<unsigned int>(j) + ghost_rows;
-    AssertIndexRange(c, components);
-    AssertIndexRange(place, rows + 2 * ghost_rows);
+    assert(c < components);
+    assert(place < rows + 2 * ghost_rows);
     return (static_cast<std::size_t>(place) * components + c) * array_stride +
            lanes<Number>;
   }

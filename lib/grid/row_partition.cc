@@ -1,7 +1,6 @@
 #include "grid/row_partition.h"
 
-#include <deal.II/base/mpi.h>
-
+#include "base/exchange.h"
 #include <algorithm>
 #include <stdexcept>
 #include <string>
@@ -11,8 +10,8 @@ namespace mesoslip
 {
 namespace
 {
-using dealii::Utilities::MPI::n_mpi_processes;
-using dealii::Utilities::MPI::this_mpi_process;
+using mpi::n_mpi_processes;
+using mpi::this_mpi_process;
 
 constexpr int upward_tag = 73, downward_tag = 74, gather_tag = 75;
 

@@ -135,7 +135,7 @@ void write_concentration(const Volume &volume,
   ParallelRows rows(context.file("rve.h5"), concentration_dataset(to_string(condition)),
                     context.communicator());
   const auto [first, n]   = volume.planes();
-  const unsigned int most = dealii::Utilities::MPI::max(n, context.communicator());
+  const unsigned int most = mpi::max(n, context.communicator());
   for (unsigned int k = 0; k < most; ++k)
     rows.write(k < n ? first + k : 0, 0,
                k < n ? volume.concentration(k) : std::vector<double>());

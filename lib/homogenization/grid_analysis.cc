@@ -1,5 +1,5 @@
 #include "base/errors.h"
-#include "base/exchange.h"
+#include "base/object_exchange.h"
 #include "grid/uniform_grid.h"
 #include "homogenization/divided_members.h"
 #include "homogenization/loads/load_output.h"
@@ -172,8 +172,7 @@ Division choose_division(const RveParameters &parameters)
                whole = asked ? parts : bytes_here(parameters, false);
   // All ranks have to choose the same.
   const auto fits_everywhere = [memory](const double bytes) {
-    return dealii::Utilities::MPI::min(!(memory > 0.) || bytes <= memory ? 1 : 0,
-                                       MPI_COMM_WORLD) == 1;
+    return mpi::min(!(memory > 0.) || bytes <= memory ? 1 : 0, MPI_COMM_WORLD) == 1;
   };
   const bool whole_fits = fits_everywhere(whole), parts_fit = fits_everywhere(parts);
   if (whole_fits)

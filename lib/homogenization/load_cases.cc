@@ -1,6 +1,6 @@
 #include "homogenization/load_cases.h"
 
-#include "base/exchange.h"
+#include "base/object_exchange.h"
 #include "material/stiffness.h"
 
 #include <Eigen/Dense>

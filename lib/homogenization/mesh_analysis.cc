@@ -1,5 +1,5 @@
 #include "base/errors.h"
-#include "base/exchange.h"
+#include "base/object_exchange.h"
 #include "exchange/rve_file.h"
 #include "homogenization/loads/load_output.h"
 #include "homogenization/loads/volume_cells.h"

@@ -1,10 +1,13 @@
 #include "homogenization/mesh_volume.h"
 
 #include "base/errors.h"
+#include "base/exchange.h"
 #include "base/text.h"
 #include "mesh/boundary.h"
 #include "mesh/cell_quality.h"
 #include "mesh/periodic_points.h"
+
+#include <deal.II/base/mpi.h>
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/base/mpi.templates.h>
@@ -17,7 +20,6 @@ namespace mesoslip
 {
 namespace
 {
-namespace mpi = dealii::Utilities::MPI;
 
 constexpr unsigned int max_iterations = 2000;
 
@@ -87,13 +89,14 @@ MeshVolume<dim>::MeshVolume(const Mesh<dim> &given,
           not_periodic = e.what();
         }
     }
-  not_periodic = mpi::broadcast(communicator, not_periodic);
+  not_periodic = dealii::Utilities::MPI::broadcast(communicator, not_periodic);
   for (unsigned int side = 0; side < 2 * dim; ++side)
     {
-      sides[side].dofs        = mesh.dofs_of_points(given, points[side].points);
-      sides[side].normal_area = mpi::broadcast(communicator, points[side].normal_area);
+      sides[side].dofs = mesh.dofs_of_points(given, points[side].points);
+      sides[side].normal_area =
+        dealii::Utilities::MPI::broadcast(communicator, points[side].normal_area);
     }
-  held          = mpi::broadcast(communicator, held);
+  held          = dealii::Utilities::MPI::broadcast(communicator, held);
   const auto at = mesh.dofs_of_points(given, held_points);
   for (std::size_t k = 0; k < held.size(); ++k)
     supports.push_back(at[dim * k + held[k].second]);

@@ -1,7 +1,10 @@
+#include "base/exchange.h"
 #include "body/mesh/cell_values.h"
 #include "body/mesh/condensed_cells.h"
 #include "homogenization/mesh_volume.h"
 #include "mesh/point_blocks.h"
+
+#include <deal.II/base/mpi.h>
 
 #include <deal.II/base/mpi.templates.h>
 
@@ -49,7 +52,7 @@ void MeshVolume<dim>::assemble()
   for (unsigned int k = 0; k < n_loads; ++k)
     loads[k].compress(VectorOperation::add);
   for (double &gross : gross_loads)
-    gross = std::sqrt(dealii::Utilities::MPI::sum(gross, mesh.communicator()));
+    gross = std::sqrt(mpi::sum(gross, mesh.communicator()));
 }
 
 template <int dim>
@@ -151,8 +154,7 @@ typename MeshVolume<dim>::CellTensors MeshVolume<dim>::concentration() const
   constexpr std::size_t n_entries = n_voigt<dim> * n_voigt<dim>;
   const auto [numbers, own]       = own_concentration();
   const NumberedBlocks blocks(
-    numbers,
-    dealii::Utilities::MPI::sum<std::uint64_t>(numbers.size(), mesh.communicator()),
+    numbers, mpi::sum<std::uint64_t>(numbers.size(), mesh.communicator()),
     mesh.communicator());
   return {blocks.first(), blocks.gather(own, n_entries, 0, n_entries)};
 }

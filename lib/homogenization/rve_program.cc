@@ -2,7 +2,7 @@
 
 #include "base/digest.h"
 #include "base/errors.h"
-#include "base/exchange.h"
+#include "base/object_exchange.h"
 #include "base/version.h"
 #include "exchange/loads_file.h"
 #include "exchange/rve_file.h"

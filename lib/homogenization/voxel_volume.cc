@@ -125,8 +125,7 @@ VolumeSums<3> VoxelVolume::integrate()
 std::array<unsigned int, 2> VoxelVolume::planes() const
 {
   const voxel::VoxelGrid &grid = solver->grid();
-  if (!grid.is_divided() &&
-      dealii::Utilities::MPI::this_mpi_process(cells.communicator) > 0)
+  if (!grid.is_divided() && mpi::this_mpi_process(cells.communicator) > 0)
     return {{0, 0}};
   return {{grid.below() + grid.first_cell_plane() - grid.first(), grid.n_cell_planes()}};
 }
@@ -155,7 +154,7 @@ std::vector<double> VoxelVolume::concentration(const unsigned int k) const
 double copies_on_this_machine(const unsigned int n_cells)
 {
   // KUBC have the fewest planes of nodes that are unknowns.
-  const auto n_ranks = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+  const auto n_ranks = mpi::n_mpi_processes(MPI_COMM_WORLD);
   return n_ranks == 1 || voxel::is_divided_among(n_cells - 1, n_ranks)
            ? share_of_this_machine()
            : ranks_of_this_machine();

@@ -1,6 +1,7 @@
 #include "localization/localization_input.h"
 
 #include "base/errors.h"
+#include "base/exchange.h"
 #include "exchange/mesh_datasets.h"
 #include "localization/comparison.h"
 #include "localization/localization_needs.h"
@@ -330,8 +331,7 @@ void LocalizationInput<dim>::describe(std::ostream &out) const
   tell(body, "Homogeneous run", plan.snapshots);
   if (files.direct)
     tell(direct_body, "Direct run", plan.direct_snapshots);
-  const RankMemory memory =
-    memory_need(*this, dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD));
+  const RankMemory memory = memory_need(*this, mpi::n_mpi_processes(MPI_COMM_WORLD));
   out << volume.n_cells() << " cells of the RVE, "
       << (plan.is_body ? "which is the body, " : "smaller than the body, ")
       << probes.size() << " probes, " << plan.points.size() << " points, about "

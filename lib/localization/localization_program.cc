@@ -1,7 +1,7 @@
 #include "localization/localization_program.h"
 
 #include "base/errors.h"
-#include "base/exchange.h"
+#include "base/object_exchange.h"
 #include "localization/localization_needs.h"
 #include "parameters/keys.h"
 #include "program/run_context.h"
@@ -20,7 +20,7 @@ unsigned int dimension_of(const LocalizationParameters &parameters)
   on_root(MPI_COMM_WORLD, [&]() {
     dim = dimension_of_file(parameters.rve_file, "run rve_homogenization first");
   });
-  return dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, dim);
+  return mpi::broadcast(dim, 0, MPI_COMM_WORLD);
 }
 
 template <int dim>

@@ -1,4 +1,4 @@
-#include "base/exchange.h"
+#include "base/object_exchange.h"
 #include "base/timer.h"
 #include "localization/localization_program.h"
 #include "localization/mean_concentration.h"
@@ -167,7 +167,7 @@ private:
   {
     if (files.homogeneous.is_grid)
       return {};
-    const auto n_ranks = dealii::Utilities::MPI::n_mpi_processes(ranks);
+    const auto n_ranks = mpi::n_mpi_processes(ranks);
     std::vector<unsigned int> cells;
     if (with_middles)
       cells = scatter_objects(ranks, [&](const unsigned int rank) {

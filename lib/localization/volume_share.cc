@@ -1,6 +1,6 @@
 #include "localization/volume_share.h"
 
-#include "base/exchange.h"
+#include "base/object_exchange.h"
 
 namespace mesoslip
 {
@@ -45,8 +45,7 @@ VolumeShare<dim> make_share(const LocalizationFiles<dim> &files,
                             const CellSet<dim> &of_root,
                             const MPI_Comm ranks)
 {
-  const auto n_ranks = dealii::Utilities::MPI::n_mpi_processes(ranks),
-             rank    = dealii::Utilities::MPI::this_mpi_process(ranks);
+  const auto n_ranks = mpi::n_mpi_processes(ranks), rank = mpi::this_mpi_process(ranks);
   VolumeShare<dim> share;
   share.first_layer = files.first_layer(rank, n_ranks);
   share.first       = files.first_cell(rank, n_ranks);

@@ -59,7 +59,7 @@ face_of_cell(const Mesh<dim> &mesh, const unsigned int k, const unsigned int num
 }
 
 template <int dim>
-unsigned int n_faces(const dealii::CellData<dim> &cell)
+unsigned int n_faces(const Cell &cell)
 {
   return dealii::ReferenceCell::n_vertices_to_type(dim, cell.vertices.size()).n_faces();
 }
@@ -74,7 +74,7 @@ struct CellsBySmallestPoint
   {
     const auto for_each = [&mesh](const auto &visit) {
       for (unsigned int k = 0; k < mesh.cells.size(); ++k)
-        for (unsigned int f = 0; f < n_faces(mesh.cells[k]); ++f)
+        for (unsigned int f = 0; f < n_faces<dim>(mesh.cells[k]); ++f)
           {
             const BoundaryFace<dim> face = face_of_cell(mesh, k, f);
             visit(
@@ -107,7 +107,7 @@ void visit_faces(const Mesh<dim> &mesh, const Visit &visit)
       for (std::size_t i = lists.first[p]; i < lists.first[p + 1]; ++i)
         if (const unsigned int k = lists.cells[i];
             i == lists.first[p] || k != lists.cells[i - 1])
-          for (unsigned int f = 0; f < n_faces(mesh.cells[k]); ++f)
+          for (unsigned int f = 0; f < n_faces<dim>(mesh.cells[k]); ++f)
             {
               const BoundaryFace<dim> face = face_of_cell(mesh, k, f);
               const auto key = sorted_points<dim>(face.points.data(), face.n_points);

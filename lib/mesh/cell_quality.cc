@@ -35,7 +35,7 @@ MeshQuality<dim> cell_quality(const Mesh<dim> &mesh)
   quality.smallest_edge = std::numeric_limits<double>::max();
   quality.volume.assign(mesh.phases.size(), 0.);
   quality.n_cells.assign(mesh.phases.size(), 0);
-  for (const dealii::CellData<dim> &cell : mesh.cells)
+  for (const Cell &cell : mesh.cells)
     {
       const auto &corners = cell.vertices;
       quality.volume[cell.material_id] += dealii::GridTools::cell_measure(

@@ -1,31 +1,66 @@
 #ifndef mesoslip_mesh_mesh_h
 #define mesoslip_mesh_mesh_h
 
+#include "base/serialize_members.h"
+
 #include <deal.II/base/point.h>
-#include <deal.II/grid/tria_description.h>
 
 #include <string>
 #include <vector>
 
 namespace mesoslip
 {
-/**
- * A mesh of a whole body in the terms of dealii::Triangulation::create_triangulation(),
- * before it is divided among the ranks.
- */
+/** A triangle or quadrilateral, tetrahedron or hexahedron. */
+struct Cell
+{
+  /** One of @p n_vertices corners. */
+  explicit Cell(const std::size_t n_vertices = 0)
+    : vertices(n_vertices)
+  {
+  }
+
+  std::vector<unsigned int>
+    vertices;                   ///< indices into the points, in the order of deal.II
+  unsigned int material_id = 0; ///< index into the phases of the mesh
+
+  /** Of boost::serialization. */
+  template <class Archive>
+  void serialize(Archive &archive, const unsigned int)
+  {
+    serialize_members<2>(archive, *this);
+  }
+};
+
+/** An edge (2D) or face on the boundary that belongs to a group. */
+struct Face
+{
+  /** One of @p n_vertices corners. */
+  explicit Face(const std::size_t n_vertices = 0)
+    : vertices(n_vertices)
+  {
+  }
+
+  std::vector<unsigned int>
+    vertices;                   ///< indices into the points, in the order of deal.II
+  unsigned int boundary_id = 0; ///< index into the boundaries of the mesh
+
+  /** Of boost::serialization. */
+  template <class Archive>
+  void serialize(Archive &archive, const unsigned int)
+  {
+    serialize_members<2>(archive, *this);
+  }
+};
+
+/** A mesh of a whole body, before it is divided among the ranks. */
 template <int dim>
 struct Mesh
 {
   /** Corners of the cells (m). */
   std::vector<dealii::Point<dim>> points;
 
-  /** Triangles and quadrilaterals, or tetrahedra, or hexahedra, with their corners in the
-   * order of deal.II; material_id is an index into @p phases. */
-  std::vector<dealii::CellData<dim>> cells;
-
-  /** Edges (2D) or faces on the boundary of the body that belong to a group; boundary_id
-   * is an index into @p boundaries. */
-  std::vector<dealii::CellData<dim - 1>> faces;
+  std::vector<Cell> cells; ///< triangles and quadrilaterals, or tetrahedra, or hexahedra
+  std::vector<Face> faces; ///< those on the boundary of the body that belong to a group
 
   std::vector<std::string> phases;     ///< names of the groups of cells
   std::vector<std::string> boundaries; ///< names of the groups of edges (2D) or faces
@@ -40,6 +75,13 @@ struct Mesh
   unsigned int original(const unsigned int point) const
   {
     return originals.empty() ? point : originals[point];
+  }
+
+  /** Of boost::serialization. */
+  template <class Archive>
+  void serialize(Archive &archive, const unsigned int)
+  {
+    serialize_members<7>(archive, *this);
   }
 };
 } // namespace mesoslip

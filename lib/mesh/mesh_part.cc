@@ -1,9 +1,8 @@
 #include "mesh/mesh_part.h"
 
-#include "base/exchange.h"
+#include "base/object_exchange.h"
 #include "mesh/boundary.h"
 
-#include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
 #include <deal.II/lac/sparsity_pattern.h>
 #include <deal.II/lac/sparsity_tools.h>
@@ -236,8 +235,8 @@ MeshPart<dim> distribute(const Mesh<dim> &mesh,
                          const std::vector<unsigned int> &rank_of_cell,
                          const MPI_Comm communicator)
 {
-  const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(communicator);
-  const bool is_root = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
+  const unsigned int n_ranks = mpi::n_mpi_processes(communicator);
+  const bool is_root         = mpi::this_mpi_process(communicator) == 0;
   if (n_ranks == 1)
     return PartMaker<dim>(mesh, rank_of_cell).make(0);
   std::optional<PartMaker<dim>> parts;

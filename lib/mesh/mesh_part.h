@@ -40,7 +40,7 @@ struct MeshPart
   unsigned int n_owned    = 0; ///< number of points that this rank owns
 
   /** Along a space-filling curve; vertices are indices into points. */
-  std::vector<dealii::CellData<dim>> cells;
+  std::vector<Cell> cells;
 
   std::vector<unsigned int> point_in_mesh;    ///< indices of the points in the whole mesh
   std::vector<unsigned int> original_in_mesh; ///< those of their originals

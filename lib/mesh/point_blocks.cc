@@ -1,5 +1,6 @@
 #include "mesh/point_blocks.h"
 
+#include "base/exchange.h"
 #include <deal.II/base/mpi_noncontiguous_partitioner.templates.h>
 
 #include <numeric>
@@ -23,7 +24,6 @@ std::pair<std::size_t, std::size_t> block_of_rank(const std::size_t n_all,
                                                   const MPI_Comm communicator,
                                                   const std::size_t n_together)
 {
-  namespace mpi              = dealii::Utilities::MPI;
   const std::size_t rank     = mpi::this_mpi_process(communicator),
                     n_ranks  = mpi::n_mpi_processes(communicator);
   const std::size_t n_groups = n_all / n_together;

@@ -3,6 +3,7 @@
 #include "base/errors.h"
 #include "base/text.h"
 #include "mesh/gmsh_content.h"
+#include "mesh/triangulation_cells.h"
 
 #include <deal.II/base/exceptions.h>
 #include <deal.II/grid/grid_tools.h>
@@ -12,6 +13,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <utility>
 
 #ifdef __GLIBC__
 #  include <malloc.h>
@@ -21,21 +23,22 @@ namespace mesoslip
 {
 namespace
 {
-/** Takes what @p content has in @p some, one after the other. */
-template <int d>
-std::vector<dealii::CellData<d>> to_cells(std::vector<GmshCells> &some,
-                                          const GmshContent &content)
+/** Takes what @p content has in @p some, one after the other; Item is Cell or Face, @p group its number of the group. */
+template <typename Item>
+std::vector<Item> to_cells(std::vector<GmshCells> &some,
+                           const GmshContent &content,
+                           unsigned int Item::*const group)
 {
-  std::vector<dealii::CellData<d>> cells;
+  std::vector<Item> cells;
   cells.reserve(count(some));
   for (GmshCells &of_kind : some)
     {
       for (std::size_t k = 0; k < of_kind.tags.size(); k += of_kind.n_corners)
         {
-          dealii::CellData<d> cell(of_kind.n_corners);
+          Item cell(of_kind.n_corners);
           for (std::size_t v = 0; v < of_kind.n_corners; ++v)
             cell.vertices[v] = content.place_of(of_kind.tags[k + v]);
-          cell.material_id = of_kind.group; // or boundary_id, a union of the two
+          cell.*group = of_kind.group;
           cells.push_back(std::move(cell));
         }
       of_kind.tags = {};
@@ -92,13 +95,17 @@ void set_points(Mesh<dim> &mesh, const GmshContent &content, const double scale)
               faces.end());
 }
 
-/** deal.II wants the edges of quadrilaterals and hexahedra to run alike in all cells. */
+/** Cells get a positive volume; deal.II wants the edges of quadrilaterals and hexahedra to run alike in all of them, too. */
 template <int dim>
-void order_edges(Mesh<dim> &mesh)
+void orient(Mesh<dim> &mesh)
 {
-  if (std::all_of(mesh.cells.begin(), mesh.cells.end(),
+  auto cells = to_dealii<dim>(std::exchange(mesh.cells, {}));
+  mesh.n_turned =
+    dealii::GridTools::invert_cells_with_negative_measure(mesh.points, cells);
+  if (std::all_of(cells.begin(), cells.end(),
                   [](const auto &cell) { return cell.vertices.size() == 1U << dim; }))
-    dealii::GridTools::consistently_order_cells(mesh.cells);
+    dealii::GridTools::consistently_order_cells(cells);
+  mesh.cells = from_dealii<dim>(std::move(cells));
 }
 
 /** Returns what is free to the system: many small pieces that would lie idle beside the
@@ -127,14 +134,12 @@ Mesh<dim> read_gmsh(const std::string &file, const double scale)
     give_back_memory();
     mesh.phases     = content.phases;
     mesh.boundaries = content.boundaries;
-    mesh.cells      = to_cells<dim>(content.cells, content);
-    mesh.faces      = to_cells<dim - 1>(content.faces, content);
+    mesh.cells      = to_cells(content.cells, content, &Cell::material_id);
+    mesh.faces      = to_cells(content.faces, content, &Face::boundary_id);
     set_points(mesh, content, scale);
   }
   give_back_memory();
-  mesh.n_turned =
-    dealii::GridTools::invert_cells_with_negative_measure(mesh.points, mesh.cells);
-  order_edges(mesh);
+  orient(mesh);
   give_back_memory();
   return mesh;
 }

@@ -3,7 +3,6 @@
 #include "base/exchange.h"
 
 #include <deal.II/base/exceptions.h>
-#include <deal.II/base/mpi.h>
 
 #include <algorithm>
 
@@ -32,7 +31,7 @@ SharedPoints<dim>::SharedPoints(const MeshPart<dim> &part,
   , copies(part.copies)
   , stride(stride)
   , communicator(communicator)
-  , rank(dealii::Utilities::MPI::this_mpi_process(communicator))
+  , rank(mpi::this_mpi_process(communicator))
 {
   for (const auto &neighbour : neighbours)
     {

@@ -3,6 +3,8 @@
 #include "morphology/microstructure_parameters.h"
 #include "morphology/voxel_reading.h"
 
+#include <deal.II/base/mpi.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>

@@ -3,7 +3,6 @@
 
 #include "contact/contact_surface.h"
 #include "dynamics/shared_nodes.h"
-#include "elasticity/element_operator.h"
 #include "mesh/mesh_part.h"
 #include "observation/probe_recorder.h"
 

@@ -1,6 +1,6 @@
 #include "observation/probe_recorder.h"
 
-#include "base/exchange.h"
+#include "base/object_exchange.h"
 
 namespace mesoslip
 {

@@ -4,8 +4,6 @@
 #include "contact/contact_recorder.h"
 #include "dynamics/top_surface.h"
 
-#include <boost/serialization/vector.hpp>
-
 #include <cstddef>
 #include <vector>
 

@@ -5,8 +5,6 @@
 #include "dynamics/energy_audit.h"
 #include "observation/steady_record.h"
 
-#include <boost/serialization/string.hpp>
-
 #include <mpi.h>
 
 #include <optional>

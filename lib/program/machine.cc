@@ -1,14 +1,13 @@
 #include "program/machine.h"
 
-#include <deal.II/base/mpi.h>
-
+#include "base/exchange.h"
 namespace mesoslip
 {
 unsigned int ranks_of_this_machine()
 {
   MPI_Comm here;
   MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &here);
-  const unsigned int n = dealii::Utilities::MPI::n_mpi_processes(here);
+  const unsigned int n = mpi::n_mpi_processes(here);
   MPI_Comm_free(&here);
   return n;
 }
@@ -16,6 +15,6 @@ unsigned int ranks_of_this_machine()
 double share_of_this_machine()
 {
   return static_cast<double>(ranks_of_this_machine()) /
-         dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+         mpi::n_mpi_processes(MPI_COMM_WORLD);
 }
 } // namespace mesoslip

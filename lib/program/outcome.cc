@@ -1,6 +1,6 @@
 #include "program/outcome.h"
 
-#include "base/exchange.h"
+#include "base/object_exchange.h"
 #include "base/text.h"
 
 #include <deal.II/base/exceptions.h>

@@ -82,7 +82,7 @@ void validate(const Analysis &analysis,
   analysis.describe(report);
   if (!line.draft.empty())
     analysis.write_draft(line.draft);
-  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) > 0 || line.quiet)
+  if (mpi::this_mpi_process(MPI_COMM_WORLD) > 0 || line.quiet)
     return;
   std::cout << line.prm_file << ": the parameters are valid; the results would go to "
             << folder << '\n'
@@ -137,7 +137,7 @@ void do_what_is_asked(const CommandLine &line,
                       const Application &program,
                       const MPI_Comm communicator)
 {
-  const bool root = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
+  const bool root = mpi::this_mpi_process(communicator) == 0;
   if (line.help || line.version)
     {
       if (root)

@@ -1,7 +1,7 @@
 #include "sliding/body_analysis.h"
 
 #include "base/errors.h"
-#include "base/exchange.h"
+#include "base/object_exchange.h"
 #include "grid/uniform_grid.h"
 #include "material/plausibility.h"
 #include "program/machine.h"

@@ -1,7 +1,7 @@
 #include "sliding/run_plan.h"
 
 #include "base/errors.h"
-#include "base/exchange.h"
+#include "base/object_exchange.h"
 #include "dynamics/critical_time_step.h"
 #include "material/shear_impedance.h"
 #include "sliding/analyses/modal_cases.h"

@@ -2,6 +2,7 @@
 // deal.II, the lumped mass, and what holds whatever the cells are.
 
 #include "elasticity/element_operator.h"
+#include "mesh_of_triangulation.h"
 
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_q.h>
@@ -10,7 +11,6 @@
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/fe/mapping_fe.h>
 #include <deal.II/grid/grid_generator.h>
-#include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/tria.h>
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/vector.h>
@@ -28,7 +28,7 @@ template <int dim>
 struct TestMesh
 {
   std::vector<dealii::Point<dim>> points;
-  std::vector<dealii::CellData<dim>> cells;
+  std::vector<Cell> cells;
 };
 
 /** A sheared brick of n^dim cells with two phases; @p shift moves the points at random. */
@@ -40,9 +40,7 @@ TestMesh<dim> make_mesh(const unsigned int n, const bool simplices, const double
   if (simplices)
     dealii::GridGenerator::convert_hypercube_to_simplex_mesh(tria, simplex);
   TestMesh<dim> mesh;
-  dealii::SubCellData faces;
-  std::tie(mesh.points, mesh.cells, faces) =
-    dealii::GridTools::get_coarse_mesh_description(simplices ? simplex : tria);
+  take_cells(mesh, simplices ? simplex : tria);
   std::mt19937 generator(3);
   std::uniform_real_distribution<> random(-shift / n, shift / n);
   for (auto &p : mesh.points)

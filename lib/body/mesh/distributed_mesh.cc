@@ -1,6 +1,8 @@
 #include "body/mesh/distributed_mesh.h"
 
 #include "base/errors.h"
+#include "base/exchange.h"
+#include "mesh/triangulation_cells.h"
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/mpi.templates.h>
@@ -19,7 +21,6 @@ namespace mesoslip
 {
 namespace
 {
-namespace mpi = dealii::Utilities::MPI;
 
 /** On rank 0 the points' places in the mesh: a cell and which of its corners. */
 template <int dim>
@@ -57,7 +58,7 @@ DistributedMesh<dim>::DistributedMesh(const Mesh<dim> &mesh, const MPI_Comm comm
   using namespace dealii;
   const unsigned int n_ranks = mpi::n_mpi_processes(communicator);
   const auto create          = [&mesh](Triangulation<dim> &serial) {
-    serial.create_triangulation(mesh.points, mesh.cells, SubCellData());
+    serial.create_triangulation(mesh.points, to_dealii<dim>(mesh.cells), SubCellData());
   };
   const auto divide = [n_ranks](Triangulation<dim> &serial, MPI_Comm, unsigned int) {
     GridTools::partition_triangulation(n_ranks, serial,
@@ -78,7 +79,8 @@ std::vector<typename DistributedMesh<dim>::Index>
 DistributedMesh<dim>::dofs_of_points(const Mesh<dim> &mesh,
                                      const std::vector<unsigned int> &points) const
 {
-  const auto corners = mpi::broadcast(communicator(), find_corners(mesh, points));
+  const auto corners =
+    dealii::Utilities::MPI::broadcast(communicator(), find_corners(mesh, points));
   std::unordered_map<unsigned int, std::vector<std::size_t>> of_cell;
   for (std::size_t k = 0; k < corners.size(); ++k)
     of_cell[corners[k][0]].push_back(k);
@@ -93,7 +95,7 @@ DistributedMesh<dim>::dofs_of_points(const Mesh<dim> &mesh,
               known[dim * k + c] =
                 cell->vertex_dof_index(corners[k][1], c, cell->active_fe_index());
       }
-  mpi::max(known, communicator(), result);
+  dealii::Utilities::MPI::max(known, communicator(), result);
   return result;
 }
 

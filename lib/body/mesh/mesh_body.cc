@@ -109,7 +109,7 @@ MeshBody<dim>::MeshBody(const MeshBodyInput<dim> &given, MeshShare<dim> &&share)
   this->total_volume    = share.outline.volume;
   this->mass            = share.outline.mass;
   this->number_of_cells = share.outline.n_cells;
-  this->distributed     = dealii::Utilities::MPI::n_mpi_processes(all_ranks) > 1;
+  this->distributed     = mpi::n_mpi_processes(all_ranks) > 1;
   this->n_counted       = share.n_counted;
   if (share.is_divided)
     this->sharing = all_ranks;

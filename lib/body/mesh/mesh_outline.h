@@ -4,8 +4,6 @@
 #include "base/serialize_members.h"
 #include "body/mesh/mesh_body.h"
 
-#include <boost/serialization/array.hpp>
-
 #include <array>
 #include <cstdint>
 #include <vector>

@@ -1,6 +1,6 @@
 #include "body/mesh/mesh_share.h"
 
-#include "base/exchange.h"
+#include "base/object_exchange.h"
 #include "mesh/mesh_part.h"
 
 #include <deal.II/base/mpi.h>
@@ -12,7 +12,6 @@ namespace mesoslip
 {
 namespace
 {
-namespace mpi = dealii::Utilities::MPI;
 
 /** On rank 0 the rank of each cell of the mesh. */
 template <int dim>
@@ -24,7 +23,7 @@ std::vector<unsigned int> rank_of_cells(const Mesh<dim> &mesh,
     if (cell->is_locally_owned())
       own.push_back(static_cast<unsigned int>(cell->id().get_coarse_cell_id()));
   std::vector<unsigned int> ranks(mesh.cells.size(), 0);
-  const auto all = mpi::gather(distributed.communicator(), own);
+  const auto all = dealii::Utilities::MPI::gather(distributed.communicator(), own);
   for (unsigned int rank = 0; rank < all.size(); ++rank)
     for (const unsigned int cell : all[rank])
       ranks[cell] = rank;

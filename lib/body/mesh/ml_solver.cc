@@ -18,7 +18,6 @@ namespace mesoslip
 {
 namespace
 {
-namespace mpi = dealii::Utilities::MPI;
 
 constexpr unsigned int max_iterations = 2000;
 
@@ -53,8 +52,9 @@ Place<dim> farthest(const ElasticBody<dim> &body,
       for (unsigned int c = 0; c < dim; ++c)
         place.dofs[c] = discretization.dof(c, best);
     }
-  const auto owner = mpi::min_max_avg(most, body.communicator()).max_index;
-  return mpi::broadcast(body.communicator(), place, owner);
+  const auto owner =
+    dealii::Utilities::MPI::min_max_avg(most, body.communicator()).max_index;
+  return dealii::Utilities::MPI::broadcast(body.communicator(), place, owner);
 }
 
 /** Three nodes that are far from one another and not in line. */

@@ -6,8 +6,6 @@
 #include "contact/laws/slip_law.h"
 #include "dynamics/surface_condition.h"
 
-#include <boost/serialization/vector.hpp>
-
 #include <array>
 #include <vector>
 

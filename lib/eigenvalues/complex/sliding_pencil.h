@@ -3,13 +3,15 @@
 
 #include "body/elastic_body.h"
 #include "eigenvalues/complex/complex_factorization.h"
-#include "eigenvalues/free_dofs.h"
 
 #include <array>
 #include <vector>
 
 namespace mesoslip
 {
+template <int dim>
+class FreeDofs;
+
 /** How the coefficient of a node changes about steady sliding. */
 struct FrictionSlopes
 {

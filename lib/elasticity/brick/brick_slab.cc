@@ -5,8 +5,6 @@
 #include "grid/cell_planes.h"
 #include "grid/nodal_field.h"
 
-#include <deal.II/base/mpi.h>
-
 #include <algorithm>
 #include <numeric>
 
@@ -18,7 +16,7 @@ namespace
 PlaneRange own_layers(const BrickBox &box, const MPI_Comm communicator)
 {
   const unsigned int n_layers = box.grid.cells[1],
-                     n_ranks  = dealii::Utilities::MPI::n_mpi_processes(communicator);
+                     n_ranks  = mpi::n_mpi_processes(communicator);
   if (n_ranks > n_layers)
     throw UserError("the body has " + std::to_string(n_layers) +
                     " layers of cells along y, which are divided among the processes; "

@@ -1,7 +1,6 @@
 #include "elasticity/brick/plane_exchange.h"
 
-#include <deal.II/base/mpi.h>
-
+#include "base/exchange.h"
 namespace mesoslip
 {
 namespace
@@ -14,11 +13,10 @@ PlaneExchange::PlaneExchange(const BrickSlab &slab, const MPI_Comm communicator)
   , last_plane(slab.n_planes - 1)
   , is_periodic(slab.box.periodic[1])
 {
-  namespace mpi = dealii::Utilities::MPI;
-  const int n   = static_cast<int>(mpi::n_mpi_processes(communicator)),
-            me  = static_cast<int>(mpi::this_mpi_process(communicator));
-  rank_below    = me > 0 ? me - 1 : slab.box.periodic[1] ? n - 1 : MPI_PROC_NULL;
-  rank_above    = me + 1 < n ? me + 1 : slab.box.periodic[1] ? 0 : MPI_PROC_NULL;
+  const int n  = static_cast<int>(mpi::n_mpi_processes(communicator)),
+            me = static_cast<int>(mpi::this_mpi_process(communicator));
+  rank_below   = me > 0 ? me - 1 : slab.box.periodic[1] ? n - 1 : MPI_PROC_NULL;
+  rank_above   = me + 1 < n ? me + 1 : slab.box.periodic[1] ? 0 : MPI_PROC_NULL;
   for (auto *planes : {sent, received})
     for (unsigned int side = 0; side < 2; ++side)
       planes[side].resize((std::size_t{slab.n_nodes[1]} + 1) * 3 * slab.stride +
@@ -42,7 +40,6 @@ void PlaneExchange::exchange(const std::function<void(unsigned int, double *)> &
 
 void PlaneExchange::pass(double *first, double *last, const std::size_t n) const
 {
-  namespace mpi       = dealii::Utilities::MPI;
   const int ranks     = static_cast<int>(mpi::n_mpi_processes(communicator)),
             me        = static_cast<int>(mpi::this_mpi_process(communicator)),
             size      = static_cast<int>(n);

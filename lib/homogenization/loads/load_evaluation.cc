@@ -1,6 +1,6 @@
 #include "homogenization/loads/load_evaluation.h"
 
-#include "base/exchange.h"
+#include "base/object_exchange.h"
 
 #include <cmath>
 #include <limits>

@@ -1,9 +1,8 @@
 #include "homogenization/loads/volume_cells.h"
 
+#include "base/exchange.h"
 #include "io/parallel_rows.h"
 #include "mesh/point_blocks.h"
-
-#include <deal.II/base/mpi.h>
 
 #include <memory>
 
@@ -98,8 +97,7 @@ void MeshCells<dim>::write(const std::string &path,
     values(cell, &own[own.size() - n]);
   });
   const NumberedBlocks blocks(
-    numbers, dealii::Utilities::MPI::sum<std::uint64_t>(numbers.size(), communicator()),
-    communicator());
+    numbers, mpi::sum<std::uint64_t>(numbers.size(), communicator()), communicator());
   for (const CellDataset &dataset : datasets)
     ParallelRows(path, dataset.name, communicator())
       .write_rows(blocks.first(),
@@ -143,7 +141,7 @@ void VoxelCells<dim>::write(const std::string &path,
 {
   const auto rows           = open_datasets(path, datasets, ranks);
   const auto [first, count] = volume.planes();
-  const unsigned int most   = dealii::Utilities::MPI::max(count, ranks);
+  const unsigned int most   = mpi::max(count, ranks);
   std::vector<double> plane;
   for (unsigned int k = 0; k < most; ++k)
     {

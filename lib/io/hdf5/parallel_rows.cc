@@ -1,10 +1,10 @@
 #include "io/parallel_rows.h"
 
 #include "base/errors.h"
+#include "base/exchange.h"
 #include "io/hdf5/internal.h"
 
 #include <deal.II/base/exceptions.h>
-#include <deal.II/base/mpi.h>
 
 #include <unistd.h>
 
@@ -15,7 +15,7 @@ namespace
 /** Whether something holds on all ranks. */
 bool on_all(const bool fine, const MPI_Comm communicator)
 {
-  return dealii::Utilities::MPI::min(fine ? 1U : 0U, communicator) > 0;
+  return mpi::min(fine ? 1U : 0U, communicator) > 0;
 }
 } // namespace
 
@@ -25,7 +25,7 @@ ParallelRows::ParallelRows(const std::string &path,
   : path(path)
   , name(name)
   , communicator(communicator)
-  , parallel(dealii::Utilities::MPI::n_mpi_processes(communicator) > 1)
+  , parallel(mpi::n_mpi_processes(communicator) > 1)
 {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   const Hdf5Handle of_file(H5Pcreate(H5P_FILE_ACCESS)),

@@ -70,10 +70,9 @@ public:
   {
     on_all_ranks(communicator, [this]() { find_blocks(); });
     const std::size_t largest =
-      dealii::Utilities::MPI::max(sizeof(double) * dim * n_nodes(block), communicator);
+      mpi::max(sizeof(double) * dim * n_nodes(block), communicator);
     // Of GridStrain there is one, for one snapshot; all ranks read as many at a time.
-    const bool any_middles =
-      dealii::Utilities::MPI::max(places.middles.empty() ? 0 : 1, communicator) > 0;
+    const bool any_middles  = mpi::max(places.middles.empty() ? 0 : 1, communicator) > 0;
     const std::size_t batch = any_middles ? 1 : batch_size(largest);
     if (places.grid != nullptr && places.n_cells > 0)
       interpolations.assign(batch, {run.grid, *places.grid, block});
@@ -164,9 +163,8 @@ private:
   /** The first of the layers of the body whose sides rank @p rank adds to the mean. */
   unsigned int first_layer(const unsigned int rank) const
   {
-    return static_cast<unsigned int>(
-      std::uint64_t{rank} * run.grid.cells[dim - 1] /
-      dealii::Utilities::MPI::n_mpi_processes(communicator));
+    return static_cast<unsigned int>(std::uint64_t{rank} * run.grid.cells[dim - 1] /
+                                     mpi::n_mpi_processes(communicator));
   }
 
   /** The layers of the body that the cells of this rank lie in or draw on. */
@@ -194,7 +192,7 @@ private:
   CellBlock<dim> layers_of_rank()
   {
     auto [begin, end]       = layers_of_cells();
-    const unsigned int rank = dealii::Utilities::MPI::this_mpi_process(communicator);
+    const unsigned int rank = mpi::this_mpi_process(communicator);
     own_layers              = {{first_layer(rank), first_layer(rank + 1)}};
     if (places.mean && own_layers[0] < own_layers[1])
       {

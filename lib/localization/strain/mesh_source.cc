@@ -1,9 +1,11 @@
-#include "base/exchange.h"
+#include "base/object_exchange.h"
 #include "localization/strain/cell_strain.h"
 #include "localization/strain/read_ahead.h"
 #include "localization/strain/strain_source.h"
 #include "mesh/cell_gradients.h"
 #include "mesh/point_blocks.h"
+
+#include <deal.II/base/mpi.h>
 
 #include <algorithm>
 #include <array>

@@ -7,6 +7,8 @@
 #include "morphology/microstructure_parameters.h"
 #include "morphology/orientations/palette.h"
 
+#include <deal.II/base/mpi.h>
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -93,14 +95,14 @@ public:
   /** Numbers the pairs of all ranks as one rank would, in the order of the cells. Collective. */
   void share(const MPI_Comm communicator)
   {
-    namespace mpi = dealii::Utilities::MPI;
     unite(seen, communicator);
     unite(found_grains, communicator);
     largest   = mpi::max(largest, communicator);
     deviation = mpi::max(palette.deviation(), communicator);
     Palette all(0.); // angles are rounded already
     std::vector<std::size_t> number;
-    const auto of_ranks = mpi::all_gather(communicator, palette.materials());
+    const auto of_ranks =
+      dealii::Utilities::MPI::all_gather(communicator, palette.materials());
     for (unsigned int r = 0; r < of_ranks.size(); ++r)
       for (const OrientedPhase &pair : of_ranks[r])
         {

@@ -1,13 +1,11 @@
 #include "sliding/complex/complex_cases.h"
 
 #include "base/errors.h"
-#include "base/exchange.h"
+#include "base/object_exchange.h"
 #include "material/plausibility.h"
 #include "sliding/analyses/modal_cases.h"
 #include "sliding/body_analysis.h"
 #include "sliding/friction/rate_weakening.h"
-
-#include <deal.II/base/mpi.h>
 
 #include <cmath>
 #include <exception>
@@ -104,7 +102,7 @@ void agree(const std::exception_ptr &problem,
            const MPI_Comm communicator)
 {
   const int own   = problem == nullptr ? 0 : (interrupted ? 2 : 1);
-  const int worst = dealii::Utilities::MPI::max(own, communicator);
+  const int worst = mpi::max(own, communicator);
   if (problem != nullptr)
     std::rethrow_exception(problem);
   if (worst == 2)

@@ -1,8 +1,6 @@
 #ifndef mesoslip_sliding_complex_complex_parameters_h
 #define mesoslip_sliding_complex_complex_parameters_h
 
-#include "eigenvalues/complex/complex_modes.h"
-
 #include <limits>
 #include <vector>
 

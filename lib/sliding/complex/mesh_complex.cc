@@ -1,5 +1,5 @@
 #include "base/errors.h"
-#include "base/exchange.h"
+#include "base/object_exchange.h"
 #include "sliding/analyses/modal_cases.h"
 #include "sliding/body_analysis.h"
 #include "sliding/complex/complex_output.h"

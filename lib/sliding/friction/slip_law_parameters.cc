@@ -2,11 +2,9 @@
 
 #include "base/digest.h"
 #include "base/errors.h"
-#include "base/exchange.h"
+#include "base/object_exchange.h"
 #include "contact/laws/friction_expression.h"
 #include "parameters/keys.h"
-
-#include <boost/serialization/vector.hpp>
 
 #include <cmath>
 #include <stdexcept>

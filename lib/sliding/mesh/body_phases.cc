@@ -1,6 +1,6 @@
 #include "base/errors.h"
-#include "base/exchange.h"
 #include "base/files.h"
+#include "base/object_exchange.h"
 #include "exchange/rve_file.h"
 #include "sliding/body_grid.h"
 #include "sliding/contact_parameters.h"

@@ -1,7 +1,7 @@
 #include "sliding/mesh/box_body.h"
 
-#include "base/exchange.h"
 #include "base/files.h"
+#include "base/object_exchange.h"
 #include "base/text.h"
 #include "exchange/mesh_datasets.h"
 #include "exchange/rve_file.h"

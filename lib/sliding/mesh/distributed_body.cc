@@ -1,9 +1,8 @@
 #include "sliding/mesh/distributed_body.h"
 
+#include "base/exchange.h"
 #include "dynamics/brick_stepper.h"
 #include "dynamics/mesh_stepper.h"
-
-#include <deal.II/base/mpi.h>
 
 #include <type_traits>
 
@@ -42,7 +41,7 @@ MeshPart<dim> part_of_mesh(const Mesh<dim> &mesh,
 {
   std::vector<unsigned int> ranks;
   if (!mesh.cells.empty())
-    ranks = partition_cells(mesh, dealii::Utilities::MPI::n_mpi_processes(communicator),
+    ranks = partition_cells(mesh, mpi::n_mpi_processes(communicator),
                             cell_weights(mesh, contact));
   return distribute(mesh, ranks, communicator);
 }

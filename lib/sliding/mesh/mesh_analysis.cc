@@ -1,9 +1,9 @@
 #include "sliding/mesh/mesh_analysis.h"
 
 #include "base/errors.h"
-#include "base/exchange.h"
+#include "base/object_exchange.h"
 #include "material/plausibility.h"
-#include "mesh/mesh_archive.h"
+#include "mesh/mesh.h"
 #include "program/machine.h"
 #include "program/run_context.h"
 #include "sliding/mesh/box_body.h"
@@ -68,7 +68,7 @@ MeshAnalysis<dim>::MeshAnalysis(const ContactParameters &given)
 {
   parameters.mesh.check();
   const unsigned int n_here  = ranks_of_this_machine(),
-                     n_ranks = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+                     n_ranks = mpi::n_mpi_processes(MPI_COMM_WORLD);
   on_root(MPI_COMM_WORLD, [&]() {
     morphology = read_body<dim>(parameters, n_here, n_ranks, memory);
     join_periodic_sides(morphology, parameters.mesh);
@@ -117,7 +117,7 @@ void MeshAnalysis<dim>::describe(std::ostream &out) const
   for (const std::string &line : lines())
     out << line << '\n';
   out << dim * body.n_points << " degrees of freedom\n"
-      << memory.text(dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD)) << '\n';
+      << memory.text(mpi::n_mpi_processes(MPI_COMM_WORLD)) << '\n';
   for (const std::string &warning : morphology.warnings)
     out << "warning: " << warning << '\n';
 }

@@ -1,6 +1,6 @@
 #include "sliding/mesh/mesh_file.h"
 
-#include "base/exchange.h"
+#include "base/object_exchange.h"
 #include "exchange/datasets.h"
 #include "exchange/mesh_datasets.h"
 #include "exchange/orientation_datasets.h"

@@ -65,7 +65,7 @@ private:
     std::size_t n         = 0;
     for (unsigned int p = 0; p < mesh.points.size(); ++p)
       n += mesh.original(p) == p ? 0 : 1;
-    return dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, n);
+    return mpi::broadcast(n, 0, MPI_COMM_WORLD);
   }
 
   const std::size_t n_copies; ///< see above

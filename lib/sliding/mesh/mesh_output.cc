@@ -45,9 +45,9 @@ void MeshOutput<dim>::begin(const Stepper &of_stepper,
   const std::uint64_t step = stepper->step_number();
   const bool with_rows     = has_snapshots() || map != nullptr;
   // Planes of a box are written as wholes.
-  n_together = dealii::Utilities::MPI::broadcast(
-    context.communicator(),
-    context.root() ? body.n_points / vectors_shape(morphology)[0] : 0);
+  n_together =
+    mpi::broadcast(context.root() ? body.n_points / vectors_shape(morphology)[0] : 0, 0,
+                   context.communicator());
   on_root(context.communicator(), [&]() {
     const std::string path = context.file("dynamics.h5");
     if (n_done > 0 || (map != nullptr && step > 0))

@@ -1,7 +1,7 @@
 #include "sliding/mesh/mesh_run.h"
 
 #include "base/errors.h"
-#include "base/exchange.h"
+#include "base/object_exchange.h"
 #include "base/text.h"
 
 #include <algorithm>

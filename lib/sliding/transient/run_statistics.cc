@@ -1,7 +1,7 @@
 #include "sliding/transient/run_statistics.h"
 
 #include "base/errors.h"
-#include "base/exchange.h"
+#include "base/object_exchange.h"
 #include "program/run_context.h"
 
 #include <algorithm>
@@ -133,7 +133,7 @@ void RunStatistics<dim>::collect(TransientResult &all)
   all.top = of_top(all.top);
   if (const auto *friction = surfaces.contact.variable_friction())
     all.largest_weakening =
-      dealii::Utilities::MPI::max(friction->largest_weakening(), context.communicator());
+      mpi::max(friction->largest_weakening(), context.communicator());
   all.series = record.series();
   // Where the top takes no tangential forces, they are those of the contact.
   const std::vector<double> at_the_top = of_top(record.top_friction());

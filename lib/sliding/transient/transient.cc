@@ -12,8 +12,6 @@
 #include "sliding/transient/dynamics_output.h"
 #include "sliding/transient/run_draft.h"
 
-#include <deal.II/base/mpi.h>
-
 #include <ostream>
 
 namespace mesoslip
@@ -48,7 +46,7 @@ TransientAnalysis::TransientAnalysis(const ContactParameters &p, const Keys &key
       keys, parameters.sweep.isa, body.rve_digest, parameters.friction.slip_law.text()))
 {
   const unsigned int n_rows  = body.grid.cells[1] + 1,
-                     n_ranks = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD),
+                     n_ranks = mpi::n_mpi_processes(MPI_COMM_WORLD),
                      most    = largest_number_of_ranks(n_rows);
   if (n_ranks > most)
     throw UserError(

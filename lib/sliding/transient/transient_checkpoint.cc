@@ -1,7 +1,7 @@
 #include "sliding/transient/transient_checkpoint.h"
 
 #include "base/errors.h"
-#include "base/exchange.h"
+#include "base/object_exchange.h"
 #include "io/checkpoint.h"
 #include "parameters/keys.h"
 #include "parameters/parameters.h"

@@ -1,7 +1,7 @@
 #include "sliding/transient/transient.h"
 
 #include "base/errors.h"
-#include "base/exchange.h"
+#include "base/object_exchange.h"
 #include "dynamics/stepper.h"
 #include "material/plausibility.h"
 #include "observation/grid_probes.h"

@@ -97,7 +97,7 @@ std::vector<unsigned int> parts_of_triangulation(const Mesh<dim> &mesh,
 {
   using namespace dealii;
   Triangulation<dim> tria;
-  tria.create_triangulation(mesh.points, mesh.cells, SubCellData());
+  tria.create_triangulation(mesh.points, to_dealii<dim>(mesh.cells), SubCellData());
   DynamicSparsityPattern connections;
   GridTools::get_face_connectivity_of_cells(tria, connections);
   SparsityPattern graph;

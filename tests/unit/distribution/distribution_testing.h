@@ -2,13 +2,12 @@
 #define mesoslip_tests_unit_distribution_testing_h
 
 #include "mesh/mesh_part.h"
+#include "mesh_of_triangulation.h"
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/grid/grid_generator.h>
-#include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/tria.h>
 
-#include <tuple>
 #include <vector>
 
 namespace distribution_testing
@@ -25,9 +24,7 @@ Mesh<dim> cube()
   dealii::Triangulation<dim> tria;
   dealii::GridGenerator::subdivided_hyper_cube(tria, n_edge, 0., n_edge);
   Mesh<dim> mesh;
-  dealii::SubCellData faces;
-  std::tie(mesh.points, mesh.cells, faces) =
-    dealii::GridTools::get_coarse_mesh_description(tria);
+  take_cells(mesh, tria);
   for (std::size_t k = 0; k < mesh.cells.size(); ++k)
     mesh.cells[k].material_id = k % 5;
   return mesh;

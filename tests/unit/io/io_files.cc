@@ -1,8 +1,8 @@
 // Tables, checkpoints, whole files.
 #include "io_testing.h"
 
-#include "base/exchange.h"
 #include "base/files.h"
+#include "base/object_exchange.h"
 #include "exchange/xdmf.h"
 #include "io/checkpoint.h"
 #include "io/drafts.h"

@@ -29,7 +29,7 @@ Mesh<2> triangles(const std::array<unsigned int, 6> &order)
     mesh.points[order[k]] = points[k];
   for (const auto &cell : corners)
     {
-      dealii::CellData<2> &added = mesh.cells.emplace_back(3);
+      Cell &added = mesh.cells.emplace_back(3);
       for (unsigned int v = 0; v < 3; ++v)
         added.vertices[v] = order[cell[v]];
       added.material_id = mesh.cells.size() == 4;

@@ -6,11 +6,11 @@
 #include "mesh/boundary.h"
 #include "mesh/mesh_part.h"
 #include "mesh/periodic_points.h"
+#include "mesh_of_triangulation.h"
 #include "sliding/mesh/sliding_mesh.h"
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/grid/grid_generator.h>
-#include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/tria.h>
 
 #include <functional>
@@ -43,9 +43,7 @@ Mesh<dim> brick(const std::array<unsigned int, dim> &n,
   if (kind.simplices)
     dealii::GridGenerator::convert_hypercube_to_simplex_mesh(tria, simplex);
   Mesh<dim> mesh;
-  dealii::SubCellData faces;
-  std::tie(mesh.points, mesh.cells, faces) =
-    dealii::GridTools::get_coarse_mesh_description(kind.simplices ? simplex : tria);
+  take_cells(mesh, kind.simplices ? simplex : tria);
   std::mt19937 generator(3);
   std::uniform_real_distribution<> random(-kind.shift, kind.shift);
   for (auto &p : mesh.points)

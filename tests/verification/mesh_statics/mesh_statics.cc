@@ -5,9 +5,9 @@
 #include "divided_body.h"
 #include "eigenvalues/vibration_modes.h"
 #include "material/stiffness.h"
+#include "mesh_of_triangulation.h"
 
 #include <deal.II/grid/grid_generator.h>
-#include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/tria.h>
 
 #include <gtest/gtest.h>
@@ -31,9 +31,7 @@ MeshBodyInput<3> brick(const std::vector<unsigned int> &cells,
   if (simplices)
     dealii::GridGenerator::convert_hypercube_to_simplex_mesh(cubes, tetrahedra);
   MeshBodyInput<3> body;
-  dealii::SubCellData faces;
-  std::tie(body.mesh.points, body.mesh.cells, faces) =
-    dealii::GridTools::get_coarse_mesh_description(simplices ? tetrahedra : cubes);
+  take_cells(body.mesh, simplices ? tetrahedra : cubes);
   body.mesh.phases = {"solid"};
   for (auto &cell : body.mesh.cells)
     cell.material_id = 0;

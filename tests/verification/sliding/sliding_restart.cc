@@ -3,7 +3,7 @@
 #include "contact/laws/rate_and_state.h"
 #include "sliding_body.h"
 
-#include "base/exchange.h"
+#include "base/object_exchange.h"
 #include "dynamics/stability_monitor.h"
 #include "observation/grid_probes.h"
 #include "observation/steady_record.h"

@@ -1,6 +1,6 @@
 #include "sliding/mesh/statics/mesh_pressures.h"
 
-#include "base/exchange.h"
+#include "base/object_exchange.h"
 #include "mesh/boundary.h"
 #include "mesh/cell_gradients.h"
 

@@ -1,0 +1,39 @@
+#ifndef mesoslip_mesh_triangulation_cells_h
+#define mesoslip_mesh_triangulation_cells_h
+
+#include "mesh/mesh.h"
+
+#include <deal.II/grid/tria_description.h>
+
+namespace mesoslip
+{
+/** The @p cells as deal.II's triangulations and grid tools take them. */
+template <int dim>
+std::vector<dealii::CellData<dim>> to_dealii(const std::vector<Cell> &cells)
+{
+  std::vector<dealii::CellData<dim>> result;
+  result.reserve(cells.size());
+  for (const Cell &cell : cells)
+    {
+      result.emplace_back(cell.vertices.size());
+      result.back().vertices    = cell.vertices;
+      result.back().material_id = cell.material_id;
+    }
+  return result;
+}
+
+/** The cells that deal.II gave. */
+template <int dim>
+std::vector<Cell> from_dealii(std::vector<dealii::CellData<dim>> cells)
+{
+  std::vector<Cell> result(cells.size());
+  for (std::size_t k = 0; k < cells.size(); ++k)
+    {
+      result[k].vertices    = std::move(cells[k].vertices);
+      result[k].material_id = cells[k].material_id;
+    }
+  return result;
+}
+} // namespace mesoslip
+
+#endif
