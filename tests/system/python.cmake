@@ -49,6 +49,8 @@ mesoslip_python_tests(verification 1 stability contact/hertz contact/incremental
 mesoslip_python_tests(verification 2 contact/large_strains contact/mesh_ranks contact/resting_flat volumes/divided_plane
                       volumes/macroscopic_loads volumes/macroscopic_loads_kinds volumes/mixed_conditions voxels/voxel_extremes voxels/voxel_orientations
                       voxels/voxel_random voxels/voxels)
+mesoslip_python_tests(regression 1 stored_runs)
+set_property(TEST system/chains/chain APPEND PROPERTY LABELS regression) # its numbers are stored, too
 if(MESOSLIP_DOXYGEN)
   mesoslip_python_tests(system 1 pages/doxygen)
 else()
