@@ -11,6 +11,23 @@ set -euo pipefail
 cd "$(dirname "$(readlink -f "$0")")"
 . cmake/setup.sh
 
+# phase <name>: what follows belongs to it, until the next one. At the end a table tells how long each took.
+phases=() phase_starts=()
+phase() { phases+=("$1"); phase_starts+=("$SECONDS"); }
+
+# The phases so far, and which tests took longest, so that growth is seen when it comes.
+report_times() {
+  local k end
+  say "Where the time went (s):"
+  for k in "${!phases[@]}"; do
+    end=${phase_starts[k + 1]:-$SECONDS}
+    printf '%6d  %s\n' $((end - phase_starts[k])) "${phases[k]}"
+  done
+  printf '%6d  in all\n' "$SECONDS"
+  local costs=build/Testing/Temporary/CTestCostData.txt
+  [ ! -f "$costs" ] || { say "Longest tests (s):"; sed '/^---/,$d' "$costs" | sort -rn -k 3 | head -n 12 | awk '{printf "%6.0f  %s\n", $3, $1}'; }
+}
+
 # Each fuzzer for $1 seconds; findings are in build-fuzz/tests/findings.
 fuzz() {
   mesoslip_packages+=(clang)
@@ -26,10 +43,13 @@ fuzz() {
 
 # Release build, and the tests of $@ in it. CI looks at the report and at XDMF as users do, with 1 GB of programs.
 release() {
+  phase packages
   install_packages
   [ -z "${CI:-}" ] || (mesoslip_packages=(chromium python3-paraview) && install_packages) ||
     say "Without them system/report/browser or system/programs/xdmf is skipped"
+  phase "build of programs and tests"
   build build all
+  phase "tests"
   ctest --test-dir build --output-on-failure -j "$(nproc)" "$@"
 }
 
@@ -37,7 +57,9 @@ release() {
 sanitize() {
   install_packages
   cmake_options+=(-DCMAKE_BUILD_TYPE=Debug -DMESOSLIP_SANITIZE=ON)
+  phase "build with sanitizers"
   build build-sanitize sanitized_tests
+  phase "tests with sanitizers"
   # Memory that cannot be had is a failed allocation, as without the sanitizers.
   export ASAN_OPTIONS=allocator_may_return_null=1:detect_stack_use_after_return=1:strict_string_checks=1
   # Whole stacks, also through libraries without frame pointers, for the names in leaks.txt.
@@ -47,16 +69,31 @@ sanitize() {
   ctest --test-dir build-sanitize --output-on-failure -j "$(nproc)" --label-regex '^sanitize$' "$@"
 }
 
-# clang-format, and clang-tidy, which reads two halves of the library (tests/lint/clang_tidy.cmake), kernels and programs.
+# What clang-tidy's verdict depends on, as a name for a file: our sources, its settings, and the versions of compiler and libraries.
+tidy_key() {
+  {
+    git ls-files -s -- lib applications .clang-tidy cmake tests/lint CMakeLists.txt test.sh && git diff -- lib applications .clang-tidy cmake tests/lint
+    clang-tidy --version
+    dpkg-query -W libdeal.ii-dev libeigen3-dev libboost-dev
+  } 2>/dev/null | sha256sum | cut -d ' ' -f 1
+}
+
+# clang-format, and clang-tidy, which reads two halves of the library (tests/lint/clang_tidy.cmake), kernels and programs; not when it has
+# found nothing in the same sources before.
 tidy() {
-  local mesoslip_packages=("${mesoslip_packages[@]}" clang clang-tidy clang-format)
+  local mesoslip_packages=("${mesoslip_packages[@]}" clang clang-tidy clang-format) found_nothing
   install_packages
+  phase "clang-format and clang-tidy"
   find lib applications tests doc -name '*.cc' -o -name '*.h' | xargs clang-format --dry-run -Werror ||
     fail "clang-format would write the above differently: clang-format -i"
-  local cmake_options=(-DCMAKE_BUILD_TYPE=Release -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++
-                       -DCMAKE_UNITY_BUILD_BATCH_SIZE=0)
+  local cmake_options=(-DCMAKE_BUILD_TYPE=Release -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++)
   configure build-lint
   cmake build-lint >build-lint/configure.log # files may have come and gone
+  found_nothing=$HOME/.cache/mesoslip/tidy/$(tidy_key)
+  if [ -f "$found_nothing" ]; then
+    say "clang-tidy found nothing in these sources before"
+    return
+  fi
   say "clang-tidy reads library and programs (some minutes)"
   run-clang-tidy -p build-lint -quiet -extra-arg=-Wno-ignored-optimization-argument "/tidy_(lower|upper).dir/|^$PWD/lib/|^$PWD/build-lint/(lib/[a-z]|applications/)" \
     >build-lint/clang-tidy.log 2>&1 || {
@@ -64,6 +101,7 @@ tidy() {
     fail "clang-tidy finds the above"
   }
   say "clang-tidy finds nothing"
+  mkdir -p "${found_nothing%/*}" && touch "$found_nothing"
 }
 
 lint() {
@@ -80,6 +118,6 @@ case ${1:-} in
   --lint) lint "${@:2}" ;;
   --quick) release --label-exclude 'long|verification' "${@:2}" ;;
   --label) release --label-regex "${2:?--label needs a name}" "${@:3}" ;;
-  "") release --label-exclude long && tidy && sanitize ;;
+  "") trap report_times EXIT && release --label-exclude long && tidy && sanitize ;;
   *) release --label-exclude long "$@" ;;
 esac

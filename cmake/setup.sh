@@ -3,7 +3,7 @@
 
 # Debian packages of the programs and their scripts, and those that only the tests need.
 program_packages=(
-  build-essential cmake ninja-build libdeal.ii-dev libboost-program-options-dev libeigen3-dev nlohmann-json3-dev libpng-dev libtiff-dev libxxhash-dev libgmsh-dev
+  build-essential ccache cmake ninja-build libdeal.ii-dev libboost-program-options-dev libeigen3-dev nlohmann-json3-dev libpng-dev libtiff-dev libxxhash-dev libgmsh-dev
   python3 python3-numpy python3-scipy python3-h5py python3-matplotlib)
 test_packages=(
   libgtest-dev python3-pil python3-pip python3-gmsh python3-meshio python3-xarray doxygen python3-sphinx python3-myst-parser furo cppcheck g++-aarch64-linux-gnu qemu-user)
@@ -68,7 +68,7 @@ configure() {
   [ ! -f "$folder/build.ninja" ] || return 0
   mkdir -p "$folder"
   say "Configuring in $folder"
-  cmake -S . -B "$folder" -G Ninja -DCMAKE_UNITY_BUILD=ON "${cmake_options[@]}" >"$log" 2>&1 || { tail -n 30 "$log" >&2; fail "cmake failed, see $log"; }
+  cmake -S . -B "$folder" -G Ninja -DMESOSLIP_UNITY=ON "${cmake_options[@]}" >"$log" 2>&1 || { tail -n 30 "$log" >&2; fail "cmake failed, see $log"; }
 }
 
 # is_built <folder> <target>... : whether programs of these names are there, up to date or not.

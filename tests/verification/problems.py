@@ -1,8 +1,8 @@
 """The verification problems: what has to come out, which tests assert it, and in which order errors have to fall."""
 
-_DYNAMICS, _SLIDING, _STATICS = "verification_dynamics: ", "verification_sliding: ", "verification_statics: "
-_HOMOGENIZATION, _CONTACT, _ELASTICITY = "verification_homogenization: ", "unit_contact: ", "unit_elasticity: "
-_MESH, _COMPLEX = "verification_mesh_", "verification_complex_modes: "
+_DYNAMICS, _SLIDING, _STATICS = "verification_serial: ", "verification_serial: ", "verification_serial: "
+_HOMOGENIZATION, _CONTACT, _ELASTICITY = "verification_ranks: ", "unit_serial: ", "unit_ranks: "
+_MESH, _COMPLEX = "verification_mesh_", "verification_ranks: "
 
 # (problem, what has to come out, tests)
 PROBLEMS = [
@@ -46,7 +46,7 @@ PROBLEMS = [
                                                               "IdentitiesOfEverySolve", "RefinementSoftens",
                                                               "PaperPin")] + [_HOMOGENIZATION + "RandomMicrostructures.KeepOrderAndIdentities"]),
     ("Localization", "a uniform macroscopic strain returns the solution of the RVE; strains interpolated with order 2",
-     ["unit_localization: Localize.UniformMacroscopicStrainGivesTheSolutionOfTheRve", "unit_localization: StrainInterpolation.SecondOrder"]),
+     ["unit_serial: Localize.UniformMacroscopicStrainGivesTheSolutionOfTheRve", "unit_serial: StrainInterpolation.SecondOrder"]),
     ("The paper's pin", "first modes, bottom free and held (figure 8)", [_STATICS + "Modes.OfThePaperPin"]),
     ("Column under a platen with mass", "bottom held: r a tan a = 1, bottom free: r a + tan a = 0, a = 2 pi f H / c_L, r = mass of the platen over that of the column; order 2 in h",
      [_STATICS + "Modes.OfAColumnUnderAPlatenWithMass"]),
@@ -96,9 +96,9 @@ PROBLEMS = [
      [_MESH + "volume: MeshVolume." + name for name in ("PatchTestAndLaminateAreExact", "GridAsMesh", "ExtrudedIsPlaneStrain")]),
     ("Voxels", "operator and solutions are those of the assembled matrix; homogeneous boxes exact; iterations bounded; the explicit step equals that of the mesh of the "
      "same cells; the bound of the time step of a cube is exact",
-     ["unit_voxel_solver: VoxelSolver." + name for name in ("OperatorIsTheAssembledMatrix", "SolutionsAreThoseOfTheAssembledMatrix", "HomogeneousBoxesAreExact",
+     ["unit_ranks: VoxelSolver." + name for name in ("OperatorIsTheAssembledMatrix", "SolutionsAreThoseOfTheAssembledMatrix", "HomogeneousBoxesAreExact",
                                                             "IterationsAreBounded")]
-     + ["unit_brick: Brick." + name for name in ("ProductEqualsThatOfTheMesh", "StepsEqualThoseOfTheMesh", "LargestFrequencyIsThatOfTheMesh",
+     + ["unit_ranks: Brick." + name for name in ("ProductEqualsThatOfTheMesh", "StepsEqualThoseOfTheMesh", "LargestFrequencyIsThatOfTheMesh",
                                                  "BoundOfACubeIsExact")]),
 ]
 

@@ -22,9 +22,7 @@ from pages import number, save_picture, table, write_csv, write_page  # noqa: E4
 from report.base.figures import RUN_COLOURS, plt  # noqa: E402  (figures chooses the backend)
 from study import Study, parse_arguments  # noqa: E402
 
-EXECUTABLES = ("unit_brick", "unit_contact", "unit_elasticity", "unit_localization", "unit_voxel_solver", "verification_complex_modes",
-               "verification_dynamics", "verification_homogenization", "verification_mesh_sliding", "verification_mesh_statics",
-               "verification_mesh_volume", "verification_mesh_waves", "verification_sliding", "verification_statics")
+EXECUTABLES = ("unit_serial", "unit_ranks", "verification_serial", "verification_ranks")
 
 MARKS = (("o", "-"), ("s", "--"), ("^", "-."))  # a round of colours each
 

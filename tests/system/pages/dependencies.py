@@ -1,5 +1,5 @@
-"""A topic of lib/ includes only topics below it. No folder has more than 25 files, no file more than 350 lines. Ranks exchange whole
-objects. The drawing of the topics is that of the sources."""
+"""A topic of lib/ includes only topics below it, and few headers include what takes long to compile. No folder has more than 25 files, no
+file more than 350 lines. Ranks exchange whole objects. The drawing of the topics is that of the sources."""
 
 import os
 import re
@@ -25,6 +25,24 @@ SEND = {"base/exchange.cc", "elasticity/brick/plane_exchange.cc", "statics/voxel
         "homogenization/load_cases.cc"}
 
 
+# Headers of lib/ that may include what takes GCC seconds, as all who include them read it again; everywhere else it belongs into sources.
+# deal.II's base (point.h, tensor.h and the like) is in mesh/mesh.h and precompiled.
+HEAVY = {
+    "deal.II/": {"mesh/cell_locator.h", "mesh/linear_shape.h", "mesh/mesh.h", "mesh/point_blocks.h", "mesh/triangulation_cells.h", "body/mesh/cell_values.h",
+                 "body/mesh/condensed_cells.h", "body/mesh/distributed_mesh.h", "body/mesh/mesh_discretization.h", "body/mesh/ml_preconditioner.h",
+                 "eigenvalues/free_dofs.h", "homogenization/mesh_volume.h", "localization/strain/cell_set.h"},
+    "boost/": {"base/archives.h", "base/object_exchange.h"},
+    "nlohmann/json.hpp": {"io/json.h", "sliding/analyses/friction_homogenization.h"},
+}
+
+
+def heavy(name, path):
+    """What the header `name` includes although it may not."""
+    with open(path, encoding="utf-8") as file:
+        included = re.findall(r"^#\s*include <([^>]+)>", file.read(), re.MULTILINE)
+    return [header for header in included for start, allowed in HEAVY.items() if header.startswith(start) and name not in allowed]
+
+
 def sends(path):
     with open(path, encoding="utf-8") as file:
         return re.findall(r"\bMPI_(?:I?[bsr]?send|I?recv|Sendrecv|I?bcast|I?gatherv?|I?scatterv?|I?allgatherv?)\b", file.read(), re.IGNORECASE)
@@ -37,6 +55,8 @@ def of_file(topic, path, lib):
     problems = [f"lib/{name} includes {used}/" for used in includes(path) if used in forbidden]
     if name not in SEND:
         problems += [f"lib/{name} calls {call}: use base/exchange.h" for call in sends(path)]
+    if name.endswith(".h"):
+        problems += [f"lib/{name} includes {header}: in a source, or see HEAVY in dependencies.py" for header in heavy(name, path)]
     with open(path, encoding="utf-8") as file:
         n_lines = sum(1 for _ in file)
     return problems + ([f"lib/{name} has {n_lines} lines"] if n_lines > MOST_LINES else [])
