@@ -14,6 +14,7 @@ import sys
 import tempfile
 import urllib.parse
 import warnings
+from unittest import mock
 
 import h5py
 import numpy as np
@@ -22,6 +23,7 @@ from scenes import PHASES, TOOLS, Folder, prm
 
 sys.path.insert(0, TOOLS)
 
+from matplotlib.figure import Figure  # noqa: E402
 from report import make_report  # noqa: E402
 from report.base.common_scales import comparable  # noqa: E402
 from report.base.data import Chain  # noqa: E402
@@ -77,6 +79,12 @@ def in_this_process(*words):
     """Exit status of make_report.py and what it says on standard error, without the second that its start takes."""
     with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()) as said, warnings.catch_warnings():
         return make_report.main(words), said.getvalue()
+
+
+def unpainted(*words):
+    """In this process, with pictures that are laid out and not painted: where words and numbers matter."""
+    with mock.patch.object(Figure, "savefig", lambda figure, *_, **__: figure.draw_without_rendering()):
+        return in_this_process(*words)
 
 
 def in_its_own(*words):
@@ -174,7 +182,7 @@ def check_box(root):
         assert captions.count(expected) == count, f"{expected}: {captions.count(expected)} instead of {count}"
     assert captions.count("It is the same for all runs with this pressure.") == 4, captions
     check_scales(folders)
-    page = report(root, folders[2])
+    page = report(root, folders[2], start=unpainted)
     assert "It is the same for all runs" not in page, "a run alone"
     assert "Phases of the body of heterogeneous, in the planes through the middle" in page, "phases of a run alone"
     page = report(root, folders[3])
@@ -201,14 +209,14 @@ def main():
         own = os.path.join(root, "own")
         localize_with_other_tensors(folders[3])
         write_foreign_body(os.path.dirname(folders[0]), own)
-        page = report(root, own)
+        page = report(root, own, start=unpainted)
         assert page.count("<img") == 16 and "Left out" not in page, "a folder of folders"
         text = re.sub(r"data:[^\"]*|<pre>.*?</pre>", "", page, flags=re.DOTALL)
         assert "0.2190" in text and "36.90" in text
         assert not re.search(r"0\.2200|36\.54|regime 1,|figure 6|L2 below|Beside", text), "the paper's numbers beside another body"
         check_other_tensors(page)
 
-        rve, heterogeneous, localization = alone = [report(root, folders[k]) for k in (0, 2, 3)]
+        rve, heterogeneous, localization = alone = [report(root, folders[k], start=unpainted) for k in (0, 2, 3)]
         assert heterogeneous.count("<img") == 9 and "Left out" not in heterogeneous, "a run alone has its own stiffnesses and phases"
         assert "Morphology" not in localization, "no morphology without an RVE"
         assert "36.90" in rve and "KUBC, mean of" not in rve, "one volume"
@@ -216,12 +224,12 @@ def main():
         # Of an ensemble the means, in the heading and in the numbers; warnings of the runs.
         mean = (1e9 * np.array([[30.0, 9.0, 0], [9.0, 40.0, 0], [0, 0, 12.0]])).tolist()
         add_to_summary(folders[0], ensemble={"members": 7, "KUBC": {"mean": mean}, "SUBC": {"mean": mean}})
-        page = report(root, folders[0])
+        page = report(root, folders[0], start=unpainted)
         assert "KUBC, mean of 7" in page and "30.00" in page, "means of the ensemble"
         assert "36.90" not in page, "the first member stands for the ensemble"
         add_to_summary(folders[1], mean_contact_duration_warning="T_G rests on 3 %",
                        warnings=["T_G rests on 3 %", "the unit of <P> looks wrong"])
-        alone.append(report(root, folders[1]))
+        alone.append(report(root, folders[1], start=unpainted))
         page = alone[-1]
         assert all("Tension is positive" in page for page in alone)
         assert page.count("Warning: T_G rests on 3 %.") == 1 and "Warning: the unit of &lt;P&gt; looks wrong." in page
