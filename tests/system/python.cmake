@@ -33,6 +33,14 @@ function(mesoslip_python_tests label processors)
   endforeach()
 endfunction()
 
+# mesoslip_long_test(<label>/<name> <processors> <argument>...): the same script with arguments that ask for more of it, as <label>/<name>.long
+# with the label long, which ./test.sh leaves out.
+function(mesoslip_long_test script processors)
+  add_test(NAME ${script}.long COMMAND ${MESOSLIP_PYTHON} -B ${CMAKE_SOURCE_DIR}/tests/${script}.py ${CMAKE_BINARY_DIR}/applications ${ARGN})
+  set_tests_properties(${script}.long PROPERTIES LABELS long TIMEOUT 1800 PROCESSORS ${processors} SKIP_RETURN_CODE 77
+                       ENVIRONMENT PYTHONPATH=${CMAKE_SOURCE_DIR}/tests/scenes)
+endfunction()
+
 mesoslip_python_tests(system 1 chains/chain_inputs chains/python_module chains/python_runs chains/setup chains/shortcuts
                       homogenization/refused_statics pages/dependencies pages/gallery pages/links pages/mesh_scripts pages/parameter_reference pages/prediction
                       pages/site pages/studies pages/thickness pages/verification_page pages/work_precision programs/bad_input programs/completion
@@ -51,6 +59,7 @@ mesoslip_python_tests(verification 2 contact/large_strains contact/mesh_ranks co
                       voxels/voxel_random voxels/voxels)
 mesoslip_python_tests(regression 1 stored_runs)
 set_property(TEST system/chains/chain APPEND PROPERTY LABELS regression) # its numbers are stored, too
+mesoslip_long_test(system/sliding/resume 2 --long)
 if(MESOSLIP_DOXYGEN)
   mesoslip_python_tests(system 1 pages/doxygen)
 else()

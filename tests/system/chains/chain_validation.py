@@ -1,20 +1,25 @@
 """A chain is checked before it runs, by the programs themselves: what only the last file has wrong, what an earlier one decides, and
 what it says of time, memory and disk."""
 
+import contextlib
+import io
 import os
 import re
 import shutil
 import subprocess
 import sys
 import tempfile
+import types
+from unittest import mock
 
 import h5py
 import numpy as np
 
-from scenes import ENVIRONMENT, PROGRAMS, TOOLS, TOP, Folder, prm
+from scenes import ENVIRONMENT, PROGRAMS, TOOLS, TOP, Folder, prm, served
 
 sys.path.insert(0, TOOLS)
 
+import run_chain as script  # noqa: E402
 from chain.plan import Estimate, sum_text  # noqa: E402
 
 IMAGE = os.path.join(TOP, "prm", "examples", "image")
@@ -50,6 +55,17 @@ def run_chain(source, target, *options):
                            *options], text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env=ENVIRONMENT)
 
 
+def refused_here(source, target):
+    """Exit status and what run_chain.py says, in this process, of a chain of which nothing is to run."""
+    with mock.patch("chain.plan.subprocess", types.SimpleNamespace(run=served)), \
+            mock.patch.object(sys, "argv", ["run_chain.py", source, "--programs", PROGRAMS, "--output", target]), \
+            contextlib.redirect_stdout(io.StringIO()) as said, contextlib.redirect_stderr(said):
+        try:
+            script.main()
+        except SystemExit as end:
+            return end.code, said.getvalue()
+
+
 def check_wrong(folder):
     """One sentence, and nothing has run."""
     for name, old, new, words in WRONG:
@@ -57,9 +73,9 @@ def check_wrong(folder):
         text = folder.read("wrong", name).decode()
         assert old in text, (name, old)
         folder.write("wrong/" + name, text.replace(old, new))
-        done = run_chain(source, folder("out"))
-        assert done.returncode == 2 and done.stdout.count("\n") == 1 and words in done.stdout, (words, done.returncode, done.stdout)
-        assert "mesoslip-" not in done.stdout, f"the folder of the check is named: {done.stdout}"
+        status, said = refused_here(source, folder("out"))
+        assert status == 2 and said.count("\n") == 1 and words in said, (words, status, said)
+        assert "mesoslip-" not in said, f"the folder of the check is named: {said}"
         assert not os.path.exists(folder("out")), "something was written"
 
 

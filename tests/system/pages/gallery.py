@@ -3,11 +3,15 @@
 import os
 import sys
 import tempfile
+import types
+from unittest import mock
 
-from scenes import TOOLS, TOP, Folder, run_chain
+from scenes import PROGRAMS, TOOLS, TOP, Folder, served
 
 sys.path[:0] = [os.path.join(TOOLS, "studies", "gallery"), TOOLS]
 
+from chain.inputs import list_inputs  # noqa: E402
+from chain.plan import Plan  # noqa: E402
 from examples import EXAMPLES  # noqa: E402
 
 FOLDER = os.path.join("prm", "examples")
@@ -19,12 +23,28 @@ def files_of_examples():
                   for folder, _, names in os.walk(os.path.join(TOP, FOLDER)) for name in names if name.endswith(".prm"))
 
 
+def check_chain(source):
+    """Each step is valid; where stresses are localized, memory and disk of that are known before anything has run. How long the steps
+    take, which run_chain.py --validate tries out as well, is not asked for."""
+    with tempfile.TemporaryDirectory() as path:
+        plan = Plan(source, os.path.join(path, "none"), *list_inputs(source), PROGRAMS, tempfile.mkdtemp(dir=path))
+        checked = {step.name: plan.check(step) for step in plan.to_run}
+    assert len(checked) == len(plan.steps) > 1, checked
+    localized = [found for name, found in checked.items() if name.endswith("stress_localization")]
+    for estimate, lines in localized:
+        print(f"{os.path.basename(source)}: {estimate.text()}")
+        assert estimate.memory > 1e8 and estimate.disk > 1e5, estimate.text()
+        assert any("drafts stand for the results" in line for line in lines), lines
+    return len(localized)
+
+
 def main():
+    localizations = 0
     page = Folder(TOP).read("doc", "gallery.md").decode()
     shown = {target for example in EXAMPLES for target in example.targets}
     for name in files_of_examples():
         assert name in shown or os.path.dirname(name) in shown, f"{name} is not in the gallery"
-    with tempfile.TemporaryDirectory() as results:
+    with mock.patch("chain.plan.subprocess", types.SimpleNamespace(run=served)):
         for example in EXAMPLES:
             for target in example.targets:
                 assert f"{FOLDER}/{target}\n" in page, f"./run.sh gallery writes doc/gallery.md, which lacks {target}"
@@ -32,7 +52,8 @@ def main():
                 if example.program:
                     Folder(TOP).run(0, example.program, path, "--validate")
                 else:
-                    run_chain("--validate", "--output", os.path.join(results, os.path.basename(target)), os.path.join(TOP, path))
+                    localizations += check_chain(os.path.join(TOP, path))
+    assert localizations == 6, localizations
     print(f"{len(shown)} examples, all valid")
 
 

@@ -9,11 +9,10 @@ come out on a coarse grid with their pictures.
 import glob
 import os
 import re
-import subprocess
 import sys
 import tempfile
 
-from scenes import PROGRAMS, TOOLS, TOP
+from scenes import PROGRAMS, TOOLS, TOP, Folder, sets
 
 sys.path.insert(0, os.path.join(TOOLS, "studies", "paper"))
 
@@ -61,12 +60,9 @@ def settings_failures():
         part.runs(run.Cases(study))
     found, kinds = [], {(case.prm, *case.settings): case for case in study.cases.values()}
     for case in kinds.values():  # runs that differ in values alone are of one kind
-        command = [os.path.join(PROGRAMS, case.program), case.prm, "--print-parameters"]
-        for key, value in case.settings.items():
-            command += ["--set", f"{key}={value}"]
-        done = subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
-        if done.returncode != 0:
-            found.append(f"{case.name}: {done.stderr.strip()}")
+        status, _, said = Folder(os.getcwd()).end(case.program, case.prm, "--print-parameters", *sets(case.settings))
+        if status != 0:
+            found.append(f"{case.name}: {said.strip()}")
     used = {case.prm for case in study.cases.values()}
     return found + [f"no run uses {path}" for path in glob.glob(os.path.join(TOP, "prm", "paper", "*.prm")) if path not in used]
 

@@ -72,16 +72,16 @@ def check_file(path):
     name = program_of(path)
     if name is None:
         return [f"{shown}: names no program, neither in its name nor in its comments"]
-    # Names of sections and keys, and the form of the values.
-    status, _, said = Folder(TOP).end(name, "--print-parameters", path)
-    if status != 0:
-        return [f"{shown}: {said.strip()}"]
-    # What the values mean together, as far as the inputs are there.
+    # Names of sections and keys, the form of the values, and what these mean together.
     status, _, said = Folder(TOP).end(name, "--validate", path)
-    missing = MISSING_INPUT.search(said)
-    if status == 0 or status == 2 and missing and is_left_by_a_run(missing.group(2).rstrip(";,.")):
+    if status == 0:
         return []
-    return [f"{shown}: exit status {status}: {said.strip()}"]
+    missing = MISSING_INPUT.search(said)
+    if status != 2 or not missing or not is_left_by_a_run(missing.group(2).rstrip(";,.")):
+        return [f"{shown}: exit status {status}: {said.strip()}"]
+    # As far as it goes without the inputs.
+    status, _, said = Folder(TOP).end(name, "--print-parameters", path)
+    return [f"{shown}: {said.strip()}"] if status else []
 
 
 def main():

@@ -55,7 +55,7 @@ def overlaps(axes, renderer):
 
 def problems_of(figure):
     """What a reader would object to."""
-    figure.canvas.draw()
+    figure.draw_without_rendering()
     renderer = figure.canvas.get_renderer()
     width, height = figure.get_size_inches()
     box = figure.get_tightbbox(renderer)

@@ -3,7 +3,9 @@
     whole_page.py <folder with the programs> [folder to keep the synthetic chain in]
 """
 
+import contextlib
 import html
+import io
 import os
 import re
 import shutil
@@ -11,6 +13,8 @@ import subprocess
 import sys
 import tempfile
 import urllib.parse
+import warnings
+from unittest import mock
 
 import h5py
 import numpy as np
@@ -19,13 +23,14 @@ from scenes import PHASES, TOOLS, Folder, prm
 
 sys.path.insert(0, TOOLS)
 
+from matplotlib.figure import Figure  # noqa: E402
+from report import make_report  # noqa: E402
 from report.base.common_scales import comparable  # noqa: E402
 from report.base.data import Chain  # noqa: E402
 from report.bodies import contact_surface  # noqa: E402
 from report.runs import probes  # noqa: E402
 from synthetic_chain import add_to_summary, write, write_analyses, write_chain, write_foreign_body  # noqa: E402
 
-MAKE_REPORT = os.path.join(TOOLS, "report", "make_report.py")
 
 
 def check_localization(page):
@@ -51,11 +56,15 @@ def check_words(page, folder):
     assert "The steady part of" not in text, "a window in the steady parts"
 
 
-def check_other_tensors(root, folders):
+def localize_with_other_tensors(folder):
+    """Another window and tensors, and a parameters.prm of elsewhere."""
+    Folder(folder).write("parameters.prm", prm({"Input/Homogeneous run": "/of/another/machine/homogeneous/dynamics.h5"}))
+    add_to_summary(folder, concentration="MUBC", window=[1e-4, 2e-4])
+
+
+def check_other_tensors(page):
     """Advice on MUBC is given for other tensors; a window before the steady part of a run that it compares is said."""
-    Folder(folders[3]).write("parameters.prm", prm({"Input/Homogeneous run": "/of/another/machine/homogeneous/dynamics.h5"}))
-    add_to_summary(folders[3], concentration="MUBC", window=[1e-4, 2e-4])
-    text = re.sub("<.*?>", "", re.sub('"data:[^"]*"', "", report(root, *folders)))
+    text = re.sub("<.*?>", "", re.sub('"data:[^"]*"', "", page))
     assert "with the tensors of MUBC." in text and "MUBC are better" not in text and "The interior lies" not in text
     assert "The steady part of the homogeneous run begins after that, at 300 µs;" in text and "of the heterogeneous run begins" not in text
 
@@ -66,17 +75,34 @@ def check_error_of_mean():
         ["+2.0 %", "–", "–", "+10.0 %"]
 
 
-def report(root, *folders, status=0):
+def in_this_process(*words):
+    """Exit status of make_report.py and what it says on standard error, without the second that its start takes."""
+    with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()) as said, warnings.catch_warnings():
+        return make_report.main(words), said.getvalue()
+
+
+def unpainted(*words):
+    """In this process, with pictures that are laid out and not painted: where words and numbers matter."""
+    with mock.patch.object(Figure, "savefig", lambda figure, *_, **__: figure.draw_without_rendering()):
+        return in_this_process(*words)
+
+
+def in_its_own(*words):
+    """The same as a user starts it."""
+    done = subprocess.run([sys.executable, "-B", make_report.__file__, *words], capture_output=True, text=True, check=False)
+    return done.returncode, done.stderr
+
+
+def report(root, *folders, status=0, start=in_this_process):
     """The page, after checks that hold for every one."""
     output = os.path.join(root, "report.html")
     if os.path.exists(output):
         os.remove(output)
-    done = subprocess.run([sys.executable, "-B", MAKE_REPORT, "--output", output, *folders], capture_output=True,
-                          text=True, check=False)
-    assert done.returncode == status, f"{folders}: status {done.returncode}\n{done.stderr}"
-    assert "Traceback" not in done.stderr and "Warning" not in done.stderr, done.stderr
+    found, said = start("--output", output, *folders)
+    assert found == status, f"{folders}: status {found}\n{said}"
+    assert "Traceback" not in said and "Warning" not in said, said
     if status:
-        assert done.stderr and not os.path.exists(output)
+        assert said and not os.path.exists(output)
         return ""
     page = Folder(root).read("report.html").decode()
     assert page.endswith("</html>\n") and "Traceback" not in page
@@ -156,7 +182,7 @@ def check_box(root):
         assert captions.count(expected) == count, f"{expected}: {captions.count(expected)} instead of {count}"
     assert captions.count("It is the same for all runs with this pressure.") == 4, captions
     check_scales(folders)
-    page = report(root, folders[2])
+    page = report(root, folders[2], start=unpainted)
     assert "It is the same for all runs" not in page, "a run alone"
     assert "Phases of the body of heterogeneous, in the planes through the middle" in page, "phases of a run alone"
     page = report(root, folders[3])
@@ -171,7 +197,7 @@ def main():
         write_chain(os.path.join(root, "chain"))
         folders = [os.path.join(root, "chain", name) for name in ("rve", "homogeneous", "heterogeneous", "localization")]
 
-        page = report(root, *folders)
+        page = report(root, *folders, start=in_its_own)
         assert "Left out" not in page, re.findall("Left out[^<]*", page)
         assert page.count("<img") == 16, page.count("<img")
         assert "0.2190" in page and "−0.5 %" in page, "mu_inter 0.219 against 0.220"
@@ -179,30 +205,33 @@ def main():
         assert "Beside the paper" in page
         check_localization(page)
         check_words(page, folders[1])
-        check_other_tensors(root, folders)
         check_error_of_mean()
         own = os.path.join(root, "own")
+        localize_with_other_tensors(folders[3])
         write_foreign_body(os.path.dirname(folders[0]), own)
-        page = report(root, own)
+        page = report(root, own, start=unpainted)
         assert page.count("<img") == 16 and "Left out" not in page, "a folder of folders"
         text = re.sub(r"data:[^\"]*|<pre>.*?</pre>", "", page, flags=re.DOTALL)
         assert "0.2190" in text and "36.90" in text
         assert not re.search(r"0\.2200|36\.54|regime 1,|figure 6|L2 below|Beside", text), "the paper's numbers beside another body"
+        check_other_tensors(page)
 
-        alone = [report(root, folder) for folder in folders]
-        assert all("Tension is positive" in page for page in alone)
-        assert alone[2].count("<img") == 9 and "Left out" not in alone[2], "a run alone has its own stiffnesses and phases"
-        assert "Morphology" not in alone[3], "no morphology without an RVE"
+        rve, heterogeneous, localization = alone = [report(root, folders[k], start=unpainted) for k in (0, 2, 3)]
+        assert heterogeneous.count("<img") == 9 and "Left out" not in heterogeneous, "a run alone has its own stiffnesses and phases"
+        assert "Morphology" not in localization, "no morphology without an RVE"
+        assert "36.90" in rve and "KUBC, mean of" not in rve, "one volume"
 
         # Of an ensemble the means, in the heading and in the numbers; warnings of the runs.
         mean = (1e9 * np.array([[30.0, 9.0, 0], [9.0, 40.0, 0], [0, 0, 12.0]])).tolist()
         add_to_summary(folders[0], ensemble={"members": 7, "KUBC": {"mean": mean}, "SUBC": {"mean": mean}})
-        page = report(root, folders[0])
+        page = report(root, folders[0], start=unpainted)
         assert "KUBC, mean of 7" in page and "30.00" in page, "means of the ensemble"
         assert "36.90" not in page, "the first member stands for the ensemble"
         add_to_summary(folders[1], mean_contact_duration_warning="T_G rests on 3 %",
                        warnings=["T_G rests on 3 %", "the unit of <P> looks wrong"])
-        page = report(root, folders[1])
+        alone.append(report(root, folders[1], start=unpainted))
+        page = alone[-1]
+        assert all("Tension is positive" in page for page in alone)
         assert page.count("Warning: T_G rests on 3 %.") == 1 and "Warning: the unit of &lt;P&gt; looks wrong." in page
 
         # Analyses without a history.
@@ -230,7 +259,7 @@ def main():
         write(os.path.join(root, "empty"), "dynamics.h5", {"program": "contact_dynamics"}, {})
         report(root, os.path.join(root, "empty"), os.path.join(root, "no such folder"))
         write(os.path.join(root, "other"), "other.h5", {"program": "something"}, {})
-        report(root, os.path.join(root, "other"), status=2)
+        report(root, os.path.join(root, "other"), status=2, start=in_its_own)
         Folder(root).write("other/summary.json", '{"program": ')
         report(root, os.path.join(root, "other"), status=2)
     finally:
