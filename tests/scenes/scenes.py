@@ -120,11 +120,12 @@ class Folder:
         return subprocess.Popen([*mpirun, os.path.join(PROGRAMS, program), *words], **{
             "cwd": self.path, "env": ENVIRONMENT, "text": True, "stdout": subprocess.PIPE, "stderr": subprocess.PIPE, **keywords})
 
-    def end(self, program, *words, **keywords):
-        """Exit status, standard output and errors. Without further wishes the server of the programs, which saves their start, runs it."""
-        if not keywords and program in SERVED and SERVER.is_there():
+    def end(self, program, *words, ranks=1, **keywords):
+        """Exit status, standard output and errors. On one rank and without further wishes the server of the programs, which saves their
+        start, runs it."""
+        if ranks == 1 and not keywords and program in SERVED and SERVER.is_there():
             return SERVER.end(program, self.path, words)
-        child = self.start(program, *words, **keywords)
+        child = self.start(program, *words, ranks=ranks, **keywords)
         out, err = child.communicate()
         return child.returncode, out, err
 
