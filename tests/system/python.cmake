@@ -17,11 +17,13 @@ mesoslip_warnings(io_program)
 deal_ii_setup_target(io_program)
 target_link_libraries(io_program mesoslip_program)
 
-# The programs without the time that their start takes, for scenes.py.
+# The programs without the time that their start takes, for scenes.py; mpirun starts clients of it.
 add_executable(program_server ${CMAKE_CURRENT_LIST_DIR}/../scenes/program_server.cc)
 mesoslip_warnings(program_server)
 deal_ii_setup_target(program_server)
 target_link_libraries(program_server mesoslip_sliding mesoslip_localization)
+add_executable(program_client ${CMAKE_CURRENT_LIST_DIR}/../scenes/program_client.cc)
+mesoslip_warnings(program_client)
 
 # mesoslip_python_tests(<label> <processors> <name>...); exit status 77: what the test needs is not installed.
 function(mesoslip_python_tests label processors)
