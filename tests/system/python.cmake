@@ -45,12 +45,15 @@ mesoslip_python_tests(system 2 chains/chain chains/chain_validation chains/draft
                       programs/ranks programs/xdmf sliding/boxes sliding/complex_modes sliding/contact_map sliding/mesh_dynamics
                       sliding/mesh_flat sliding/mesh_modes sliding/mesh_periodic sliding/mesh_static_contact sliding/oriented_boxes
                       sliding/resume sliding/steady_part)
-mesoslip_python_tests(verification 1 stability contact/hertz contact/incremental_friction contact/mesh_friction_vector contact/oblique_modes
+mesoslip_python_tests(verification 1 stability contact/hertz contact/hertz_sphere contact/incremental_friction contact/incremental_sphere
+                      contact/mesh_friction_vector contact/oblique_modes
                       contact/spence contact/static_localization volumes/hexagonal_cell volumes/independent_finite_elements
                       volumes/mesh_inclusions voxels/voxel_files)
 mesoslip_python_tests(verification 2 contact/large_strains contact/mesh_ranks contact/resting_flat volumes/divided_plane
                       volumes/macroscopic_loads volumes/macroscopic_loads_kinds volumes/mixed_conditions voxels/voxel_extremes voxels/voxel_orientations
                       voxels/voxel_random voxels/voxels)
+# Meshes in 3D whose static contact takes most of a minute.
+set_property(TEST verification/contact/hertz_sphere verification/contact/incremental_sphere APPEND PROPERTY LABELS long)
 if(MESOSLIP_DOXYGEN)
   mesoslip_python_tests(system 1 pages/doxygen)
 else()
