@@ -24,6 +24,7 @@ deal_ii_setup_target(program_server)
 target_link_libraries(program_server mesoslip_sliding mesoslip_localization)
 add_executable(program_client ${CMAKE_CURRENT_LIST_DIR}/../scenes/program_client.cc)
 mesoslip_warnings(program_client)
+add_dependencies(program_server program_client)
 
 # mesoslip_python_tests(<label> <processors> <name>...); exit status 77: what the test needs is not installed.
 function(mesoslip_python_tests label processors)
