@@ -54,10 +54,10 @@ def run_chain(*arguments):
 
 
 class Server:
-    """The process of program_server.cc: the programs without the 0.3 s that each start of them takes."""
+    """The process of program_server.cc: the programs without the 0.3 s that each start of them takes on each rank."""
 
     def __init__(self):
-        self.program = os.path.join(PROGRAMS, "..", "tests", "program_server")
+        self.program, self.client = (os.path.join(PROGRAMS, "..", "tests", "program_" + name) for name in ("server", "client"))
         self.process, self.lock, self.folder = None, threading.Lock(), None
 
     def is_there(self):
@@ -66,13 +66,24 @@ class Server:
 
     def begin(self):
         self.folder = tempfile.TemporaryDirectory()
-        self.process = subprocess.Popen([self.program], env=ENVIRONMENT, stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+        self.process = subprocess.Popen([self.program, self.socket()], env=ENVIRONMENT, stdin=subprocess.PIPE, stdout=subprocess.PIPE)
         atexit.register(self.stop)
+        assert self.process.stdout.readline() == b"listening\n"
+
+    def socket(self):
+        return os.path.join(self.folder.name, "socket")
 
     def stop(self):
         self.process.stdin.close()
         self.process.wait()
         self.folder.cleanup()
+
+    def command(self, program):
+        """Of a process that stands for the program, with its words to follow: mpirun can start it."""
+        with self.lock:
+            if not self.process:
+                self.begin()
+        return [os.path.abspath(self.client), self.socket(), program]
 
     def end(self, program, folder, words):
         """Exit status, standard output and errors of the program, run in the folder."""
@@ -96,6 +107,8 @@ def served(command, **_):
 
 SERVED = ("rve_homogenization", "contact_dynamics", "stress_localization")
 SERVER = Server()
+# Ranks on one machine look for no network; when one has failed, mpirun ends the others at once.
+QUICK = {"OMPI_MCA_pml": "ob1", "OMPI_MCA_btl": "self,vader", "OMPI_MCA_odls_base_sigkill_timeout": "0"}
 
 
 class Folder:
@@ -121,16 +134,20 @@ class Folder:
     def summary(self, *names):
         return json.loads(self.read(*names, "summary.json"))
 
-    def start(self, program, *words, ranks=1, **keywords):
+    def start(self, program, *words, ranks=1, by=None, **keywords):
+        """The process of the program, or of the command `by` that stands for it."""
         mpirun = ["mpirun", "--oversubscribe", "-np", str(ranks)] if ranks > 1 else []
-        return subprocess.Popen([*mpirun, os.path.join(PROGRAMS, program), *words], **{
+        return subprocess.Popen([*mpirun, *(by or [os.path.join(PROGRAMS, program)]), *words], **{
             "cwd": self.path, "env": ENVIRONMENT, "text": True, "stdout": subprocess.PIPE, "stderr": subprocess.PIPE, **keywords})
 
-    def end(self, program, *words, **keywords):
-        """Exit status, standard output and errors. Without further wishes the server of the programs, which saves their start, runs it."""
-        if not keywords and program in SERVED and SERVER.is_there():
+    def end(self, program, *words, ranks=1, **keywords):
+        """Exit status, standard output and errors. The server of the programs, which saves their start, runs them, where there is one."""
+        served = program in SERVED and SERVER.is_there()
+        if served and ranks == 1 and not keywords:
             return SERVER.end(program, self.path, words)
-        child = self.start(program, *words, **keywords)
+        if ranks > 1:
+            keywords["env"] = {**QUICK, **keywords.get("env", ENVIRONMENT)}
+        child = self.start(program, *words, ranks=ranks, by=SERVER.command(program) if served else None, **keywords)
         out, err = child.communicate()
         return child.returncode, out, err
 

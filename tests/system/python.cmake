@@ -17,11 +17,14 @@ mesoslip_warnings(io_program)
 deal_ii_setup_target(io_program)
 target_link_libraries(io_program mesoslip_program)
 
-# The programs without the time that their start takes, for scenes.py.
+# The programs without the time that their start takes, for scenes.py; mpirun starts clients of it.
 add_executable(program_server ${CMAKE_CURRENT_LIST_DIR}/../scenes/program_server.cc)
 mesoslip_warnings(program_server)
 deal_ii_setup_target(program_server)
 target_link_libraries(program_server mesoslip_sliding mesoslip_localization)
+add_executable(program_client ${CMAKE_CURRENT_LIST_DIR}/../scenes/program_client.cc)
+mesoslip_warnings(program_client)
+add_dependencies(program_server program_client)
 
 # mesoslip_python_tests(<label> <processors> <name>...); exit status 77: what the test needs is not installed.
 function(mesoslip_python_tests label processors)
@@ -51,7 +54,8 @@ mesoslip_python_tests(system 2 chains/chain chains/chain_validation chains/draft
                       programs/ranks programs/xdmf sliding/boxes sliding/complex_modes sliding/contact_map sliding/mesh_dynamics
                       sliding/mesh_flat sliding/mesh_modes sliding/mesh_periodic sliding/mesh_static_contact sliding/oriented_boxes
                       sliding/resume sliding/steady_part)
-mesoslip_python_tests(verification 1 stability contact/hertz contact/incremental_friction contact/mesh_friction_vector contact/oblique_modes
+mesoslip_python_tests(verification 1 stability contact/hertz contact/hertz_sphere contact/incremental_friction contact/incremental_sphere
+                      contact/mesh_friction_vector contact/oblique_modes
                       contact/spence contact/static_localization volumes/hexagonal_cell volumes/independent_finite_elements
                       volumes/mesh_inclusions voxels/voxel_files)
 mesoslip_python_tests(verification 2 contact/large_strains contact/mesh_ranks contact/resting_flat volumes/divided_plane
@@ -60,6 +64,8 @@ mesoslip_python_tests(verification 2 contact/large_strains contact/mesh_ranks co
 mesoslip_python_tests(regression 1 stored_runs)
 set_property(TEST system/chains/chain APPEND PROPERTY LABELS regression) # its numbers are stored, too
 mesoslip_long_test(system/sliding/resume 2 --long)
+# Meshes in 3D whose static contact takes most of a minute.
+set_property(TEST verification/contact/hertz_sphere verification/contact/incremental_sphere APPEND PROPERTY LABELS long)
 if(MESOSLIP_DOXYGEN)
   mesoslip_python_tests(system 1 pages/doxygen)
 else()

@@ -152,7 +152,7 @@ CPU time; `system/programs/ranks` does the same with smaller bodies.
 * Largest strains against those of a column that is compressed alone and of a free body in equilibrium: `verification/contact/large_strains`.
 * Meshes of round bodies: the hexagonal cell of code_aster's HPLV106 (`verification/volumes/hexagonal_cell`), one round or spherical inclusion,
   and the strains of Lame's thick ring and shell in the coat of a hole or a core, of order 2 (`verification/volumes/mesh_inclusions`), Hertz
-  (`verification/contact/hertz`): the radius of the contact is off by 0.42, 0.09 and 0.02 % with 8, 16 and 32 cells across it in 2D (order 2), by 3.4, 0.37
+  (`verification/contact/hertz`, `hertz_sphere`): the radius of the contact is off by 0.42, 0.09 and 0.02 % with 8, 16 and 32 cells across it in 2D (order 2), by 3.4, 0.37
   and 0.14 % with 3, 6 and 12 in 3D, the peak pressure on the finest meshes by 0.02 and 0.2 %; Spence's indenter with friction (`verification/contact/spence`).
 * Stiffness of voxels against [FANS](https://github.com/DataAnalyticsEngineering/FANS) 0.6.2 (commit d3ff337), the solver by Fourier transforms of another group, with the
   same trilinear elements (HEX8), periodic: all 21 entries of spheres of contrast 8 and 100 and of three phases at random differ by 5e-14 to 4e-12 of the largest one,

@@ -13,7 +13,7 @@ import limit  # noqa: E402
 import long_runs  # noqa: E402
 import stress  # noqa: E402
 from judge import Verdict  # noqa: E402
-from study import Study  # noqa: E402
+from served_study import ServedStudy  # noqa: E402
 
 BODIES = [("homogeneous", {}, (0.5, 1.0), (4.4e-9,)), ("composite 1:8", stress.heterogeneous(8), (0.6,), (1e-7,)),
           ("cells 10:1", {"Body/Cells": [22, 63]}, (0.5,), (0.0,)), (limit.FEW_ROWS, {"Body/Cells": [140, 4]}, (0.5,), (4.4e-9,))]
@@ -54,7 +54,7 @@ def many_steps(study):
 def main():
     failures = 0
     with tempfile.TemporaryDirectory() as folder:
-        study = Study(folder, sys.argv[1], jobs=1)
+        study = ServedStudy(folder, sys.argv[1], jobs=1)
         for part in (just_around_the_limit, far_out, many_steps):
             for case, found, expected in part(study):
                 if found != expected:

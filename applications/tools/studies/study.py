@@ -129,12 +129,13 @@ class Study:
                   + f" ({result.seconds:.1f} s)")
         return result
 
+    def _words(self, case, resume):
+        """What follows the program on its command line."""
+        settings = [word for key, value in self._filled(case).items() for word in ("--set", f"{key}={value}")]
+        return [case.prm, "--output", self.path(case.name), "--quiet", *["--resume"] * resume, *settings]
+
     def _execute(self, case, resume):
-        command = [os.path.join(self.programs, case.program), case.prm, "--output", self.path(case.name), "--quiet"]
-        if resume:
-            command.append("--resume")
-        for key, value in self._filled(case).items():
-            command += ["--set", f"{key}={value}"]
+        command = [os.path.join(self.programs, case.program), *self._words(case, resume)]
         if case.ranks > 1:
             command = ["mpirun", "--oversubscribe", "-np", str(case.ranks)] + command
         environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")

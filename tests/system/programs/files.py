@@ -12,7 +12,7 @@ import numpy as np
 
 from scenes import PROGRAMS, TOP, Folder, prm
 
-from study import Study
+from served_study import ServedStudy
 
 CHAIN = os.path.join(TOP, "tests", "system", "chains", "reference")
 SMALL = {"Time/End time": 4e-6, "Snapshots/From": 1e-6, "Observation/Energy interval": 10}
@@ -20,8 +20,9 @@ STATIC = prm({"Analysis": "static contact", "Body/Material": "heterogeneous"})
 MODAL = prm({"Analysis": "modal", "Body/Material": "heterogeneous", "Modal/Number of modes": 2})
 
 
-def run_chain(folder):
-    study = Study(folder, PROGRAMS)
+def run_chain(folder, beside=True):
+    """A chain with its shapes of modes, and `beside` it the runs that are looked at here alone."""
+    study = ServedStudy(folder, PROGRAMS)
     study.add("rve", "rve_homogenization", os.path.join(CHAIN, "10-rve_homogenization.prm"))
     for name, number in [("homogeneous", 20), ("heterogeneous", 30)]:
         prm = os.path.join(CHAIN, f"{number}-contact_dynamics-{name}.prm")
@@ -29,26 +30,31 @@ def run_chain(folder):
         study.add(name, "contact_dynamics", prm,
                   {**SMALL, "Body/RVE file": "{rve}/rve.h5", "Observation/Reference x": 0.0026,
                    "Observation/fibre_at_contact/Position": [0.0026, 0.0]})
+    study.add("modal", "contact_dynamics", Folder(folder, {"modal": MODAL})("modal.prm"), {"Body/RVE file": "{rve}/rve.h5"})
+    study.add("local", "stress_localization", os.path.join(CHAIN, "40-stress_localization.prm"),
+              {"Input/RVE file": "{rve}/rve.h5", "Input/Homogeneous run": "{homogeneous}/dynamics.h5",
+               "Input/Direct run": "{heterogeneous}/dynamics.h5", "Window/From": 1e-6})
+    if beside:
+        add_more(study)
+    results = study.run()
+    for name, result in results.items():
+        assert result.status == 0, f"{name}: {result.message}"
+    return results
+
+
+def add_more(study):
     homogeneous = os.path.join(CHAIN, "20-contact_dynamics-homogeneous.prm")
     study.add("dense", "contact_dynamics", homogeneous,
               {"Body/RVE file": "{rve}/rve.h5", "Time/End time": 1e-6, "Snapshots/From": 5e-7, "Snapshots/Interval": 1e-12})
     study.add("at rest", "contact_dynamics", homogeneous,
               {"Body/RVE file": "{rve}/rve.h5", "Flat/Velocity": 0, "Observation/Energy interval": 1,
                "Observation/Steady from": 1.5e-5})
-    for name, text in (("statics", STATIC), ("modal", MODAL)):
-        study.add(name, "contact_dynamics", Folder(folder, {name: text})(name + ".prm"), {"Body/RVE file": "{rve}/rve.h5"})
-    study.add("local", "stress_localization", os.path.join(CHAIN, "40-stress_localization.prm"),
-              {"Input/RVE file": "{rve}/rve.h5", "Input/Homogeneous run": "{homogeneous}/dynamics.h5",
-               "Input/Direct run": "{heterogeneous}/dynamics.h5", "Window/From": 1e-6})
+    study.add("statics", "contact_dynamics", Folder(study.folder, {"statics": STATIC})("statics.prm"), {"Body/RVE file": "{rve}/rve.h5"})
     study.add("mixed_rve", "rve_homogenization", os.path.join(CHAIN, "10-rve_homogenization.prm"),
               {"Homogenization/Boundary conditions": "MUBC", "Homogenization/Effective": "MUBC"})
     study.add("mixed", "stress_localization", os.path.join(CHAIN, "40-stress_localization.prm"),
               {"Input/RVE file": "{mixed_rve}/rve.h5", "Input/Homogeneous run": "{homogeneous}/dynamics.h5", "Input/Direct run": "",
                "Localization/Concentration": "MUBC", "Window/From": 1e-6})
-    results = study.run()
-    for name, result in results.items():
-        assert result.status == 0, f"{name}: {result.message}"
-    return results
 
 
 def log_of(result):

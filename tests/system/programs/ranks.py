@@ -14,10 +14,10 @@ import numpy as np
 from comparison import Comparison
 from rank_scenes import ENSEMBLE_RANKS, FILES, RUNS
 from scenes import PROGRAMS, Folder
-from study import Study
+from served_study import ServedStudy
 
 # What tells of a process and not of the body; and the state of each rank, which resume.py looks at.
-SKIPPED_FILES = r"\.study.*|study_stderr\.txt|\.lock|contact_dynamics\.checkpoint"
+SKIPPED_FILES = r"\.study.*|\.lock|contact_dynamics\.checkpoint"
 SKIPPED_VALUES = r"(summary\.json:|rve\.h5:/summary:)(ranks$|seconds(/|$)|peak_memory_bytes$|cell_updates_per_second$)"
 SKIPPED_LINES = r"^\w+ [\d.]+, \d+ process(es)?, |^done in |^This analysis runs on one process, all others repeat it"
 # What tells of the solver.
@@ -32,7 +32,7 @@ def comparison(tolerances, other_solver=False):
 
 def run_all(folder, runs):
     """Each run on one rank first: the others may need its results."""
-    study = Study(os.path.join(folder, "runs"), PROGRAMS)
+    study = ServedStudy(os.path.join(folder, "runs"), PROGRAMS)
     scene = Folder(folder, {run.name: run.text for run in runs})
     for name, text in FILES.items():
         scene.write(name, text)

@@ -86,7 +86,7 @@ def check(name, seen, path, shown):
 
 def main():
     with tempfile.TemporaryDirectory() as folder:
-        run_chain(folder)
+        run_chain(folder, beside=False)
         run_box(folder)
         paths = [os.path.join(folder, name) for name, _, _ in SHOWN]
         for (name, hdf5, shown), seen in zip(SHOWN, read_with_paraview(folder, paths)):

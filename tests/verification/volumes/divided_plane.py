@@ -34,8 +34,8 @@ MIXED = {"Phases/Names": "soft, matrix, stiff, turned", "Homogenization/Boundary
 def run(folder, name, solver, ranks=1, status=0, memory=None, options=(), **settings):
     """What the program says."""
     folder.write(name + ".prm", prm({**settings, "Homogenization/Solver": solver}))
-    environment = dict(scenes.ENVIRONMENT, **({"MESOSLIP_MEMORY": str(memory)} if memory else {}))
-    return folder.run(status, "rve_homogenization", name + ".prm", "--output", f"{name}{ranks}", *options, ranks=ranks, env=environment)
+    granted = {"env": dict(scenes.ENVIRONMENT, MESOSLIP_MEMORY=str(memory))} if memory else {}
+    return folder.run(status, "rve_homogenization", name + ".prm", "--output", f"{name}{ranks}", *options, ranks=ranks, **granted)
 
 
 def results(folder, name):
