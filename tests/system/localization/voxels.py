@@ -263,8 +263,9 @@ def check_memory(folder):
             said = folder.run(0, "stress_localization", "memory.prm", "--validate", ranks=ranks)
             numbers = re.search(r"about (\d+) MB of memory(?:, (\d+) MB on each other rank)?", said)
             told[n, ranks] = sum(float(number) for number in numbers.groups() if number)
-            largest[n, ranks] = largest_process(folder, ranks)
+            folder.run(0, "stress_localization", "memory.prm", "--output", "memory", ranks=ranks)
             taken[n, ranks] = 1e-6 * folder.summary("memory")["peak_memory_bytes"]
+            largest[n, ranks] = largest_process(folder, ranks)
     for ranks in (1, 2):
         more, measured = (of[56, ranks] - of[12, ranks] for of in (told, taken))
         print(f"memory on {ranks} rank(s): {told} told, {taken} taken (MB)")

@@ -107,7 +107,7 @@ def check_modes_of_grid(folder):
         return frequency, masses
 
     expected = of("grid_modal")
-    for ranks in (1, 3):
+    for ranks in (1, 2, 3):
         folder.run(0, "contact_dynamics", "mesh.prm", "--output", "mesh_modal", ranks=ranks)
         found = of("mesh_modal")
         assert np.abs(found[0] / expected[0] - 1).max() < 1e-9, (ranks, found, expected)
@@ -117,7 +117,7 @@ def check_modes_of_grid(folder):
 
 def check_static_of_grid(folder):
     """Gravity along the flat, which rests: a layer that sticks; and one on a flat that slides."""
-    for all_ranks, load in (((1, 3), {"Flat/Velocity": 0, "Body/Acceleration": "3e3, -2e4"}), ((1, 2), {"Flat/Velocity": -2, "Top/Lateral held": "true"})):
+    for load in ({"Flat/Velocity": 0, "Body/Acceleration": "3e3, -2e4"}, {"Flat/Velocity": -2, "Top/Lateral held": "true"}):
         common = {**LOADS, "Top/Lateral held": "false", **load}
         folder.write("grid.prm", prm({**common, "Body/Stiffness": STIFFNESS, "Body/Density": DENSITY, "Body/Size": "0.012, 0.004",
                                       "Body/Cells": "24, 10", "Sides/Periodic": "true"}))
@@ -125,7 +125,7 @@ def check_static_of_grid(folder):
         folder.write("mesh.prm", prm({**common, **BODY, **PERIODIC, "Mesh/File": "mesh.msh", "Mesh/Scale": 0.001}))
         names = ("pressure [Pa]", "shear_traction [Pa]", "displacement_x [m]")
         expected, states = columns(folder, "grid_static", *names)
-        for ranks in all_ranks:
+        for ranks in (1, 2, 3):
             folder.run(0, "contact_dynamics", "mesh.prm", "--output", "mesh_static", ranks=ranks)
             found, others = columns(folder, "mesh_static", *names)
             assert states[:-1] == others and len(others) == 24

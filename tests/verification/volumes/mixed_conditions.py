@@ -123,14 +123,13 @@ def check_voxels(folder):
     for edges in ("1e-3, 1e-3, 1e-3", "1e-3, 1.3e-3, 0.8e-3"):
         found = voxels(folder, "mirrored", part, edges=edges)["stiffness"]
         close(found["MUBC"], found["PBC"], 1e-9, f"MUBC of symmetric voxels of {edges}: PBC")
-    for name, shape, phases, all_ranks in (("isotropic", (7, 5, 8), PHASES, (1, 2)), ("full", (6, 7, 5), without_axes(), (1, 2, 3)),
-                                           ("odd", (19, 17, 23), PHASES, (1, 3))):
+    for name, shape, phases in (("isotropic", (7, 5, 8), PHASES), ("full", (6, 7, 5), without_axes()), ("odd", (19, 17, 23), PHASES)):
         cells = np.random.default_rng(SEED).choice(2, size=shape, p=[0.7, 0.3])
         Box(np.multiply(shape, EDGES), shape, lambda x: ("soft", "stiff")[cells[tuple(np.floor(np.divide(x, EDGES)).astype(int))]],
             "cube").write(folder(name + ".msh"))
         wanted = run(folder, "mesh" + name, "set Dimension = 3\n" + prm({
             **phases, **ONE, **LOAD, "Mesh/File": name + ".msh", "Mesh/Scale": 1e-3}))
-        for ranks in all_ranks:
+        for ranks in (1, 2, 3):
             found = voxels(folder, name, cells, ranks, phases, **ONE, **LOAD)
             what = f"MUBC of {name} voxels on {ranks} ranks:"
             close(found["stiffness"]["MUBC"], wanted["stiffness"]["MUBC"], 1e-9, what + " mesh of the same cells")
