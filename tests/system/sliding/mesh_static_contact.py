@@ -29,7 +29,7 @@ def assert_close(one, other, tolerance):
         assert a.shape == b.shape and np.abs(a - b).max() <= tolerance * np.abs(a).max(), np.abs(a - b).max() / np.abs(a).max()
 
 
-def check_grid_as_mesh(folder, velocity, top, all_ranks):
+def check_grid_as_mesh(folder, velocity, top):
     """Pressure, shear and states of a sliding or resting body to the tolerance."""
     names = ("pressure [Pa]", "displacement_x [m]")
     common = {**LOADS, "Flat/Velocity": velocity, "Top/Kind": top}
@@ -43,7 +43,7 @@ def check_grid_as_mesh(folder, velocity, top, all_ranks):
     folder.write("mesh.prm", prm({**common, "Mesh/File": "mesh.msh", "Mesh/Scale": 0.001, "Phases/Names": "body",
                                   "Phases/body/Type": "stiffness", "Phases/body/Stiffness": STIFFNESS, "Phases/body/Density": DENSITY}))
     expected, states = columns(folder, "grid", *names, "shear_traction [Pa]")
-    for ranks in all_ranks:
+    for ranks in (1, 2, 3):
         folder.run(0, "contact_dynamics", "mesh.prm", "--output", "mesh", ranks=ranks)
         found, others = columns(folder, "mesh", *names, "shear_traction [Pa]")
         assert_close(expected, found, 1e-6)
@@ -145,9 +145,9 @@ def check_refused(folder):
 def main():
     with tempfile.TemporaryDirectory() as path:
         scenes = Folder(path)
-        check_grid_as_mesh(scenes, 2, "pressure", (1, 2))
-        check_grid_as_mesh(scenes, 0, "pressure", (1, 2, 3))
-        check_grid_as_mesh(scenes, 2, "platen", (1, 3))
+        check_grid_as_mesh(scenes, 2, "pressure")
+        check_grid_as_mesh(scenes, 0, "pressure")
+        check_grid_as_mesh(scenes, 2, "platen")
         check_steps(scenes)
         check_layer(scenes)
         check_refused(scenes)
