@@ -3,6 +3,7 @@
 
 #include "contact/contact_surface.h"
 #include "dynamics/shared_nodes.h"
+#include "elasticity/uniform_material.h"
 #include "mesh/mesh_part.h"
 #include "observation/probe_recorder.h"
 

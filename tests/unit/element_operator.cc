@@ -90,7 +90,7 @@ void assemble(const TestMesh<dim> &mesh,
   const dealii::FiniteElement<dim> &fe =
     simplices ? static_cast<const dealii::FiniteElement<dim> &>(fe_p) : fe_q;
   dealii::Triangulation<dim> tria;
-  tria.create_triangulation(mesh.points, mesh.cells, {});
+  tria.create_triangulation(mesh.points, to_dealii<dim>(mesh.cells), {});
   dealii::DoFHandler<dim> dofs(tria);
   dofs.distribute_dofs(fe);
   const dealii::MappingFE<dim> mapping(fe);

@@ -4,6 +4,7 @@
 #include "eigenvalues/complex/complex_modes.h"
 #include "body/grid_body.h"
 #include "body/mesh/mesh_body.h"
+#include "eigenvalues/free_dofs.h"
 #include "sliding/sliding_layer.h"
 
 #include "../measured.h"

@@ -1,4 +1,5 @@
 #include "homogenization/mesh_volume.h"
+#include "mesh/triangulation_cells.h"
 
 #include "homogenization/response.h"
 #include "material/stiffness.h"
@@ -101,7 +102,9 @@ Mesh<dim> box(const unsigned int n,
             }
           while (std::next_permutation(axes.begin(), axes.end()));
         }
-  dealii::GridTools::invert_cells_with_negative_measure(mesh.points, mesh.cells);
+  auto of_dealii = to_dealii<dim>(mesh.cells);
+  dealii::GridTools::invert_cells_with_negative_measure(mesh.points, of_dealii);
+  mesh.cells = from_dealii<dim>(std::move(of_dealii));
   return mesh;
 }
 

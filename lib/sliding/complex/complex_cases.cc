@@ -2,6 +2,7 @@
 
 #include "base/errors.h"
 #include "base/object_exchange.h"
+#include "eigenvalues/complex/sliding_pencil.h"
 #include "material/plausibility.h"
 #include "sliding/analyses/modal_cases.h"
 #include "sliding/body_analysis.h"

@@ -3,6 +3,7 @@
 
 #include "base/serialize_members.h"
 #include "eigenvalues/complex/complex_modes.h"
+#include "eigenvalues/free_dofs.h"
 #include "program/run_context.h"
 #include "sliding/complex/contact_parts.h"
 #include "sliding/complex/sliding_state.h"

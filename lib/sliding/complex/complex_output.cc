@@ -1,5 +1,6 @@
 #include "sliding/complex/complex_output.h"
 
+#include "eigenvalues/free_dofs.h"
 #include "exchange/datasets.h"
 #include "exchange/dynamics_file.h"
 #include "io/table.h"

@@ -1,6 +1,7 @@
 #include "sliding/complex/complex_parameters.h"
 
 #include "base/errors.h"
+#include "eigenvalues/complex/sliding_pencil.h"
 #include "parameters/keys.h"
 #include "sliding/analyses/modal_cases.h"
 #include "sliding/complex/steady_friction.h"

@@ -8,6 +8,7 @@ namespace mesoslip
 {
 class Keys;
 struct ContactParameters;
+struct SlidingLaw;
 
 /** Parameter that a sweep changes. */
 enum class ModeSweep

@@ -1,6 +1,7 @@
 #include "sliding/mesh/mesh_modal.h"
 
 #include "base/exchange.h"
+#include "eigenvalues/free_dofs.h"
 #include "sliding/analyses/modal_cases.h"
 #include "sliding/mesh/mesh_analysis.h"
 #include "sliding/mesh/mesh_file.h"

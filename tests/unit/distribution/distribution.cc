@@ -36,9 +36,11 @@ void expect_whole_mesh()
   // Each cell once, each point owned once, by the lowest rank that has it.
   std::vector<unsigned int> owned(part.point_in_mesh.begin(),
                                   part.point_in_mesh.begin() + part.n_owned);
-  const auto cells  = mpi::all_gather(MPI_COMM_WORLD, part.cell_in_mesh);
-  const auto points = mpi::all_gather(MPI_COMM_WORLD, part.point_in_mesh);
-  const auto owners = mpi::all_gather(MPI_COMM_WORLD, owned);
+  const auto cells =
+    dealii::Utilities::MPI::all_gather(MPI_COMM_WORLD, part.cell_in_mesh);
+  const auto points =
+    dealii::Utilities::MPI::all_gather(MPI_COMM_WORLD, part.point_in_mesh);
+  const auto owners = dealii::Utilities::MPI::all_gather(MPI_COMM_WORLD, owned);
   std::set<unsigned int> seen_cells, seen_points;
   for (std::size_t rank = 0; rank < cells.size(); ++rank)
     {
@@ -77,7 +79,8 @@ void expect_sums()
 
   // In the order of the ranks, bit for bit.
   std::vector<double> expected(mesh.points.size() * dim, 0.);
-  const auto points = mpi::all_gather(MPI_COMM_WORLD, part.point_in_mesh);
+  const auto points =
+    dealii::Utilities::MPI::all_gather(MPI_COMM_WORLD, part.point_in_mesh);
   for (std::size_t r = 0; r < points.size(); ++r)
     for (const unsigned int p : points[r])
       for (unsigned int c = 0; c < dim; ++c)

@@ -28,7 +28,8 @@ double value_at(const std::size_t point, const unsigned int c)
 std::string file_of_all_ranks()
 {
   return (std::filesystem::temp_directory_path() /
-          ("mesoslip_rows_" + mpi::broadcast(MPI_COMM_WORLD, std::to_string(getpid())) +
+          ("mesoslip_rows_" +
+           dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, std::to_string(getpid())) +
            ".h5"))
     .string();
 }

@@ -1,6 +1,7 @@
 #ifndef mesoslip_tests_unit_distribution_testing_h
 #define mesoslip_tests_unit_distribution_testing_h
 
+#include "base/exchange.h"
 #include "mesh/mesh_part.h"
 #include "mesh_of_triangulation.h"
 
@@ -13,7 +14,6 @@
 namespace distribution_testing
 {
 using namespace mesoslip;
-namespace mpi = dealii::Utilities::MPI;
 
 constexpr unsigned int n_edge = 16; // cells along an edge of the cube
 
