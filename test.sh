@@ -25,7 +25,7 @@ report_times() {
   done
   printf '%6d  in all\n' "$SECONDS"
   local costs=build/Testing/Temporary/CTestCostData.txt
-  [ ! -f "$costs" ] || { say "Longest tests (s):"; sed '/^---/,$d' "$costs" | sort -rn -k 3 | head -n 12 | awk '{printf "%6.0f  %s\n", $3, $1}'; }
+  [ ! -f "$costs" ] || { say "Longest tests (s):"; sed '/^---/,$d' "$costs" | sort -rn -k 3 | awk 'NR <= 12 {printf "%6.0f  %s\n", $3, $1}'; }
 }
 
 # Each fuzzer for $1 seconds; findings are in build-fuzz/tests/findings.

@@ -1,99 +1,97 @@
 """The verification problems: what has to come out, which tests assert it, and in which order errors have to fall."""
 
-_DYNAMICS, _SLIDING, _STATICS = "verification_serial: ", "verification_serial: ", "verification_serial: "
-_HOMOGENIZATION, _CONTACT, _ELASTICITY = "verification_ranks: ", "unit_serial: ", "unit_ranks: "
-_MESH, _COMPLEX = "verification_mesh_", "verification_ranks: "
+_UNIT, _UNIT_RANKS, _SERIAL, _RANKS = "unit_serial: ", "unit_ranks: ", "verification_serial: ", "verification_ranks: "
 
 # (problem, what has to come out, tests)
 PROBLEMS = [
     ("Cell", "eigenvalues of the square cell; rigid motion and constant strain; sum of the lumped masses; growth just above the limit and none below it",
-     [_ELASTICITY + "Element.EigenvaluesOfTheSquare", _ELASTICITY + "UniformGridOperator.RigidMotionAndConstantStrain",
-      _ELASTICITY + "UniformMaterial.MassAndChecks", _ELASTICITY + "CriticalTimeStep.ObservedStability"]),
+     [_UNIT_RANKS + "Element.EigenvaluesOfTheSquare", _UNIT_RANKS + "UniformGridOperator.RigidMotionAndConstantStrain",
+      _UNIT_RANKS + "UniformMaterial.MassAndChecks", _UNIT_RANKS + "CriticalTimeStep.ObservedStability"]),
     ("Modes of the rectangle", "f = c/2 sqrt((m/L)^2 + ((2n+1)/(2H))^2): order 2 in h and, at beta2 = 1/2, in dt; order 1 beyond; decay by beta and beta2 from "
      "the product of the scheme's eigenvalues; energy constant to 1e-12",
-     [_DYNAMICS + "Rectangle.FrequenciesConvergeWithOrderTwo", _DYNAMICS + "Rectangle.MotionConvergesWithOrderTwoInSpaceAndTime",
-      _DYNAMICS + "Rectangle.OrderInTime", _DYNAMICS + "Rectangle.DecaysByBetaAndByBeta2", _DYNAMICS + "Rectangle.EnergyBoundedWithoutTrend",
-      _STATICS + "Modes.OfTheRectangleConvergeWithOrderTwo"]),
+     [_SERIAL + "Rectangle.FrequenciesConvergeWithOrderTwo", _SERIAL + "Rectangle.MotionConvergesWithOrderTwoInSpaceAndTime",
+      _SERIAL + "Rectangle.OrderInTime", _SERIAL + "Rectangle.DecaysByBetaAndByBeta2", _SERIAL + "Rectangle.EnergyBoundedWithoutTrend",
+      _SERIAL + "Modes.OfTheRectangleConvergeWithOrderTwo"]),
     ("Bar on a rigid wall", "contact from 0.5 to 1.1667, pressure rho c v, leaves as it came (Doyen, Ern, Piperno 2011); energy lost O(h) at beta2 = 1/2, O(sqrt h) at 1",
-     [_DYNAMICS + "Bar.HitsTheWallAndLeaves", _DYNAMICS + "Bar.EnergyLossOfOneImpact"]),
+     [_SERIAL + "Bar.HitsTheWallAndLeaves", _SERIAL + "Bar.EnergyLossOfOneImpact"]),
     ("Box of bricks on a rigid wall", "the same bar in 3D, with the orders of that in the plane: impact, energy lost, first bounce under gravity",
-     [_DYNAMICS + "BoxBar." + name for name in ("HitsTheWallAndLeaves", "EnergyLossOfOneImpact", "FirstBounceUnderGravity")]),
+     [_SERIAL + "BoxBar." + name for name in ("HitsTheWallAndLeaves", "EnergyLossOfOneImpact", "FirstBounceUnderGravity")]),
     ("Bar bouncing under gravity", "pressure rho c (v + g t) and impulse of the first bounce; later bounces gain no energy",
-     [_DYNAMICS + "Bar.FirstBounceUnderGravity", _DYNAMICS + "Bar.BouncingUnderGravityGainsNoEnergy"]),
+     [_SERIAL + "Bar.FirstBounceUnderGravity", _SERIAL + "Bar.BouncingUnderGravityGainsNoEnergy"]),
     ("Friction at a point", "step of the normal stress (figure 2), ramp and the mean of eq. (11) exact; harmonic force of order 2 in dt; plain Coulomb; block thrown on a plane stops after v^2/(2 mu g)",
-     [_CONTACT + "FrictionLaw.RelaxesAfterANormalStressStepAsFigure2", _CONTACT + "FrictionLaw.LagsBehindARamp",
-      _CONTACT + "FrictionLaw.MeanOverAContactIsThatOfEquation11", _CONTACT + "FrictionLaw.SlipRateThatChangesFromStepToStep",
-      _CONTACT + "FrictionLaw.FiltersAHarmonicNormalForce", _CONTACT + "FrictionLaw.CoulombAtOnce", _CONTACT + "Block.ThrownOnAPlane"]),
+     [_UNIT + "FrictionLaw.RelaxesAfterANormalStressStepAsFigure2", _UNIT + "FrictionLaw.LagsBehindARamp",
+      _UNIT + "FrictionLaw.MeanOverAContactIsThatOfEquation11", _UNIT + "FrictionLaw.SlipRateThatChangesFromStepToStep",
+      _UNIT + "FrictionLaw.FiltersAHarmonicNormalForce", _UNIT + "FrictionLaw.CoulombAtOnce", _UNIT + "Block.ThrownOnAPlane"]),
     ("Column thrown along the flat", "slides with v - a, v - 3 a, ... (a = mu P / (rho c)) for a round trip of the shear wave each, then sticks and swings: slip of order 1 "
-     "(fronts), work of friction mu P times the slip", [_SLIDING + "Column.BrakesInStepsAndSticks"]),
+     "(fronts), work of friction mu P times the slip", [_SERIAL + "Column.BrakesInStepsAndSticks"]),
     ("Growth of steady sliding", "growth rate and frequency from the exact dispersion relation, within 1 % at H/80; order 2 in h and dt; the time step alone as the relation "
-     "discrete in time says", [_SLIDING + "Growth." + name for name in ("Coulomb", "RegularizedAndDamped", "OfOrderTwoInTheTimeStep")]),
+     "discrete in time says", [_SERIAL + "Growth." + name for name in ("Coulomb", "RegularizedAndDamped", "OfOrderTwoInTheTimeStep")]),
     ("Sliding with neither damping nor regularization", "grows on the grid itself at the eigenvalue of its surface wave, at a rate proportional to 1/h; beta or delta of the "
-     "paper stop it", [_SLIDING + "Growth.OfTheGridWithoutDampingAndRegularization"]),
+     "paper stop it", [_SERIAL + "Growth.OfTheGridWithoutDampingAndRegularization"]),
     ("Sliding boxes of bricks", "the column, thrown at an angle to the axes, and the growth of the layer, with the orders of those in the plane; waves at 0, 30, 45 and "
      "60 degrees to the motion within 1 %, at 45 degrees refined along all three axes: order 2",
-     [_SLIDING + "BoxColumn.BrakesInStepsAndSticks"] + [_SLIDING + "BoxGrowth." + name for name in ("Coulomb", "RegularizedAndDamped", "OfOrderTwoInTheTimeStep")]
-     + [_MESH + "waves: BoxWaves." + name for name in ("AtAllAngles", "OfOrderTwoInTheCellSize")]),
+     [_SERIAL + "BoxColumn.BrakesInStepsAndSticks"] + [_SERIAL + "BoxGrowth." + name for name in ("Coulomb", "RegularizedAndDamped", "OfOrderTwoInTheTimeStep")]
+     + [_SERIAL + "BoxWaves." + name for name in ("AtAllAngles", "OfOrderTwoInTheCellSize")]),
     ("Energy balance", "closes to 1e-12 of the largest energy with every term from its own formula: tops, stops, damping, gravity, free vibration; below 1e-3 of the "
      "friction work in a coarse pin at 5 MPa sampled every 50 steps",
-     [_DYNAMICS + "Energy." + name for name in ("ClosesUnderEveryTop", "ClosesWhenTheTopIsStopped", "ClosesWithEverythingElse",
+     [_SERIAL + "Energy." + name for name in ("ClosesUnderEveryTop", "ClosesWhenTheTopIsStopped", "ClosesWithEverythingElse",
                                                 "FreeVibrationLosesNothing", "EveryTermWhereItBelongs",
                                                 "DampingIsBetaTimesTheWorkOfTheOperator", "ClosesWithSparseSamples")]),
-    ("Momentum", "its rate is the forces at top and bottom, to 1e-12", [_DYNAMICS + "Momentum.IsWhatTheForcesAtTopAndBottomSay"]),
+    ("Momentum", "its rate is the forces at top and bottom, to 1e-12", [_SERIAL + "Momentum.IsWhatTheForcesAtTopAndBottomSay"]),
     ("Homogenization", "homogeneous volume; laminate and its turned copy; equal shear moduli (order 2 but for a logarithm); Hill-Mandel, symmetry, phase means; Reuss <= SUBC "
      "<= PBC <= KUBC <= Voigt; refinement softens; eq. (10)",
-     [_HOMOGENIZATION + "Homogenization." + name for name in ("HomogeneousVolumeReturnsItsStiffness", "PeriodicLaminate", "EqualShearModuli",
+     [_RANKS + "Homogenization." + name for name in ("HomogeneousVolumeReturnsItsStiffness", "PeriodicLaminate", "EqualShearModuli",
                                                               "IdentitiesOfEverySolve", "RefinementSoftens",
-                                                              "PaperPin")] + [_HOMOGENIZATION + "RandomMicrostructures.KeepOrderAndIdentities"]),
+                                                              "PaperPin")] + [_RANKS + "RandomMicrostructures.KeepOrderAndIdentities"]),
     ("Localization", "a uniform macroscopic strain returns the solution of the RVE; strains interpolated with order 2",
      ["unit_serial: Localize.UniformMacroscopicStrainGivesTheSolutionOfTheRve", "unit_serial: StrainInterpolation.SecondOrder"]),
-    ("The paper's pin", "first modes, bottom free and held (figure 8)", [_STATICS + "Modes.OfThePaperPin"]),
+    ("The paper's pin", "first modes, bottom free and held (figure 8)", [_SERIAL + "Modes.OfThePaperPin"]),
     ("Column under a platen with mass", "bottom held: r a tan a = 1, bottom free: r a + tan a = 0, a = 2 pi f H / c_L, r = mass of the platen over that of the column; order 2 in h",
-     [_STATICS + "Modes.OfAColumnUnderAPlatenWithMass"]),
+     [_SERIAL + "Modes.OfAColumnUnderAPlatenWithMass"]),
     ("Static contact", "uniform compression, sliding layer, laminate under a platen (table 4), partial separation, balance of forces",
-     [_STATICS + "StaticContact." + name for name in ("UniformCompression", "SlidingLayer", "LaminateUnderPlaten", "FibresUnderPlatenBalance",
+     [_SERIAL + "StaticContact." + name for name in ("UniformCompression", "SlidingLayer", "LaminateUnderPlaten", "FibresUnderPlatenBalance",
                                                       "PartialSeparation", "RestingFlat")]),
     ("Operator against a mesh of deal.II", "the same product on random fields, materials and grids (seeds printed)",
-     [_ELASTICITY + "MeshBody.EqualsGridBody", _HOMOGENIZATION + "Homogenization.EqualsMeshOfTheSameCells"]),
+     [_UNIT_RANKS + "MeshBody.EqualsGridBody", _RANKS + "Homogenization.EqualsMeshOfTheSameCells"]),
     ("Ranks", "one, two and more ranks give the same run (this page runs on one; `./test.sh` on two as well, and the programs on up to five)",
-     [_ELASTICITY + "Partition.AnyNumberOfRanksAndStepsInFlightBitForBit"]),
-    ("Restart", "bit by bit the uninterrupted run", [_SLIDING + "Restart.ContinuesBitByBit"]),
+     [_UNIT_RANKS + "Partition.AnyNumberOfRanksAndStepsInFlightBitForBit"]),
+    ("Restart", "bit by bit the uninterrupted run", [_SERIAL + "Restart.ContinuesBitByBit"]),
     ("Turned, mirrored, scaled", "a turned body vibrates turned; a reversed flat gives the mirror image; metres to millimetres change nothing; (s u, s P, s V)",
-     [_DYNAMICS + "Symmetry.TurnedBodyVibratesTurned", _SLIDING + "Symmetry.ReversedFlatGivesTheMirrorImage",
-      _SLIDING + "Symmetry.MillimetresAndTonnes", _SLIDING + "Scaling.PressureAndVelocityTogether",
-      _HOMOGENIZATION + "Homogenization.TurnedMorphologyGivesTurnedStiffness",
-      _HOMOGENIZATION + "Homogenization.MirroredMorphologyGivesMirroredStiffness", _HOMOGENIZATION + "Homogenization.UnitsChangeNothing"]),
+     [_SERIAL + "Symmetry.TurnedBodyVibratesTurned", _SERIAL + "Symmetry.ReversedFlatGivesTheMirrorImage",
+      _SERIAL + "Symmetry.MillimetresAndTonnes", _SERIAL + "Scaling.PressureAndVelocityTogether",
+      _RANKS + "Homogenization.TurnedMorphologyGivesTurnedStiffness",
+      _RANKS + "Homogenization.MirroredMorphologyGivesMirroredStiffness", _RANKS + "Homogenization.UnitsChangeNothing"]),
     ("Random microstructures", "fractions, gaps, bounds and identities for drawn morphologies (seeds printed)",
-     [_HOMOGENIZATION + "RandomMicrostructures.KeepTheirRules", _HOMOGENIZATION + "RandomMicrostructures.KeepOrderAndIdentities"]),
+     [_RANKS + "RandomMicrostructures.KeepTheirRules", _RANKS + "RandomMicrostructures.KeepOrderAndIdentities"]),
     ("Random statics", "stiffnesses of drawn volumes (contrast to 1e6, nu to 0.4999, cells to 1:60, 1 x 1 to 64 x 64 cells, soft pores) equal those of a sparse "
      "direct solution to 1e-5, or a warning says how many digits hold; the energy is of second order in the error of the solver",
-     [_HOMOGENIZATION + "RandomStatics." + name for name in ("EqualADirectSolution", "AdverseVolumesEqualADirectSolution",
+     [_RANKS + "RandomStatics." + name for name in ("EqualADirectSolution", "AdverseVolumesEqualADirectSolution",
                                                              "StiffInclusionHoldsItsDigits", "EnergiesAreOfSecondOrder")]),
     ("Complex modes", "growth rate and frequency of the sliding layer from the exact dispersion relation, order 2 in h; growth is the power of friction less that of damping",
-     [_COMPLEX + "ComplexModes." + name for name in ("OfTheLayerWithCoulombFriction", "OfTheRegularizedAndDampedLayer",
+     [_RANKS + "ComplexModes." + name for name in ("OfTheLayerWithCoulombFriction", "OfTheRegularizedAndDampedLayer",
                                                      "GrowthIsThePowerOfFrictionLessDamping")]),
     ("Friction laws", "every formula and its slopes; velocity weakening and rate and state of order 2 in dt; a step of velocity; slip weakening turns kinetic energy into "
      "work; a block on a spring sticks and slips; Prakash and Clifton's normal stress after a step; each with every regularization of friction and normal stress "
      "against Runge and Kutta's method",
-     [_CONTACT + "SlipLaw." + name for name in ("Formulas", "SlopesAndTheirBounds", "VelocityWeakeningIsOfOrderTwo", "SlipWeakeningTurnsKineticEnergyIntoWork",
+     [_UNIT + "SlipLaw." + name for name in ("Formulas", "SlopesAndTheirBounds", "VelocityWeakeningIsOfOrderTwo", "SlipWeakeningTurnsKineticEnergyIntoWork",
                                                 "RateAndStateAfterAStepOfVelocity", "RateAndStateIsOfOrderTwo", "SpringAndBlockStickAndSlip")]
-     + [_CONTACT + "NormalStressMemory.RelaxesAfterAStepOfTheNormalForce", _CONTACT + "LawRegularization.EveryLawWithEveryRegularization"]),
+     + [_UNIT + "NormalStressMemory.RelaxesAfterAStepOfTheNormalForce", _UNIT + "LawRegularization.EveryLawWithEveryRegularization"]),
     ("Maps of the contact", "a wave travels through the map as the dispersion relation says; a map changes no step",
-     [_SLIDING + "ContactMap." + name for name in ("WavesTravelAsTheDispersionRelationSays", "TakesPartInNoStep")]),
+     [_SERIAL + "ContactMap." + name for name in ("WavesTravelAsTheDispersionRelationSays", "TakesPartInNoStep")]),
     ("Meshes: waves of the sliding layer", "growth on distorted quadrilaterals and triangles of order 2; in 3D waves across the motion and oblique to it, at 30, 45 and 60 degrees",
-     [_MESH + "waves: MeshGrowth." + name for name in ("OnQuadrilaterals", "OnTriangles")]
-     + [_MESH + "waves: MeshWaves." + name for name in ("AcrossTheMotionOfTheFlat", "AcrossTheMotionOfTheFlatWhereTheBodyIsHeldAlongIt",
+     [_SERIAL + "MeshGrowth." + name for name in ("OnQuadrilaterals", "OnTriangles")]
+     + [_SERIAL + "MeshWaves." + name for name in ("AcrossTheMotionOfTheFlat", "AcrossTheMotionOfTheFlatWhereTheBodyIsHeldAlongIt",
                                                         "AtAnAngleToTheMotionOfTheFlat", "AtAnAngleUnderFrictionThatLags")]),
     ("Meshes: sliding", "energies close; equal to the grid of the same cells and to the plane body that is extruded; a block thrown askew runs straight and stops after "
      "v^2/(2 mu g); a flat that moves askew turns the solution; the gap follows the shape",
-     [_MESH + "sliding: MeshSliding." + name for name in ("EnergiesClose", "EqualsTheGrid", "ExtrudedBodyEqualsThePlaneOne",
+     [_RANKS + "MeshSliding." + name for name in ("EnergiesClose", "EqualsTheGrid", "ExtrudedBodyEqualsThePlaneOne",
                                                           "BlockThrownAskewStopsAfterItsDistance", "TheGapFollowsTheShape")]
-     + [_MESH + "sliding: FlatAskew." + name for name in ("TurnsTheSolution", "BlockIsTakenAlong")]),
+     + [_RANKS + "FlatAskew." + name for name in ("TurnsTheSolution", "BlockIsTakenAlong")]),
     ("Meshes: statics and modes", "patch test; six rigid motions; a prism as a chain; layers between periodic sides: waves of order 2, uniform under pressure",
-     [_MESH + "statics: MeshStatics." + name for name in ("PatchTest", "SixRigidMotions", "ModesOfAPrismAreThoseOfAChain")]
-     + [_MESH + "statics: PeriodicLayer." + name for name in ("ModesConvergeToThoseOfWaves", "PressedOnASlidingFlatIsUniform")]),
+     [_RANKS + "MeshStatics." + name for name in ("PatchTest", "SixRigidMotions", "ModesOfAPrismAreThoseOfAChain")]
+     + [_RANKS + "PeriodicLayer." + name for name in ("ModesConvergeToThoseOfWaves", "PressedOnASlidingFlatIsUniform")]),
     ("Meshes: homogenization", "patch test and laminate exact on every kind of cell; a grid handed in as a mesh; an extruded volume is plane strain",
-     [_MESH + "volume: MeshVolume." + name for name in ("PatchTestAndLaminateAreExact", "GridAsMesh", "ExtrudedIsPlaneStrain")]),
+     [_RANKS + "MeshVolume." + name for name in ("PatchTestAndLaminateAreExact", "GridAsMesh", "ExtrudedIsPlaneStrain")]),
     ("Voxels", "operator and solutions are those of the assembled matrix; homogeneous boxes exact; iterations bounded; the explicit step equals that of the mesh of the "
      "same cells; the bound of the time step of a cube is exact",
      ["unit_ranks: VoxelSolver." + name for name in ("OperatorIsTheAssembledMatrix", "SolutionsAreThoseOfTheAssembledMatrix", "HomogeneousBoxesAreExact",
