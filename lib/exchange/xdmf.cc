@@ -221,7 +221,7 @@ void write_document(const std::string &path,
 
 bool of_nodes(const std::vector<XdmfField> &fields)
 {
-  return fields.front().values == XdmfField::Values::nodes;
+  return fields.empty() || fields.front().values == XdmfField::Values::nodes;
 }
 } // namespace
 

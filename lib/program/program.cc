@@ -17,6 +17,7 @@
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -57,13 +58,23 @@ RawParameters read_parameter_file(const CommandLine &line,
   return raw;
 }
 
+/** "nope/../r" is r, also where there is no nope, which would be made on the way. */
+std::string without_detours(const std::string &folder)
+{
+  namespace fs = std::filesystem;
+  const fs::path path(folder);
+  if (std::find(path.begin(), path.end(), "..") == path.end())
+    return folder;
+  return fs::proximate(fs::weakly_canonical(path)).string();
+}
+
 std::string choose_output_folder(const CommandLine &line, const Keys &keys)
 {
   if (!line.output.empty())
-    return line.output;
+    return without_detours(line.output);
   const std::string &folder = keys.value(output_key);
   if (!folder.empty())
-    return folder;
+    return without_detours(folder);
   return "output/" + std::filesystem::path(line.prm_file).stem().string();
 }
 

@@ -141,8 +141,9 @@ class Folder:
             "cwd": self.path, "env": ENVIRONMENT, "text": True, "stdout": subprocess.PIPE, "stderr": subprocess.PIPE, **keywords})
 
     def end(self, program, *words, ranks=1, **keywords):
-        """Exit status, standard output and errors. The server of the programs, which saves their start, runs them, where there is one."""
-        served = program in SERVED and SERVER.is_there()
+        """Exit status, standard output and errors. The server of the programs, which saves their start, runs them, where there is one; not
+        when the process itself is to be another one: another user, or with a library before all others."""
+        served = program in SERVED and SERVER.is_there() and set(keywords) <= {"env"} and "LD_PRELOAD" not in keywords.get("env", ())
         if served and ranks == 1 and not keywords:
             return SERVER.end(program, self.path, words)
         if ranks > 1:

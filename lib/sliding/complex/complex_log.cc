@@ -87,7 +87,8 @@ void log_complex_modes(const ComplexCases<dim> &cases,
               (base.n_separated > 0 ? ", " + std::to_string(base.n_separated) +
                                         " are separated in the static state and free"
                                     : "") +
-              brief_text(4, "; delta = ", 1e9 * base.delta, " ns"));
+              brief_text(4, "; delta = ", 1e9 * base.delta, " ns, beta = ",
+                         1e9 * parameters.step.beta, " ns (Time/Rayleigh beta)"));
   if (!cases.state.contact.slopes.empty())
     context.log(law_text(cases.state));
   if (parameters.friction.law_name == "slip rate")

@@ -98,7 +98,8 @@ void ComplexModesAnalysis::run(RunContext &context)
   const ShownComplexShapes shown =
     write_complex_shapes(file, cases, elastic, parameters,
                          {body.grid.cells[1] + 1u, body.grid.cells[0] + 1u, 2});
-  file.show(shown.fields, shown.numbers);
+  if (!shown.fields.empty())
+    file.show(shown.fields, shown.numbers);
   file.close();
 }
 } // namespace mesoslip

@@ -64,23 +64,25 @@ ContactParameters with_phases(ContactParameters parameters)
     throw UserError(
       "Friction/Coefficient from is 'phases', but the body is homogeneous; use "
       "'constant' (analysis 'friction homogenization' gives the coefficient)");
-  auto found = std::make_pair(std::vector<PhaseNumbers>(), std::string());
+  std::vector<PhaseNumbers> found;
   on_root(MPI_COMM_WORLD, [&]() {
     if (body.rve_file.empty())
       {
-        found.first = {numbers_of<dim>(given_phase<dim>(body))};
+        found = {numbers_of<dim>(given_phase<dim>(body))};
         return;
       }
     require_readable_file("Body/RVE file: ", body.rve_file,
                           "run rve_homogenization first");
     const RveFile<dim> rve(body.rve_file);
-    found = {phases_of_file(body, rve), rve.digest};
+    found                      = phases_of_file(body, rve);
+    parameters.mesh.rve_digest = rve.digest;
+    parameters.mesh.rve_note   = rve.change_note();
   });
   broadcast_object(MPI_COMM_WORLD, found);
+  broadcast(MPI_COMM_WORLD, parameters.mesh.rve_digest);
   parameters.mesh.phases.clear();
-  for (const PhaseNumbers &numbers : found.first)
+  for (const PhaseNumbers &numbers : found)
     parameters.mesh.phases.push_back(phase_parameters(numbers));
-  parameters.mesh.rve_digest = found.second;
   return parameters;
 }
 

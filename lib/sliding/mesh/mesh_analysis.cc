@@ -73,6 +73,8 @@ MeshAnalysis<dim>::MeshAnalysis(const ContactParameters &given)
     morphology = read_body<dim>(parameters, n_here, n_ranks, memory);
     join_periodic_sides(morphology, parameters.mesh);
     body = describe_body(morphology, parameters);
+    if (!parameters.mesh.rve_note.empty())
+      morphology.warnings.push_back(parameters.mesh.rve_note);
     for (const std::string &sentence :
          implausible_body<dim>(morphology.phases, parameters, body.scales.stiffness))
       morphology.warnings.push_back(sentence);

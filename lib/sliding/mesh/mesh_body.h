@@ -48,6 +48,9 @@ struct MeshBodyParameters
   /** Of the RVE file whose effective stiffness the whole body has; empty without one. */
   std::string rve_digest;
 
+  /** RveFile::change_note() of the RVE file that the phases come from; empty: as it was written. */
+  std::string rve_note;
+
   /** Binds the keys. @throws UserError for several meshes */
   void bind(Keys &keys);
 

@@ -12,6 +12,7 @@ import tempfile
 import h5py
 import numpy as np
 
+from mesh_files import Box
 from scenes import PHASES, SMALL_RVE as RVE, TOOLS, Folder as AnyFolder, prm
 
 sys.path[:0] = [os.path.join(TOOLS, "python"), TOOLS]
@@ -145,6 +146,12 @@ def check_changed_files(folder):
     with h5py.File(path, "r+") as file:
         file["stiffness/effective"][0, 0] *= 2
     assert changed in folder.run(0, "contact_dynamics", "other")
+    # A mesh, and below a box, with a stiffness of the volume, too.
+    Box([2, 1], [4, 2], lambda x: "body").name_side("Contact", 1, False).name_side("Top", 1, True).write(folder("mesh.msh"))
+    on_mesh = [f"--set={key}" for key in ("Mesh/File=mesh.msh", "Mesh/Scale=0.001", "Snapshots/Interval=0")]
+    for options in (on_mesh, [*on_mesh, "--validate"]):
+        said = folder.run(0, "contact_dynamics", "on_mesh", *options)
+        assert said.count(changed) == 1, said
     said = folder.run(0, "rve_homogenization", "rve")
     assert "up to date" not in said and folder.read("rve", "rve.h5") == before, said
     with h5py.File(path, "r+") as file:
@@ -260,7 +267,7 @@ def check_inputs_in_output(folder):
     state = lambda: {(name, os.stat(os.path.join(base, name)).st_mtime_ns) for base, _, names in os.walk(folder.path) for name in names}
     before, cases = state(), []
     for program, key, name, outputs in (
-            ("stress_localization", "Input/Homogeneous run", "run/dynamics.h5", ("run", "./rve/../run", "link to run")),
+            ("stress_localization", "Input/Homogeneous run", "run/dynamics.h5", ("run", "./rve/../run", "nope/../run", "link to run")),
             ("stress_localization", "Input/RVE file", "rve/rve.h5", ("rve", "hard")),
             ("contact_dynamics", "Body/RVE file", "rve/rve.h5", ("rve", "rve/", "hard")),
             ("friction", "Friction homogenization/Heterogeneous run", "run is the output folder", ("run", "link to run"))):

@@ -3,6 +3,8 @@ vibration; the same cells as a mesh and as a slice in 3D; a sweep; what is refus
 
 import csv
 import math
+import os
+import shutil
 import tempfile
 
 import h5py
@@ -160,6 +162,15 @@ def check_meshes(folder):
     in_space = found(folder, "slice")
     for s in values:
         assert abs(in_space - s).min() < 1e-8 * abs(s), ("slice", s, in_space)
+    # Nothing grows without friction, which is an answer, too.
+    stable = ["--set=Friction/Coefficient=0", "--set=Complex modes/Fastest decay=0"]
+    for run in ("grid", "mesh", "slice"):
+        folder.run(0, "contact_dynamics", run + ".prm", "--output", "stable", *stable)
+        assert folder.summary("stable")["complex_modes"] == [], run
+        assert not os.path.exists(folder("stable", "complex_modes.xdmf")), run
+        shutil.rmtree(folder("stable"))
+    folder.run(0, "contact_dynamics", "grid.prm", "--output", "grid", "--set", "Complex modes/Number of shapes=0")
+    assert len(folder.summary("grid")["complex_modes"]) == len(values)
 
 
 def check_sweep(folder):
