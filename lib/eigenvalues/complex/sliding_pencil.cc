@@ -1,6 +1,7 @@
 #include "eigenvalues/complex/sliding_pencil.h"
 
 #include "base/exchange.h"
+#include "eigenvalues/free_dofs.h"
 
 #include <deal.II/base/mpi.h>
 
