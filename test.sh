@@ -72,10 +72,11 @@ sanitize() {
 # What clang-tidy's verdict depends on, as a name for a file: our sources, its settings, and the versions of compiler and libraries.
 tidy_key() {
   {
-    git ls-files -s -- lib applications .clang-tidy cmake tests/lint CMakeLists.txt test.sh && git diff -- lib applications .clang-tidy cmake tests/lint
+    find lib applications cmake tests/lint CMakeLists.txt test.sh .clang-tidy -name '*.cc' -o -name '*.h' -o -name '*.cmake' -o -name 'CMakeLists.txt' -o -name '*.sh' -o -name .clang-tidy |
+      sort | xargs sha256sum
     clang-tidy --version
-    dpkg-query -W libdeal.ii-dev libeigen3-dev libboost-dev
-  } 2>/dev/null | sha256sum | cut -d ' ' -f 1
+    dpkg-query -W libdeal.ii-dev libeigen3-dev libboost-dev 2>/dev/null
+  } | sha256sum | cut -d ' ' -f 1
 }
 
 # clang-format, and clang-tidy, which reads two halves of the library (tests/lint/clang_tidy.cmake), kernels and programs; not when it has
