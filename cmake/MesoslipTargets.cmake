@@ -84,21 +84,21 @@ function(mesoslip_sources variable target folder most)
   set(${variable} ${result} PARENT_SCOPE)
 endfunction()
 
-# mesoslip_library(<topic> [DEALII] [KERNELS <source>...] [DEPENDS <topic>... | <target>...])
-# One static library for each folder of lib/, named mesoslip_<topic>. DEALII makes
-# deal.II available to it; everything that depends on it must say DEALII, too. KERNELS are compiled alone, see mesoslip_kernels().
+# mesoslip_library(<topic> [DEALII] [DEPENDS <topic>... | <target>...])
+# One static library for each folder of lib/, named mesoslip_<topic>, with its kernels, of which mesoslip_kernels() was called before.
+# DEALII makes deal.II available to it; everything that depends on it must say DEALII, too.
 function(mesoslip_library topic)
-  cmake_parse_arguments(ARG "DEALII" "" "DEPENDS;KERNELS" ${ARGN})
+  cmake_parse_arguments(ARG "DEALII" "" "DEPENDS" ${ARGN})
   file(GLOB_RECURSE files CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${topic}/*.cc)
   set(target mesoslip_${topic})
   set_property(GLOBAL APPEND PROPERTY mesoslip_topics ${topic})
   set_property(GLOBAL PROPERTY mesoslip_files_${topic} ${files})
-  list(TRANSFORM ARG_KERNELS PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
-  if(ARG_KERNELS)
-    list(REMOVE_ITEM files ${ARG_KERNELS})
+  get_property(kernels GLOBAL PROPERTY mesoslip_kernels_${topic})
+  if(kernels)
+    list(REMOVE_ITEM files ${kernels})
   endif()
   mesoslip_sources(sources ${topic} ${CMAKE_CURRENT_SOURCE_DIR} 8 ${files})
-  list(APPEND sources ${ARG_KERNELS})
+  list(APPEND sources ${kernels})
   add_library(${target} STATIC ${sources})
   add_library(mesoslip::${topic} ALIAS ${target})
   target_include_directories(${target} PUBLIC
@@ -124,7 +124,7 @@ function(mesoslip_program name topic)
 endfunction()
 
 # mesoslip_kernels(<topic> <source> <option>... [GNU <option>...]): compiles a source of the
-# topic, which is the baseline of the processor family, once more for each further instruction
+# topic, which is the baseline of the processor family, alone and once more for each further instruction
 # set (elasticity/kernel_variants.h); which one runs is decided at run time.
 function(mesoslip_kernels topic source)
   cmake_parse_arguments(ARG "" "" "GNU" ${ARGN})
@@ -132,7 +132,9 @@ function(mesoslip_kernels topic source)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     list(APPEND options ${ARG_GNU})
   endif()
-  set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS "${options}" SKIP_PRECOMPILE_HEADERS ON)
+  set(baseline ${CMAKE_CURRENT_SOURCE_DIR}/${source})
+  set_source_files_properties(${baseline} PROPERTIES COMPILE_OPTIONS "${options}" SKIP_PRECOMPILE_HEADERS ON)
+  set_property(GLOBAL APPEND PROPERTY mesoslip_kernels_${topic} ${baseline})
   if(NOT CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
     return()
   endif()
@@ -140,7 +142,7 @@ function(mesoslip_kernels topic source)
   foreach(set x86_64_v3 x86_64_v4)
     set(variant ${CMAKE_CURRENT_BINARY_DIR}/${topic}_${name}_${set}.cc)
     file(CONFIGURE OUTPUT ${variant} CONTENT "#define MESOSLIP_VARIANT ${set}\n#include \"${source}\"\n")
-    target_sources(mesoslip_${topic} PRIVATE ${variant})
+    set_property(GLOBAL APPEND PROPERTY mesoslip_kernels_${topic} ${variant})
     string(REPLACE "_" "-" march ${set})
     set(wide ${options} -march=${march})
     if(set STREQUAL "x86_64_v4")
