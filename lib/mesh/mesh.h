@@ -23,7 +23,7 @@ struct Cell
     vertices;                   ///< indices into the points, in the order of deal.II
   unsigned int material_id = 0; ///< index into the phases of the mesh
 
-  /** Of boost::serialization. */
+  /** Saves or restores all members (Boost.Serialization). */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
@@ -44,7 +44,7 @@ struct Face
     vertices;                   ///< indices into the points, in the order of deal.II
   unsigned int boundary_id = 0; ///< index into the boundaries of the mesh
 
-  /** Of boost::serialization. */
+  /** Saves or restores all members (Boost.Serialization). */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
@@ -77,7 +77,7 @@ struct Mesh
     return originals.empty() ? point : originals[point];
   }
 
-  /** Of boost::serialization. */
+  /** Saves or restores all members (Boost.Serialization). */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {

@@ -92,7 +92,7 @@ void validate(const Analysis &analysis,
   std::ostringstream report;
   analysis.describe(report);
   if (!line.draft.empty())
-    analysis.write_draft(line.draft);
+    analysis.write_draft(without_detours(line.draft));
   if (mpi::this_mpi_process(MPI_COMM_WORLD) > 0 || line.quiet)
     return;
   std::cout << line.prm_file << ": the parameters are valid; the results would go to "

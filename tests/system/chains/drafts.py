@@ -145,6 +145,7 @@ def check_refused(folder):
     # No result is replaced, nor what a run is about to write.
     kept = folder.read("grid", "dynamics.h5")
     refused("there is a file grid/dynamics.h5 already", "contact_dynamics", "grid.prm", "--validate", "--draft", "grid")
+    refused("there is a file grid/dynamics.h5 already", "contact_dynamics", "grid.prm", "--validate", "--draft", "nope/../grid")
     assert folder.read("grid", "dynamics.h5") == kept
     refused("there is a file begun/dynamics.h5.part already", "contact_dynamics", "grid.prm", "--validate", "--draft", "begun")
     refused("there is a folder grid already", "contact_dynamics", "grid.prm", "--try", "--output", "grid")
