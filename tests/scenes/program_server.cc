@@ -6,6 +6,7 @@
 //     program_server [<socket>]
 //
 // At a socket, of which it tells in a first line, it takes requests of program_client.cc, many at a time: ranks that mpirun starts.
+#include "descriptor_message.h"
 #include "homogenization/rve_program.h"
 #include "localization/localization_program.h"
 #include "program/program.h"
@@ -14,12 +15,9 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <fcntl.h>
 #include <poll.h>
 #include <string>
-#include <sys/socket.h>
-#include <sys/un.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <vector>
@@ -105,18 +103,9 @@ bool answer_input()
 /** Of a client at the socket: its standard input, output and errors become those of this process. */
 void take_descriptors(const int client)
 {
-  int taken[3]                                             = {};
-  char byte                                                = 0;
-  alignas(cmsghdr) char control[CMSG_SPACE(sizeof(taken))] = {};
-  iovec data                                               = {&byte, 1};
-  msghdr message                                           = {};
-  message.msg_iov                                          = &data;
-  message.msg_iovlen                                       = 1;
-  message.msg_control                                      = control;
-  message.msg_controllen                                   = sizeof(control);
-  if (::recvmsg(client, &message, 0) != 1 || CMSG_FIRSTHDR(&message) == nullptr)
+  DescriptorMessage::Descriptors taken = {};
+  if (!DescriptorMessage().receive(client, taken))
     std::_Exit(127);
-  std::memcpy(taken, CMSG_DATA(CMSG_FIRSTHDR(&message)), sizeof(taken));
   for (int k = 0; k < 3; ++k)
     {
       ::dup2(taken[k], k);
@@ -152,11 +141,9 @@ void answer_client(const int client)
 
 int listening(const char *path)
 {
-  sockaddr_un address = {};
-  address.sun_family  = AF_UNIX;
-  std::strncpy(address.sun_path, path, sizeof(address.sun_path) - 1);
-  const int made = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
-  if (::bind(made, reinterpret_cast<sockaddr *>(&address), sizeof(address)) != 0 ||
+  const sockaddr_un address = address_of(path);
+  const int made            = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  if (::bind(made, reinterpret_cast<const sockaddr *>(&address), sizeof(address)) != 0 ||
       ::listen(made, 64) != 0)
     std::_Exit(1);
   return made;
