@@ -4,9 +4,7 @@ stored. They are no truths, other tests have those; a change of them has to be m
     stored_runs.py <folder with the programs> [--update]
 """
 
-import json
 import os
-import sys
 import tempfile
 
 import h5py
@@ -14,9 +12,9 @@ import numpy as np
 
 from mesh_files import Box
 from scenes import Folder, prm
+from stored import check_stored
 
 STORED = os.path.splitext(os.path.abspath(__file__))[0] + ".json"
-TOLERANCE = 1e-8  # relative, of the largest in an array: other compilers round otherwise, and contact multiplies it
 
 COMMON = {"Flat/Velocity": 2, "Friction/Regularization time": 1e-6, "Observation/Energy interval": 1}
 BODY = {"Body/Stiffness": "36.54e9, 9.1e9, 47.26e9, 13.785e9", "Body/Density": 1770}
@@ -51,18 +49,6 @@ def found_by(folder, name):
     return numbers
 
 
-def differences(stored, found):
-    """Keys at which they differ."""
-    if stored.keys() != found.keys():
-        return [f"other keys: {sorted(stored.keys() ^ found.keys())}"]
-    wrong = []
-    for key, value in stored.items():
-        one, two = (np.atleast_1d(np.array(x, dtype=float)) for x in (value, found[key]))
-        if one.shape != two.shape or not np.abs(one - two).max() <= TOLERANCE * np.abs(one).max():
-            wrong.append(f"{key}: {found[key]} instead of {value}")
-    return wrong
-
-
 def main():
     with tempfile.TemporaryDirectory() as path:
         folder = Folder(path, SCENES)
@@ -74,15 +60,7 @@ def main():
         for name in SCENES:
             folder.run(0, "contact_dynamics", name + ".prm", "--output", name)
             found[name] = found_by(folder, name)
-    if "--update" in sys.argv:
-        with open(STORED, "w", encoding="utf-8") as file:
-            json.dump(found, file, indent=1)
-            file.write("\n")
-        return
-    with open(STORED, encoding="utf-8") as file:
-        stored = json.load(file)
-    wrong = [f"{name}: {text}" for name in SCENES for text in differences(stored[name], found[name])]
-    assert not wrong, "\n".join(["differs from stored_runs.json (stored_runs.py --update renews it):"] + wrong)
+    check_stored(STORED, found, 1e-8)  # other compilers round otherwise, and contact multiplies it
 
 
 if __name__ == "__main__":
