@@ -2,6 +2,8 @@
 
 #include "material/stiffness.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>

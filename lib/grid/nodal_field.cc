@@ -1,5 +1,7 @@
 #include "grid/nodal_field.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <cstdint>
 #include <new>
 #include <sys/mman.h>

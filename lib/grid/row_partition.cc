@@ -1,6 +1,9 @@
 #include "grid/row_partition.h"
 
 #include "base/exchange.h"
+
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <stdexcept>
 #include <string>

@@ -2,6 +2,8 @@
 #include "parameters/keys.h"
 #include "sliding/contact_parameters.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 

@@ -3,6 +3,8 @@
 #include "elasticity/brick/brick_matrices.h"
 #include "material/stiffness.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>

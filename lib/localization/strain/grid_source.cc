@@ -6,6 +6,8 @@
 #include "localization/strain/side_integrals.h"
 #include "localization/strain/strain_source.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <limits>
 

@@ -1,5 +1,7 @@
 #include "sliding/mesh/sliding_mesh.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <limits>
 #include <map>

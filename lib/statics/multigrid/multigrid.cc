@@ -2,6 +2,8 @@
 
 #include "statics/flush_denormals.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <limits>
 

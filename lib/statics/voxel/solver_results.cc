@@ -1,5 +1,7 @@
 #include "statics/voxel/solver.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <Eigen/LU>
 
 #include <algorithm>
