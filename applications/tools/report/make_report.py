@@ -8,8 +8,10 @@ Each folder is the output of rve_homogenization, contact_dynamics or stress_loca
 """
 
 import argparse
+import concurrent.futures
 import datetime
 import json
+import multiprocessing
 import os
 import platform
 import signal
@@ -18,8 +20,11 @@ import sys
 if __name__ == "__main__":
     signal.signal(signal.SIGINT, signal.SIG_DFL)  # at once and without a word; the report of before stays
 sys.dont_write_bytecode = True  # leave no __pycache__ in a source tree
-sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+TOOLS = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+sys.path.insert(0, TOOLS)
+sys.path.append(os.path.join(TOOLS, "python", "mesoslip"))  # for ranks.py; the module as a whole reads files in another way
 
+from ranks import idle_cores
 from report import sections
 from report.base import figures
 from report.base.data import Chain, Missing, without_folders
@@ -39,9 +44,34 @@ def attempt(page, make, *arguments):
         return note(f"Left out: {type(error).__name__} while drawing ({without_folders(str(error))}).")
 
 
-def made(page, part):
-    """HTML of a part, or of a list of parts in a row."""
-    return page.row(attempt(page, *one) for one in part) if isinstance(part, list) else attempt(page, *part)
+WORK = []  # (page, chain, parts) of the processes that drawn() forks
+
+
+def draw(k):
+    """HTML of the part k, and what drawing it has noted of each run."""
+    page, chain, parts = WORK[-1]
+    known = [len(run.notes) for run in chain.runs]
+    return attempt(page, *parts[k]), [run.notes[n:] for run, n in zip(chain.runs, known)]
+
+
+def drawn(page, chain, parts):
+    """HTML of each part. Processes on idle cores share the parts."""
+    processes = min(idle_cores(0.05), len(parts))
+    if processes < 2 or "fork" not in multiprocessing.get_all_start_methods():
+        return [attempt(page, *part) for part in parts]
+    WORK.append((page, chain, parts))
+    with concurrent.futures.ProcessPoolExecutor(processes, multiprocessing.get_context("fork")) as pool:
+        found = list(pool.map(draw, range(len(parts))))
+    WORK.pop()
+    for _, of_runs in found:
+        for run, notes in zip(chain.runs, of_runs):
+            run.notes += [text for text in notes if text not in run.notes]
+    return [html for html, _ in found]
+
+
+def made(page, part, html):
+    """HTML of a part, or of a list of parts in a row, of which `html` has the next."""
+    return page.row(next(html) for _ in part) if isinstance(part, list) else next(html)
 
 
 def processor():
@@ -60,8 +90,10 @@ def build(chain, title, folder=".", surface_times=()):
     page = Page(title, f"From the composite’s microstructure to its sliding contact and back: {what}. "
                        "Tension is positive; contact pressures are positive, too. " + thickness(chain) +
                 f"Written on {datetime.datetime.now():%Y-%m-%d %H:%M} by make_report.py on a machine with {escape(processor())}.", folder)
-    for heading, parts in sections.plan(chain, surface_times):
-        page.section(heading, "".join(made(page, part) for part in parts))
+    plan = sections.plan(chain, surface_times)
+    html = iter(drawn(page, chain, [one for _, parts in plan for part in parts for one in (part if isinstance(part, list) else [part])]))
+    for heading, parts in plan:
+        page.section(heading, "".join(made(page, part, html) for part in parts))
     words = explained(content for _, content, _ in page.sections)
     if words:
         page.section("Words", words)

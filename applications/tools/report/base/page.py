@@ -13,6 +13,8 @@ import matplotlib.pyplot as plt
 from report.base.figure_data import csv_of
 from report.base.style import STYLE
 
+# Stand for the number of a figure, which is known when all are there: of the next one, and of the same once more.
+NEXT, SAME = "\x1a", "\x1b"
 PREFIXES = [(1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"), (1e-6, "µ"), (1e-9, "n")]
 PREFIXED = {"s", "Hz", "Pa", "m", "J", "W", "W/m", "B", "J/m"}
 
@@ -97,7 +99,7 @@ class Page:
 
     def __init__(self, title, lead, folder="."):
         self.title, self.lead, self.folder = title, lead, folder
-        self.sections, self.figures = [], 0
+        self.sections = []
 
     def section(self, title, body, kind="paper"):
         """`kind` "screen" keeps it off the printed page."""
@@ -112,10 +114,10 @@ class Page:
 
     def figure(self, figure, caption, alt=None):
         """HTML of a matplotlib figure, which is closed."""
-        self.figures += 1
         stream = io.BytesIO()
         try:
-            figure.savefig(stream, format="png", dpi=170)
+            figure.set_dpi(170)
+            figure.canvas.print_png(stream)  # savefig() would lay it out and draw it twice
             data = csv_of(figure)
         finally:
             plt.close(figure)
@@ -123,15 +125,20 @@ class Page:
         width, height = figure.get_size_inches()
         kinds = " ".join(kind for kind, holds in (("tall", height > 0.95 * width), ("wide", width > 7.0)) if holds)
         kinds = f' class="{kinds}"' if kinds else ""
-        below = (f' <a class="data" download="figure-{self.figures}.csv" '
+        below = (f' <a class="data" download="figure-{SAME}.csv" '
                  f'href="data:text/csv;charset=utf-8,{urllib.parse.quote(data, safe=",.:+-()")}">Data (CSV)</a>' if data else "")
         return (f'<figure{kinds}><img alt="{escape(alt or first_sentence(caption))}" style="width:{96 * width:.0f}px" '
                 f'src="data:image/png;base64,{picture}">'
-                f"<figcaption><b>Figure {self.figures}.</b> {caption}{below}</figcaption></figure>")
+                f"<figcaption><b>Figure {NEXT}.</b> {caption}{below}</figcaption></figure>")
 
     def row(self, pieces):
         """HTML of figures that are compared, which stand side by side."""
         return f'<div class="row">{"".join(pieces)}</div>'
+
+    @staticmethod
+    def _numbered(text):
+        before, *figures = text.split(NEXT)
+        return before + "".join(f"{k}{figure.replace(SAME, str(k))}" for k, figure in enumerate(figures, 1))
 
     def html(self):
         links = "".join(f'<li><a href="#s{i}">{title}</a></li>'
@@ -142,4 +149,4 @@ class Page:
                 '<meta name="viewport" content="width=device-width, initial-scale=1">'
                 f"<title>{escape(self.title)}</title><style>{STYLE}</style></head><body>"
                 f'<h1>{escape(self.title)}</h1><p class="lead">{self.lead}</p>'
-                f"<nav><ol>{links}</ol></nav>{body}</body></html>\n")
+                f"<nav><ol>{links}</ol></nav>{self._numbered(body)}</body></html>\n")
