@@ -19,13 +19,13 @@ import sys
 import tempfile
 
 sys.dont_write_bytecode = True  # leave no __pycache__ in a source tree
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path.append(os.path.join(HERE, "python", "mesoslip"))  # for ranks.py; the module as a whole needs h5py
 
 from chain.inputs import ChainError, check_target, copy_inputs, list_inputs  # noqa: E402
 from chain.plan import Plan  # noqa: E402
 from chain.runner import INTERRUPTED, Runner  # noqa: E402
 from chain.step import PROGRAMS, Step  # noqa: E402
-
-HERE = os.path.dirname(os.path.abspath(__file__))
 
 
 def write_report(steps, target, words="Report"):
@@ -50,8 +50,8 @@ def parse_arguments():
     parser.add_argument("--validate", action="store_true", help="check the whole chain and say what it takes: memory, disk, and the time, "
                         "for which each run is begun for some seconds; nothing is left")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="runs side by side (default: all cores)")
-    parser.add_argument("--ranks", type=int, help="MPI ranks of each run (default: one, but all cores for a long contact run "
-                        "that comes last)")
+    parser.add_argument("--ranks", type=int, help="MPI ranks of each run (default: one; where no other run can start beside "
+                        "it and it is long, as many as there are idle cores)")
     parser.add_argument("--resume", action="store_true", help="continue interrupted runs from their checkpoints")
     parser.add_argument("--no-report", action="store_true", help="do not write report.html")
     parser.add_argument("--programs", metavar="DIR", help="folder of the three programs (default: where they are built or installed)")

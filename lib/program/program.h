@@ -53,6 +53,13 @@ public:
     return false;
   }
 
+  /** Processes on idle cores by which it ends sooner; one where they take as long to start as they save. --validate
+   * tells it, so that ./run.sh can choose. */
+  virtual unsigned int useful_ranks() const
+  {
+    return 1;
+  }
+
   /** The work itself. */
   virtual void run(RunContext &context) = 0;
 };

@@ -7,6 +7,8 @@ import subprocess
 import threading
 import time
 
+from ranks import keep_ranks, ranks_begun_with
+
 INTERRUPTED = 130
 STOPPING = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 
@@ -47,33 +49,29 @@ class Runner:
             print(line, flush=True)
 
     def _ranks_for(self, step, resume, last):
-        """As asked for; else all cores for the `last` run, beside which no other can start."""
+        """As asked for; else those that are worth it for a run beside which no other can start, `last`."""
         if self.ranks:
             return self.ranks
         if resume:
-            return step.ranks_begun_with()
-        return min(self.jobs, step.useful_ranks()) if last and self.jobs > 1 else 1
+            return ranks_begun_with(step.output)
+        return step.useful_ranks(self.jobs) if last and self.jobs > 1 else 1
 
-    def _start(self, step, alone, last):
+    def _start(self, step, alone, ranks):
         """The process; None when the chain is to stop."""
         resume = self.resume and step.begun()
-        try:
-            ranks = self._ranks_for(step, resume, last)
-        except KeyboardInterrupt:
-            return None
         output = {} if alone else {"text": True, "stdout": subprocess.PIPE, "stderr": subprocess.STDOUT}
         with self.lock:  # no run starts after the others were stopped
             if self.stopping:
                 return None
-            step.keep_ranks(ranks)
+            keep_ranks(step.output, ranks)
             # mpirun would end its ranks on Ctrl-C before they have saved their state.
             child = subprocess.Popen(step.command(ranks, resume), env=self.environment, start_new_session=ranks > 1, **output)
             self.children.append((child, step.ask_to_stop if ranks > 1 else child.terminate))
         return child
 
-    def _attempt(self, step, alone, last):
+    def _attempt(self, step, alone, ranks):
         begin = time.monotonic()
-        child = self._start(step, alone, last)
+        child = self._start(step, alone, ranks)
         if child is None:
             return INTERRUPTED
         for line in child.stdout or ():
@@ -102,17 +100,20 @@ class Runner:
                     self._say(f"{step.name}: up to date")
                     done.add(step.name)
                 else:
-                    last = all(s.hangs_on(step) for s in waiting)
-                    running[pool.submit(self._attempt, step, alone or self.jobs == 1, last)] = step
+                    ranks = self._ranks_for(step, self.resume and step.begun(), not running and all(s.hangs_on(step) for s in waiting))
+                    if ranks > 1:
+                        self._say(f"{step.name}: on {ranks} ranks")
+                    running[pool.submit(self._attempt, step, alone or self.jobs == 1, ranks)] = (step, ranks)
             if not running:
                 if worst or not any(all(n.name in done for n in s.needs) for s in waiting):
                     break
                 continue
-            if self.preview and done and waiting and worst == 0 and len(running) < self.jobs and (shown is None or shown.done()):
+            busy = sum(ranks for _, ranks in running.values())
+            if self.preview and done and waiting and worst == 0 and busy < self.jobs and (shown is None or shown.done()):
                 shown = pool.submit(self.preview)
             finished, _ = concurrent.futures.wait(running, return_when=concurrent.futures.FIRST_COMPLETED)
             for future in finished:
-                step, status = running.pop(future), future.result()
+                (step, _), status = running.pop(future), future.result()
                 worst = worst or status
                 if status == 0:
                     done.add(step.name)

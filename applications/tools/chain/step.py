@@ -3,16 +3,14 @@
 import hashlib
 import json
 import os
-import re
 import subprocess
 
 from chain.inputs import ChainError, digest_of, input_files, is_unchanged, output_named, state_of, values
+from ranks import ranks_worth, start_of
 
 PROGRAMS = ("rve_homogenization", "contact_dynamics", "stress_localization")
-STAMP, RANKS = ".up_to_date", ".ranks"
+STAMP = ".up_to_date"
 RESULTS = (".h5", ".csv", ".xdmf")
-LONG_RUN = 3e9  # cells times steps, some seconds: worth the start of several ranks
-ROWS_A_RANK = 40
 
 
 def results_in(folder):
@@ -69,38 +67,15 @@ class Step:
         return any(need is other or need.hangs_on(other) for need in self.needs)
 
     def command(self, ranks, resume):
-        start = ["mpirun", "--oversubscribe", "-np", str(ranks)] if ranks > 1 else []
-        return start + [self.program, self.prm, "--output", self.output] + (["--resume"] if resume else [])
+        return start_of(ranks) + [self.program, self.prm, "--output", self.output] + (["--resume"] if resume else [])
 
     def ask_to_stop(self):
         with open(os.path.join(self.output, "terminate"), "w", encoding="utf-8"):
             pass
 
-    def ranks_begun_with(self):
-        """A run is resumed with as many."""
-        try:
-            with open(os.path.join(self.output, RANKS), encoding="utf-8") as file:
-                return int(file.read())
-        except (OSError, ValueError):
-            return 1
-
-    def keep_ranks(self, ranks):
-        path = os.path.join(self.output, RANKS)
-        if ranks > 1:
-            os.makedirs(self.output, exist_ok=True)
-            with open(path, "w", encoding="utf-8") as file:
-                file.write(str(ranks))
-        elif os.path.exists(path):
-            os.remove(path)
-
-    def useful_ranks(self):
-        """How many ranks a long transient contact run is worth; 1 for everything else. KeyboardInterrupt when that ended the question."""
-        if not self.program.endswith("contact_dynamics"):
-            return 1
+    def useful_ranks(self, most):
+        """How many ranks on cores that are idle it is worth, at most `most`. KeyboardInterrupt when that ended the question."""
         asked = subprocess.run([self.program, "--validate", self.prm], capture_output=True, text=True, check=False)
         if asked.returncode < 0:
             raise KeyboardInterrupt
-        cells, steps = re.search(r"(\d+) x (\d+) cells", asked.stdout), re.search(r"(\d+) steps", asked.stdout)
-        if not cells or not steps or int(cells[1]) * int(cells[2]) * int(steps[1]) < LONG_RUN:
-            return 1
-        return max(1, int(cells[2]) // ROWS_A_RANK)
+        return ranks_worth(asked.stdout, most)

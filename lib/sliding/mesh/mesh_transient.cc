@@ -86,6 +86,21 @@ public:
       out << "warning: " << warning << '\n';
   }
 
+  unsigned int useful_ranks() const override
+  {
+    // Some seconds of one core; cells that hide what ranks tell each other.
+    constexpr double long_run        = 2e8;
+    constexpr unsigned int of_a_rank = 2000;
+    const std::uint64_t n_cells      = this->body.n_cells;
+    if (static_cast<double>(n_cells) * static_cast<double>(time.n_steps) < long_run)
+      return 1;
+    unsigned int most = static_cast<unsigned int>(n_cells / of_a_rank);
+    if constexpr (dim == 3)
+      if (this->morphology.box)
+        most = std::min(most, this->morphology.box->grid.cells[2] / 4);
+    return std::max(1U, most);
+  }
+
   bool resumable() const override
   {
     return true;

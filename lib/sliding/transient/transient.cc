@@ -12,6 +12,7 @@
 #include "sliding/transient/dynamics_output.h"
 #include "sliding/transient/run_draft.h"
 
+#include <algorithm>
 #include <ostream>
 
 namespace mesoslip
@@ -92,6 +93,16 @@ void TransientAnalysis::describe(std::ostream &out) const
       << exact.text() << bytes_text(exact.disk.bytes) << " on the disk\n";
   for (const std::string &warning : warnings())
     out << "warning: " << warning << '\n';
+}
+
+unsigned int TransientAnalysis::useful_ranks() const
+{
+  // Some seconds of one core; forty rows hide what ranks tell each other.
+  constexpr double long_run = 3e9;
+  const double n_cells      = double(body.grid.cells[0]) * body.grid.cells[1];
+  if (n_cells * largest_number_of_steps(parameters, material) < long_run)
+    return 1;
+  return std::max(1U, body.grid.cells[1] / 40);
 }
 
 void TransientAnalysis::write_draft(const std::string &folder) const

@@ -117,6 +117,7 @@ public:
   }
 
   void describe(std::ostream &out) const override;
+  unsigned int useful_ranks() const override;
 
   bool resumable() const override
   {

@@ -8,6 +8,7 @@ import sys
 import warnings
 
 from .folders import open_folder
+from .ranks import keep_ranks, ranks_begun_with, ranks_worth, start_of
 
 PROGRAMS = ("rve_homogenization", "contact_dynamics", "stress_localization")
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -39,19 +40,22 @@ def find_program(name, programs=None):
     return path
 
 
-def run(prm, settings=None, output=None, ranks=1, resume=False, program=None, programs=None):
+def run(prm, settings=None, output=None, ranks=None, resume=False, program=None, programs=None):
     """Runs the program that a .prm file is for, and returns its opened results: a ResultFile, or a RunFolder where the run leaves no HDF5.
 
     `settings`: {"Top/Pressure": 4e5} goes before what the file says; lists become "a, b". `output`: folder of the results, else that of the
-    file's key `Output folder`, else output/NAME. `ranks`: number of MPI processes. `program`: its name, where neither the file's name nor its
-    keys tell. Warnings of the run become Python warnings. Raises RunError with the program's sentence."""
+    file's key `Output folder`, else output/NAME. `ranks`: number of MPI processes; without it one, or for a long run as many as there are
+    idle cores. `program`: its name, where neither the file's name nor its keys tell. Warnings of the run become Python warnings. Raises RunError with the program's sentence."""
     words = [f"--set={key}={_value_text(value)}" for key, value in (settings or {}).items()]
     prm = os.fspath(prm)
-    path, printed = _program_for(prm, words, program, programs)
-    if output is None:
-        output = _folder_in(printed) or os.path.join("output", os.path.splitext(os.path.basename(prm))[0])
-    start = ["mpirun", "--oversubscribe", "-np", str(ranks)] if ranks > 1 else []
-    _call([*start, path, prm, "--quiet", "--output", os.fspath(output), *words, *(["--resume"] if resume else [])])
+    words += [f"--output={os.fspath(output)}"] if output is not None else []
+    words += ["--resume"] if resume else []
+    path, said = _program_for(prm, words, program, programs)
+    output = re.search(r"; the results would go to (.*)$", said, re.MULTILINE)[1]
+    if ranks is None:
+        ranks = ranks_begun_with(output) if resume else ranks_worth(said, os.cpu_count() or 1)
+    keep_ranks(output, ranks)
+    _call([*start_of(ranks), path, prm, "--quiet", *words])
     return open_folder(output)
 
 
@@ -81,7 +85,7 @@ def _value_text(value):
 
 
 def _program_for(prm, words, program, programs):
-    """The program and all parameters as it prints them. Of those that may be meant, the one that accepts the file."""
+    """The program and what it says when it checks the file. Of those that may be meant, the one that accepts the file."""
     if program is not None and program not in PROGRAMS:
         raise ValueError(f"there is no program {program}, there are {', '.join(PROGRAMS)}")
     named = [name for name in PROGRAMS if name in os.path.basename(prm)]
@@ -89,7 +93,7 @@ def _program_for(prm, words, program, programs):
     refusals = []
     for name in candidates:
         path = find_program(name, programs)
-        done = subprocess.run([path, "--print-parameters", prm, *words], capture_output=True, text=True, check=False)
+        done = subprocess.run([path, "--validate", prm, *words], capture_output=True, text=True, check=False)
         if done.returncode == 0:
             return path, done.stdout
         refusals.append(RunError(_sentence(done.stderr), done.returncode))
@@ -97,12 +101,6 @@ def _program_for(prm, words, program, programs):
         raise RunError(f"none of the programs accepts {prm}; say which with program=...: "
                        + "; ".join(f"{name}: {error}" for name, error in zip(candidates, refusals)), 2)
     raise refusals[0]
-
-
-def _folder_in(printed):
-    """The value of `Output folder` in the text of --print-parameters."""
-    found = re.search(r"^set Output folder =(.*)$", printed, re.MULTILINE)
-    return found[1].strip() if found else ""
 
 
 def _sentence(errors):
