@@ -102,13 +102,10 @@ FrequencyEstimate iterate(const Operator &op,
   const auto total = [&](const auto number) { return mpi::sum(number, op.communicator); };
   const std::uint64_t n_all = total(std::uint64_t(n));
   std::vector<double> old(n, 0.), y(n), diagonal, off;
-  const auto norm = [&](const std::vector<double> &x) {
-    double sum = 0.;
-    for (std::size_t i = 0; i < n; ++i)
-      sum += x[i] * x[i];
-    return std::sqrt(total(sum));
-  };
-  const double start = norm(v);
+  double square = 0.;
+  for (const double x : v)
+    square += x * x;
+  const double start = std::sqrt(total(square));
   for (double &x : v)
     x /= start;
 
@@ -122,10 +119,14 @@ FrequencyEstimate iterate(const Operator &op,
       double alpha        = 0.;
       for (std::size_t i = 0; i < n; ++i)
         alpha += y[i] * v[i];
-      alpha = total(alpha);
+      alpha  = total(alpha);
+      square = 0.;
       for (std::size_t i = 0; i < n; ++i)
-        y[i] -= alpha * v[i] + before * old[i];
-      const double next = norm(y);
+        {
+          y[i] -= alpha * v[i] + before * old[i];
+          square += y[i] * y[i];
+        }
+      const double next = std::sqrt(total(square));
       diagonal.push_back(alpha);
       const bool exhausted = !(next > 1e-12 * std::abs(diagonal[0])) || k >= n_all;
       if (k % 5 == 0 || k == max_iterations || exhausted)
@@ -212,8 +213,8 @@ FrequencyEstimate largest_frequency(const UniformMaterial &material,
 namespace
 {
 /**
- * On the points of a part that count here, dim numbers each: @p multiply (Kx, x) replaces Kx;
- * @p mass of all points.
+ * On the points of a part that count here, dim numbers each: @p multiply (y, v, s) replaces y by s K s v with a
+ * number s for each point; @p mass of all points.
  */
 template <int dim, typename Multiply>
 FrequencyEstimate frequency_of_part(const MeshPart<dim> &part,
@@ -226,20 +227,15 @@ FrequencyEstimate frequency_of_part(const MeshPart<dim> &part,
   std::vector<double> scale;
   for (unsigned int i = 0; i < part.n_distinct; ++i)
     scale.push_back(1. / std::sqrt(mass[i]));
-  std::vector<double> x(dim * std::size_t(part.n_distinct));
   op.apply = [&](std::vector<double> &y, const std::vector<double> &v) {
-    for (std::size_t k = 0; k < v.size(); ++k)
-      x[k] = scale[k / dim] * v[k];
-    multiply(y, x);
-    for (std::size_t k = 0; k < v.size(); ++k)
-      y[k] *= scale[k / dim];
+    multiply(y, v, scale);
   };
   // Whatever the ranks, a point of the mesh gets the same numbers.
   std::vector<std::pair<unsigned int, unsigned int>> points;
   for (unsigned int i = 0; i < part.n_distinct; ++i)
     points.emplace_back(part.point_in_mesh[i], i);
   std::sort(points.begin(), points.end());
-  std::vector<double> start(x.size());
+  std::vector<double> start(dim * std::size_t(part.n_distinct));
   StartNumbers random;
   unsigned int drawn = 0;
   for (const auto &[in_mesh, i] : points)
@@ -257,16 +253,19 @@ FrequencyEstimate largest_frequency(const MeshOperator<dim> &op,
 {
   constexpr unsigned int stride = kernels::node_stride<dim>;
   LineVector<double> field = op.zero_field(), f = field;
-  const auto multiply = [&](std::vector<double> &Kx, const std::vector<double> &x) {
+  const auto multiply = [&](std::vector<double> &y, const std::vector<double> &v,
+                            const std::vector<double> &scale) {
     std::fill(field.begin(), field.end(), 0.);
     std::fill(f.begin(), f.end(), 0.);
-    for (std::size_t k = 0; k < x.size(); ++k)
-      field[k / dim * stride + k % dim] = x[k];
+    for (std::size_t i = 0; i < scale.size(); ++i)
+      for (unsigned int c = 0; c < dim; ++c)
+        field[i * stride + c] = scale[i] * v[i * dim + c];
     // Zeros of those who do not own a point leave the sum that of its owner.
     op.sum_up(field.data());
     op.add_product(f.data(), field.data());
-    for (std::size_t k = 0; k < x.size(); ++k)
-      Kx[k] = f[k / dim * stride + k % dim];
+    for (std::size_t i = 0; i < scale.size(); ++i)
+      for (unsigned int c = 0; c < dim; ++c)
+        y[i * dim + c] = scale[i] * f[i * stride + c];
   };
   return frequency_of_part(op.part, op.lumped_mass(), multiply,
                            {{}, std::numeric_limits<double>::infinity(), op.communicator},
@@ -279,17 +278,55 @@ FrequencyEstimate largest_frequency(const BrickOperator &op,
 {
   const MeshPart<3> &part = op.slab().part;
   auto field = NodalField<double>::of_points(part.points.size(), 3), f = field;
-  const auto multiply = [&](std::vector<double> &Kx, const std::vector<double> &x) {
-    for (std::size_t k = 0; k < x.size(); ++k)
-      field.row(k % 3, 0)[k / 3] = x[k];
+  const auto multiply = [&](std::vector<double> &y, const std::vector<double> &v,
+                            const std::vector<double> &scale) {
+    for (unsigned int c = 0; c < 3; ++c)
+      for (std::size_t i = 0; i < scale.size(); ++i)
+        field.row(c, 0)[i] = scale[i] * v[3 * i + c];
     op.set_points_of_others(field);
     op.multiply(f, field);
-    for (std::size_t k = 0; k < x.size(); ++k)
-      Kx[k] = f.row(k % 3, 0)[k / 3];
+    for (unsigned int c = 0; c < 3; ++c)
+      for (std::size_t i = 0; i < scale.size(); ++i)
+        y[3 * i + c] = scale[i] * f.row(c, 0)[i];
   };
   return frequency_of_part(part, op.lumped_mass(), multiply,
                            {{}, op.frequency_bound(), op.communicator}, tolerance,
                            max_iterations);
+}
+
+namespace
+{
+/** Into how many cells each @p n in a row can be cut, a dozen or more. */
+std::vector<unsigned int> lengths_of_blocks(const unsigned int n)
+{
+  const unsigned int parts = std::max(1U, n / 12), length = n / parts;
+  return n % parts == 0 ? std::vector<unsigned int>{length}
+                        : std::vector<unsigned int>{length, length + 1};
+}
+} // namespace
+
+FrequencyEstimate largest_frequency_of_blocks(const UniformGrid<3> &grid,
+                                              const ElasticPhase<3> &phase,
+                                              const InstructionSet isa)
+{
+  FrequencyEstimate largest;
+  BrickBox block{grid, {}};
+  auto &[x, y, z]  = block.grid.cells;
+  const auto zeros = [](const CellBlock<3> &cells) {
+    return std::vector<std::uint16_t>(cells.n_cells());
+  };
+  for (const unsigned int nx : lengths_of_blocks(grid.cells[0]))
+    for (const unsigned int ny : lengths_of_blocks(grid.cells[1]))
+      for (const unsigned int nz : lengths_of_blocks(grid.cells[2]))
+        {
+          x = nx, y = ny, z = nz;
+          const BrickOperator op(divide_box(block, zeros, 1, MPI_COMM_SELF), {phase},
+                                 MPI_COMM_SELF, isa);
+          const FrequencyEstimate of_block = largest_frequency(op);
+          if (of_block.upper > largest.upper)
+            largest = of_block;
+        }
+  return largest;
 }
 
 template FrequencyEstimate

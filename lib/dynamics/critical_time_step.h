@@ -57,6 +57,15 @@ FrequencyEstimate largest_frequency(const BrickOperator &op,
                                     const double tolerance            = 2e-3,
                                     const unsigned int max_iterations = 120);
 
+/**
+ * An upper bound for a box of one phase, whatever its constraints, of blocks of some thousand cells into which it can be cut: as
+ * energy and mass of the box are sums over the blocks, none of its vibrations is faster than the fastest of
+ * a free block. A fraction of a percent above largest_frequency() of the box. Each rank alone, and all with the same bits.
+ */
+FrequencyEstimate largest_frequency_of_blocks(const UniformGrid<3> &grid,
+                                              const ElasticPhase<3> &phase,
+                                              const InstructionSet isa);
+
 /** critical_time_step() with the upper estimate of largest_frequency(). */
 double critical_time_step(const UniformMaterial &material,
                           const double beta2,

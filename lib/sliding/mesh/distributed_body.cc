@@ -138,6 +138,8 @@ public:
          communicator,
          isa)
   {
+    if (phases.size() == 1)
+      of_blocks = largest_frequency_of_blocks(box.grid, phases[0], isa);
   }
 
   const MeshPart<3> &part() const override
@@ -152,7 +154,7 @@ public:
 
   FrequencyEstimate largest_frequency() const override
   {
-    return mesoslip::largest_frequency(op);
+    return of_blocks ? *of_blocks : mesoslip::largest_frequency(op);
   }
 
   std::unique_ptr<SurfaceStepper<3>>
@@ -175,6 +177,7 @@ private:
   }
 
   const BrickOperator op;
+  std::optional<FrequencyEstimate> of_blocks; ///< where there is one phase
 };
 } // namespace
 

@@ -101,6 +101,34 @@ TEST(CriticalTimeStep, FineHomogeneousGrid)
   EXPECT_LT(found.upper, found.lower * 1.005) << "after " << found.iterations;
 }
 
+// Never below the largest frequency of the box, found by a long iteration, and hardly above.
+TEST(CriticalTimeStep, BlocksBoundAHomogeneousBox)
+{
+  VoigtMatrix<3> any = isotropic_stiffness<3>(40e9, 0.3);
+  any(0, 3) = any(3, 0) = 4e9;
+  any(1, 5) = any(5, 1) = -6e9;
+  any(2, 2) += 50e9;
+  for (const VoigtMatrix<3> &stiffness : {isotropic_stiffness<3>(3e9, 0.45), any})
+    for (const auto &cells : {std::array<unsigned int, 3>{{25, 37, 13}}, {{40, 3, 14}}})
+      {
+        const BrickBox box{{cells, {{1e-3, 0.7e-3, 1.2e-3}}, {}}, {}};
+        const ElasticPhase<3> phase = {stiffness, 1770.};
+        const BrickOperator op(divide_box(
+                                 box,
+                                 [](const CellBlock<3> &block) {
+                                   return std::vector<std::uint16_t>(block.n_cells());
+                                 },
+                                 1, MPI_COMM_SELF),
+                               {phase}, MPI_COMM_SELF);
+        const FrequencyEstimate exact = largest_frequency(op, 1e-6, 600),
+                                found = largest_frequency_of_blocks(
+                                  box.grid, phase, InstructionSet::automatic);
+        EXPECT_LE(exact.upper, (1. + 1e-5) * exact.lower);
+        EXPECT_GE(found.upper, (1. - 1e-6) * exact.lower);
+        EXPECT_LE(found.upper, 1.004 * exact.lower);
+      }
+}
+
 TEST(CriticalTimeStep, ObservedStability)
 {
   Random random;
