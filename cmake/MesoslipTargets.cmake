@@ -24,7 +24,7 @@ endfunction()
 function(mesoslip_sanitize target)
   set(sanitizers -fsanitize=address,undefined -fno-sanitize-recover=undefined)
   target_compile_options(${target} PRIVATE
-    -g1 -fno-omit-frame-pointer -U_FORTIFY_SOURCE -D_GLIBCXX_ASSERTIONS -DBOOST_DISABLE_ASSERTS -DEIGEN_MALLOC_ALREADY_ALIGNED=1 ${sanitizers}
+    -g1 -fno-omit-frame-pointer -U_FORTIFY_SOURCE -D_GLIBCXX_ASSERTIONS -DBOOST_DISABLE_ASSERTS -DEIGEN_MALLOC_ALREADY_ALIGNED=1 -DXXH_NO_INLINE_HINTS=1 ${sanitizers}
     $<$<CXX_COMPILER_ID:GNU>:-Og;--param=asan-instrumentation-with-call-threshold=0;-fno-sanitize=null,alignment,object-size,vptr;-Wno-maybe-uninitialized>
     $<$<CXX_COMPILER_ID:Clang>:-O1;-fsanitize=fuzzer-no-link;-Wno-unknown-warning-option;-Wno-ignored-optimization-argument>)
   target_link_options(${target} PRIVATE ${sanitizers})

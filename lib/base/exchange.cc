@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <exception>
 #include <new>
+#include <string>
 
 namespace mesoslip
 {
@@ -242,12 +243,27 @@ void wait_for_all(std::vector<MPI_Request> &requests)
   requests.clear();
 }
 
+namespace
+{
+/** As mpirun tells it; empty of a process that it has not started. */
+std::string rank_by_mpirun()
+{
+  for (const char *name : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK"})
+    if (const char *rank = std::getenv(name))
+      return rank;
+  return "";
+}
+} // namespace
+
 bool started_by_mpirun()
 {
-  for (const char *name : {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK"})
-    if (std::getenv(name) != nullptr)
-      return true;
-  return false;
+  return !rank_by_mpirun().empty();
+}
+
+bool is_first_process()
+{
+  const std::string rank = rank_by_mpirun();
+  return rank.empty() || rank == "0";
 }
 
 void prepare_mpi_of_one_process()

@@ -100,6 +100,9 @@ void wait_for_all(std::vector<MPI_Request> &requests);
 /** Whether mpirun (of Open MPI, or one with PMI) started this process. */
 bool started_by_mpirun();
 
+/** Whether this is the first of its processes, or the only one; known before MPI_Init. */
+bool is_first_process();
+
 /**
  * What a process without mpirun does not need of Open MPI is left out of its start; call
  * before MPI_Init. No daemon for ranks that are spawned: a quarter of the time to start,

@@ -98,6 +98,8 @@ void validate(const Analysis &analysis,
   std::cout << line.prm_file << ": the parameters are valid; the results would go to "
             << folder << '\n'
             << report.str();
+  if (const unsigned int n = analysis.useful_ranks(); n > 1)
+    std::cout << "up to " << n << " ranks on idle cores make it faster\n";
   require_printed();
 }
 
@@ -149,14 +151,6 @@ void do_what_is_asked(const CommandLine &line,
                       const MPI_Comm communicator)
 {
   const bool root = mpi::this_mpi_process(communicator) == 0;
-  if (line.help || line.version)
-    {
-      if (root)
-        std::cout << (line.help ? CommandLine::help_text(
-                                    program.name, program.description, program.draft)
-                                : program.name + " (mesoslip) " + version + "\n");
-      return require_printed();
-    }
   std::string text, output;
   const RawParameters raw = read_parameter_file(line, communicator, text);
   refuse_file_of_other_program(raw, program.name);
@@ -205,12 +199,39 @@ void Analysis::write_draft(const std::string & /*folder*/) const
     "--draft out");
 }
 
+namespace
+{
+/** Answers --help and --version without MPI, which takes longer to start. False for anything else. */
+bool tells_of_itself(int argc, char **argv, const Application &program)
+{
+  CommandLine line;
+  try
+    {
+      line = CommandLine::parse(argc, argv, program.draft);
+    }
+  catch (const UserError &)
+    {
+      return false; // told later, by one rank
+    }
+  if (!line.help && !line.version)
+    return false;
+  if (is_first_process())
+    std::cout << (line.help ? CommandLine::help_text(program.name, program.description,
+                                                     program.draft)
+                            : program.name + " (mesoslip) " + version + "\n");
+  require_printed();
+  return true;
+}
+} // namespace
+
 int run_program(int argc, char **argv, const Application &program)
 {
   // A limit of the file size ("ulimit -f") is an error in writing like any other.
   std::signal(SIGXFSZ, SIG_IGN);
   try
     {
+      if (tells_of_itself(argc, argv, program))
+        return 0;
       prepare_mpi_of_one_process();
       // Its destructor gives up when it sees an exception: none passes this line.
       dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
