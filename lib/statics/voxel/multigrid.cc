@@ -1,6 +1,6 @@
 #include "statics/voxel/multigrid.h"
 
-#include "statics/flush_denormals.h"
+#include "base/flush_denormals.h"
 
 #include <Eigen/Eigenvalues>
 

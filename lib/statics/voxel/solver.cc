@@ -1,6 +1,6 @@
 #include "statics/voxel/solver.h"
 
-#include "statics/flush_denormals.h"
+#include "base/flush_denormals.h"
 
 #include <deal.II/base/exceptions.h>
 

@@ -15,7 +15,7 @@ from scenes import ENVIRONMENT, PROGRAMS, TOOLS, TOP, prm, rve
 
 sys.path.insert(0, os.path.join(TOOLS, "python"))
 import mesoslip
-from mesoslip import derived
+from mesoslip import derived, ranks
 
 LOADS = os.path.join(TOP, "prm", "examples", "loads.prm")
 MESHES = os.path.join(TOP, "prm", "examples", "mesh")
@@ -63,6 +63,29 @@ def check_run(folder):
         warnings.simplefilter("always")
         mesoslip.run("volume.prm", {"Phases/fibre/Young modulus": 240}, output="soft").close()
     assert any("240" in str(w.message) or "Pa" in str(w.message) for w in seen), [str(w.message) for w in seen]
+
+
+def check_ranks(folder):
+    """As many as a long run is worth, but only on idle cores; a run is resumed on as many as it was begun with."""
+    said = "pin.prm: the parameters are valid\nup to 4 ranks on idle cores make it faster\n"
+    for idle, most, expected in ((8, 8, 4), (8, 2, 2), (3, 8, 3), (1, 8, 1), (0, 8, 1)):
+        assert ranks.ranks_worth(said, most, lambda idle=idle: idle) == expected
+    assert ranks.ranks_worth("valid\n", 8, lambda: 8) == 1
+    assert ranks.start_of(1) == [] and ranks.start_of(3)[-2:] == ["-np", "3"]
+    assert 0 <= ranks.idle_cores(0.05) <= len(os.sched_getaffinity(0))
+    assert ranks.ranks_begun_with(folder) == 1
+    for n in (3, 1):
+        ranks.keep_ranks(folder, n)
+        assert ranks.ranks_begun_with(folder) == n
+    # Programs tell it of what is long: 160 rows, 40 for each rank; 96 planes of voxels, eight for each; not of short runs.
+    pin = os.path.join(TOP, "prm", "pin", "20-contact_dynamics-homogeneous.prm")
+    body = ["--set", "Body/RVE file=", "--set", "Body/Stiffness=36.54e9, 9.1e9, 47.26e9, 13.785e9", "--set", "Body/Density=1770"]
+    voxels = os.path.join(TOP, "prm", "examples", "voxels", "pad", "10-rve_homogenization.prm")
+    for program, file, words, expected in (
+            ("contact_dynamics", pin, [*body, "--set", "Body/Cells=560, 160"], 4), ("contact_dynamics", pin, [*body, "--set", "Body/Cells=28, 16"], 1),
+            ("rve_homogenization", voxels, ["--set", "Grid/Cells=192, 64, 96"], 12), ("rve_homogenization", voxels, [], 1)):
+        said = subprocess.run([os.path.join(PROGRAMS, program), file, "--validate", *words], env=ENVIRONMENT, capture_output=True, text=True, check=True)
+        assert ranks.ranks_worth(said.stdout, 99, lambda: 99) == expected, (expected, said.stdout)
 
 
 def check_programs(folder):
@@ -225,6 +248,7 @@ def main():
         check_formulas()
         check_boxes()
         check_run(folder)
+        check_ranks(folder)
         check_programs(folder)
         check_chain(folder)
         check_fields()

@@ -1,6 +1,8 @@
 #ifndef mesoslip_tests_benchmarks_measuring_h
 #define mesoslip_tests_benchmarks_measuring_h
 
+#include "base/flush_denormals.h"
+
 #include <mpi.h>
 
 #include <algorithm>
@@ -23,6 +25,7 @@ inline int rank()
 inline std::vector<double> measure(const std::function<void()> &run,
                                    const unsigned int repetitions)
 {
+  const FlushDenormals flush; // as the time loop
   run();
   std::vector<double> seconds;
   for (unsigned int r = 0; r < repetitions; ++r)

@@ -1,5 +1,5 @@
-#ifndef mesoslip_statics_flush_denormals_h
-#define mesoslip_statics_flush_denormals_h
+#ifndef mesoslip_base_flush_denormals_h
+#define mesoslip_base_flush_denormals_h
 
 #include <cfenv>
 #ifdef __x86_64__
