@@ -108,7 +108,8 @@ void run(Analysis &analysis,
          const Keys &keys,
          const CommandLine &line,
          const std::string &original,
-         const MPI_Comm communicator)
+         const MPI_Comm communicator,
+         Timer &timer)
 {
   CommandLine options = line;
   options.output      = choose_output_folder(line, keys);
@@ -118,7 +119,8 @@ void run(Analysis &analysis,
   effective << "# " << program.name << ' ' << version << ": all parameters of this run\n";
   print_parameters(keys, effective);
 
-  RunContext context(program.name, options, communicator, original, effective.str());
+  RunContext context(program.name, options, communicator, original, effective.str(),
+                     timer);
   if (line.trial)
     {
       context.summary()["draft"] = true;
@@ -148,7 +150,8 @@ void run(Analysis &analysis,
 
 void do_what_is_asked(const CommandLine &line,
                       const Application &program,
-                      const MPI_Comm communicator)
+                      const MPI_Comm communicator,
+                      Timer &timer)
 {
   const bool root = mpi::this_mpi_process(communicator) == 0;
   std::string text, output;
@@ -182,13 +185,16 @@ void do_what_is_asked(const CommandLine &line,
   std::optional<DraftMark> mark;
   if (line.trial)
     mark.emplace(true);
-  const std::unique_ptr<Analysis> analysis = program.build(keys);
+  const std::unique_ptr<Analysis> analysis = [&]() {
+    const auto scope = timer.scope("Reading and checking");
+    return program.build(keys);
+  }();
   if (!line.resume) // a run to be resumed has had its place on the disk
     on_root(communicator, [&]() { require_disk(folder, analysis->need()); });
   if (line.validate)
     validate(*analysis, line, folder);
   else
-    run(*analysis, program, keys, line, text, communicator);
+    run(*analysis, program, keys, line, text, communicator, timer);
 }
 } // namespace
 
@@ -232,6 +238,8 @@ int run_program(int argc, char **argv, const Application &program)
     {
       if (tells_of_itself(argc, argv, program))
         return 0;
+      Timer timer;
+      std::optional<Timer::Scope> starting = timer.scope("Start of MPI");
       prepare_mpi_of_one_process();
       // Its destructor gives up when it sees an exception: none passes this line.
       dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
@@ -239,11 +247,12 @@ int run_program(int argc, char **argv, const Application &program)
       // Of its own, so that concluding meets no message of ranks still at work.
       MPI_Comm concluding =
         dealii::Utilities::MPI::duplicate_communicator(MPI_COMM_WORLD);
+      starting.reset();
       Outcome outcome;
       try
         {
           do_what_is_asked(CommandLine::parse(argc, argv, program.draft), program,
-                           MPI_COMM_WORLD);
+                           MPI_COMM_WORLD, timer);
         }
       catch (...)
         {

@@ -72,10 +72,12 @@ RunContext::RunContext(const std::string &program,
                        const CommandLine &line,
                        const MPI_Comm communicator,
                        const std::string &original,
-                       const std::string &effective)
+                       const std::string &effective,
+                       Timer &timer)
   : program(program)
   , run_options(line)
   , comm(communicator)
+  , run_timer(timer)
   , run_summary(std::make_unique<nlohmann::json>())
   , original_parameters(original)
   , effective_parameters(effective)

@@ -105,13 +105,14 @@ public:
    * the run is to be resumed, calls begin(). From then on SIGINT and SIGTERM ask for a
    * stop; another one, two seconds or more later, ends the process with status 130.
    * In @p line the output is that of the run. @p original is the text of the .prm,
-   * @p effective what print_parameters() gave. @throws UserError.
+   * @p effective what print_parameters() gave, @p timer has the times since the process began. @throws UserError.
    */
   RunContext(const std::string &program,
              const CommandLine &line,
              const MPI_Comm communicator,
              const std::string &original,
-             const std::string &effective);
+             const std::string &effective,
+             Timer &timer);
   ~RunContext();
   RunContext(const RunContext &)            = delete;
   RunContext &operator=(const RunContext &) = delete;
@@ -237,7 +238,7 @@ private:
   std::unique_ptr<FolderLock> lock;
   std::ofstream log_file;
   std::unique_ptr<Progress> progress_display;
-  Timer run_timer;
+  Timer &run_timer;
   std::unique_ptr<nlohmann::json> run_summary;
   const std::string original_parameters, effective_parameters;
   bool begun = false;

@@ -8,6 +8,7 @@ from scenes import TOP, Folder, sets
 
 RVE, RUN = "10-rve_homogenization", "20-contact_dynamics-homogeneous"
 ROUNDING = 0.5e-3  # s, of each row
+START = ["Start of MPI", "Reading and checking"]  # of each program
 ROW = re.compile(r"^( *)(\S.*?)\s{2,}(?:(\d+)\s+)?([\d.]+)\s+([\d.]+) %$", re.M)
 
 
@@ -46,13 +47,13 @@ def main():
     with tempfile.TemporaryDirectory() as path:
         folder = Folder(path)
         rows = profile(folder, RVE, {"Grid/Cells": "70, 20", "Microstructure/Random fibres/Fibre width": 8e-4})
-        check_rows(rows, "total", ["Microstructure", "Load cases", "Output", "other"])
+        check_rows(rows, "total", [*START, "Microstructure", "Load cases", "Output", "other"])
         check_rows(rows, "Load cases", ["KUBC", "SUBC", "Responses", "other"])
         for ranks in (2, 1):  # rank 0 has the contact; the top is its own only if it is alone
             rows = profile(folder, RUN, {
                 "Body/RVE file": folder(RVE, "rve.h5"), "Body/Cells": "140, 40", "Time/End time": 1e-3, "Checkpoints/Interval": 1e-5,
                 "Checkpoints/Keep": "true"}, ranks)
-            check_rows(rows, "total", ["Critical time step", "Time loop", "Checkpoints", "Evaluation and output", "other"])
+            check_rows(rows, "total", [*START, "Critical time step", "Time loop", "Checkpoints", "Evaluation and output", "other"])
             check_rows(rows, "Time loop", ["Stability monitor", "Strains", "Energies", "Probes", "Snapshots", "Steps",
                                            "Limit cycle, requests", "Checkpoints", "other"])
             check_rows(rows, "Snapshots", ["Writing snapshots", "other"])
@@ -61,7 +62,7 @@ def main():
         rows = profile(folder, "40-stress_localization", {
             "Input/RVE file": folder(RVE, "rve.h5"), "Input/Homogeneous run": folder(RUN, "dynamics.h5"), "Input/Direct run": "",
             "Probes/Of the run": ""})
-        check_rows(rows, "total", ["Localization", "Output", "other"])
+        check_rows(rows, "total", [*START, "Localization", "Output", "other"])
         check_rows(rows, "Localization", ["Stress map", "Waiting for snapshots", "Averaging", "Probes and errors", "other"])
 
 
