@@ -76,8 +76,7 @@ MeshVolume<dim>::MeshVolume(const Mesh<dim> &given,
         {
           for (unsigned int axis = 0; axis < dim; ++axis)
             for (const auto &[p, opposite] :
-                 opposite_points(given, points[2 * axis].points,
-                                 points[2 * axis + 1].points, axis, edge)
+                 opposite_points(given, faces[2 * axis], faces[2 * axis + 1], axis, edge)
                    .pairs)
               {
                 upper.push_back(p);

@@ -3,9 +3,13 @@
 #include "base/errors.h"
 #include "base/files.h"
 #include "base/text.h"
+#include "io/hdf5_file.h"
+#include "io/numpy_array.h"
+#include "io/tiff_image.h"
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <csetjmp>
 #include <cstdio>
 #include <cstring>
@@ -23,8 +27,6 @@ void refuse_other_kinds(const std::string &path, const std::string &bytes)
 {
   static const std::pair<std::string, const char *> kinds[] = {
     {"\xff\xd8\xff", "a JPEG, which blurs the edges of phases"},
-    {std::string("II*\0", 4), "a TIFF"},
-    {std::string("MM\0*", 4), "a TIFF"},
     {"GIF8", "a GIF"},
     {"P2", "a PGM"},
     {"P3", "a PPM"},
@@ -34,8 +36,8 @@ void refuse_other_kinds(const std::string &path, const std::string &bytes)
     if (bytes.compare(0, begin.size(), begin) == 0)
       throw UserError(path + " is " + name + "; save it as PNG");
   if (bytes.find('\0') != std::string::npos)
-    throw UserError(path + " is neither a PNG nor a text file with whole numbers; save "
-                           "it as PNG");
+    throw UserError(path + " is neither a PNG, a TIFF, a .npy nor a text file with whole "
+                           "numbers; save it as PNG");
 }
 
 /** "0011" is hardly the number eleven. */
@@ -44,6 +46,17 @@ bool has_leading_zero(const std::string &word)
   const std::size_t first = word[0] == '-' || word[0] == '+' ? 1 : 0;
   return word.size() > first + 1 && word[first] == '0' &&
          std::isdigit(static_cast<unsigned char>(word[first + 1])) != 0;
+}
+
+/** False if @p word is no whole number; NumPy writes them as 1.000000000000000000e+00. */
+bool parse_whole(const std::string &word, int &value)
+{
+  double number;
+  if (!parse_number(word, number) || number != std::floor(number) ||
+      !(std::fabs(number) <= std::numeric_limits<int>::max()))
+    return false;
+  value = static_cast<int>(number);
+  return true;
 }
 
 /** Whole numbers of one line; commas count as blanks. */
@@ -56,9 +69,8 @@ std::vector<int> parse_line(std::string line, const std::string &where)
   std::string word;
   while (words >> word)
     {
-      long value;
-      if (!parse_number(word, value) || value < std::numeric_limits<int>::min() ||
-          value > std::numeric_limits<int>::max())
+      int value;
+      if (!parse_whole(word, value))
         throw UserError(where + "value " + std::to_string(values.size() + 1) + " is '" +
                         word + "', which is not a whole number");
       if (has_leading_zero(word))
@@ -66,7 +78,7 @@ std::vector<int> parse_line(std::string line, const std::string &where)
                         word +
                         "', a number that begins with 0; if every digit is a "
                         "pixel, put blanks between them");
-      values.push_back(static_cast<int>(value));
+      values.push_back(value);
     }
   return values;
 }
@@ -255,9 +267,72 @@ Image read_png(const std::string &path, const std::string &bytes)
 }
 } // namespace
 
+namespace
+{
+/** A picture of @p values, the top row first. */
+Image whole_numbers(const std::string &path,
+                    const std::size_t width,
+                    const std::size_t height,
+                    const std::vector<double> &values)
+{
+  Image image;
+  image.width  = static_cast<unsigned int>(width);
+  image.height = static_cast<unsigned int>(height);
+  image.values.reserve(values.size());
+  for (std::size_t y = height; y-- > 0;)
+    for (std::size_t x = 0; x < width; ++x)
+      if (const double value = values[y * width + x];
+          value == std::floor(value) &&
+          std::fabs(value) <= std::numeric_limits<int>::max())
+        image.values.push_back(static_cast<int>(value));
+      else
+        throw UserError(path + " holds " + to_text(value) +
+                        ", but pictures are of whole numbers; save it as uint8");
+  return image;
+}
+
+Image read_numpy(const std::string &path, const std::string &bytes)
+{
+  NumpyHeader header = read_numpy_header(path);
+  if (header.shape.size() == 3 && header.shape[2] == 1)
+    header.shape.pop_back();
+  if (header.shape.size() != 2 || header.size() == 0)
+    throw UserError(path + " is an array " + to_text(Shape(header.shape)) +
+                    ", but a picture is one of two axes, [row][column]");
+  const std::size_t height = header.shape[0], width = header.shape[1];
+  std::vector<double> values =
+    header.type.decode(&bytes[header.offset], header.size(), path);
+  if (header.fortran_order)
+    {
+      const std::vector<double> columns = values;
+      for (std::size_t y = 0; y < height; ++y)
+        for (std::size_t x = 0; x < width; ++x)
+          values[y * width + x] = columns[x * height + y];
+    }
+  return whole_numbers(path, width, height, values);
+}
+
+Image read_tiff_picture(const std::string &path)
+{
+  if (const std::size_t n = tiff_pages(path); n != 1)
+    throw UserError(path + " has " + std::to_string(n) +
+                    " pages, but a plane body is one picture; save one page");
+  const TiffImage tiff = read_tiff(path);
+  return whole_numbers(path, tiff.width, tiff.height, tiff.values);
+}
+} // namespace
+
 Image read_image(const std::string &path)
 {
   const std::string bytes = read_file(path);
+  const auto begins       = [&bytes](const std::string &with) {
+    return bytes.compare(0, with.size(), with) == 0;
+  };
+  if (begins("\x93NUMPY"))
+    return read_numpy(path, bytes);
+  for (const char *kind : {"II*\0", "MM\0*", "II+\0", "MM\0+"})
+    if (begins(std::string(kind, 4)))
+      return read_tiff_picture(path);
   return is_png(bytes) ? read_png(path, bytes) : read_text(path, bytes);
 }
 } // namespace mesoslip

@@ -23,9 +23,9 @@ struct Image
 
 /**
  * Reads a PNG: grey levels 0 to 255 (0 to 65535 if they have 16 bits) if no pixel has a
- * colour, otherwise 0xRRGGBB for every pixel. Any other file is read as text: rows of
- * whole numbers from the top, separated by blanks or commas, # begins a comment. @throws
- * UserError naming file (and line).
+ * colour, otherwise 0xRRGGBB for every pixel; a TIFF of one page (read_tiff()) or an array of NumPy,
+ * [row][column], with whole numbers. Any other file is read as text: rows of whole numbers from the
+ * top, separated by blanks or commas, # begins a comment. @throws UserError naming file (and line).
  */
 Image read_image(const std::string &path);
 } // namespace mesoslip

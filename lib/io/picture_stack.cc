@@ -69,6 +69,16 @@ bool number_before(const std::string &a, const std::string &b)
   return a_ended && !b_ended;
 }
 
+/** Throws unless a file of a stack of files has one picture. */
+void require_one_page(const std::string &path)
+{
+  if (const std::size_t n = tiff_pages(path, false); n != 1)
+    throw UserError(
+      path + " has " + std::to_string(n) +
+      " pages, but a stack of files has one picture in each; save each page "
+      "as a file, or name a file that has all pages");
+}
+
 /** Pictures of one size, one a plane. */
 class PictureStack : public VoxelFile
 {
@@ -109,7 +119,10 @@ private:
   {
     if (is_tiff_name(file_of(z)))
       {
-        TiffImage image = read_tiff(file_of(z), files.size() == 1 ? z : 0);
+        const bool one_file = files.size() == 1;
+        if (!one_file)
+          require_one_page(file_of(z));
+        TiffImage image = read_tiff(file_of(z), one_file ? z : 0);
         width           = image.width;
         height          = image.height;
         whole           = whole && image.type.is_whole();

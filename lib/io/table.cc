@@ -26,8 +26,9 @@ std::string quoted_if_needed(const std::string &text)
   return '"' + boost::algorithm::replace_all_copy(text, "\"", "\"\"") + '"';
 }
 
-/** The cells of one line; quoted ones may contain commas, "" stands for a quote. */
-std::vector<std::string> split_line(const std::string &line, const std::string &where)
+/** The cells of one line; quoted ones may contain the separator, "" stands for a quote. */
+std::vector<std::string>
+split_line(const std::string &line, const char separator, const std::string &where)
 {
   std::vector<std::string> cells(1);
   bool inside = false;
@@ -39,7 +40,7 @@ std::vector<std::string> split_line(const std::string &line, const std::string &
       }
     else if (line[i] == '"')
       inside = !inside;
-    else if (line[i] == ',' && !inside)
+    else if (line[i] == separator && !inside)
       cells.emplace_back();
     else
       cells.back() += line[i];
@@ -123,7 +124,13 @@ CsvTable CsvTable::read(const std::string &path)
       if (line.empty() || line.front() == '#')
         continue;
       const std::string where = path + ":" + std::to_string(number) + ": ";
-      auto cells              = split_line(line, where);
+      // Programs in languages with a decimal comma separate by semicolons.
+      if (table.headings.empty())
+        table.separator =
+          line.find(',') == std::string::npos && line.find(';') != std::string::npos
+            ? ';'
+            : ',';
+      auto cells = split_line(line, table.separator, where);
       if (table.headings.empty())
         table.headings = std::move(cells);
       else if (cells.size() != table.headings.size())
@@ -160,9 +167,14 @@ std::vector<double> CsvTable::numbers(const std::string &heading) const
   const std::size_t index = column(heading);
   std::vector<double> values(cells.size());
   for (std::size_t row = 0; row < cells.size(); ++row)
-    if (!parse_number(cells[row][index], values[row]))
-      fail(row, "column '" + heading + "' holds '" + cells[row][index] +
-                  "', which is not a finite number");
+    {
+      std::string text = cells[row][index];
+      if (separator == ';')
+        std::replace(text.begin(), text.end(), ',', '.');
+      if (!parse_number(text, values[row]))
+        fail(row, "column '" + heading + "' holds '" + cells[row][index] +
+                    "', which is not a finite number");
+    }
   return values;
 }
 

@@ -45,7 +45,7 @@ class CsvTable
 {
 public:
   /**
-   * Reads a file with a heading line. Empty lines and lines beginning with # are
+   * Reads a file with a heading line, separated by commas or semicolons. Empty lines and lines beginning with # are
    * skipped. @throws UserError naming file, line and column; also for a draft, unless
    * drafts are accepted (io/drafts.h).
    */
@@ -80,6 +80,7 @@ private:
   std::vector<std::string> headings;
   std::vector<std::vector<std::string>> cells;
   std::vector<unsigned int> lines;
+  char separator = ','; ///< or a semicolon, with which numbers may have decimal commas
 };
 } // namespace mesoslip
 

@@ -2,8 +2,11 @@
 
 #include "base/errors.h"
 
+#include <algorithm>
 #include <cstdint>
+#include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <tiffio.h>
 
@@ -41,16 +44,123 @@ NumberType type_of_page(TIFF *file, const std::string &path)
   TIFFGetFieldDefaulted(file, TIFFTAG_BITSPERSAMPLE, &bits);
   TIFFGetFieldDefaulted(file, TIFFTAG_SAMPLEFORMAT, &format);
   const bool floating = format == SAMPLEFORMAT_IEEEFP;
-  const bool bits_fit = bits == 32 || (floating ? bits == 64 : bits == 8 || bits == 16);
+  const bool bits_fit =
+    bits == 32 || (floating ? bits == 64 : bits == 1 || bits == 8 || bits == 16);
   if (samples != 1 || !bits_fit || format > SAMPLEFORMAT_IEEEFP)
     throw UserError(
       path + " has " + std::to_string(samples) + " numbers of " + std::to_string(bits) +
-      " bits a pixel; save it with one of 8, 16 or 32 bits, without colours");
+      " bits a pixel; save it with one of 1, 8, 16 or 32 bits, without colours");
   if (TIFFIsTiled(file) != 0)
     throw UserError(path + " is a TIFF of tiles; save it in strips");
   const char kind           = floating ? 'f' : format == SAMPLEFORMAT_INT ? 'i' : 'u';
   const std::uint16_t probe = 1; // libtiff gives numbers in the order of the machine
-  return {kind, bits / 8U, *reinterpret_cast<const unsigned char *>(&probe) == 0};
+  return {kind, std::max(bits / 8U, 1U),
+          *reinterpret_cast<const unsigned char *>(&probe) == 0};
+}
+
+/** The number behind @p key in a text; 0 if there is none. */
+std::size_t number_behind(const std::string &text, const std::string &key)
+{
+  const std::size_t at = text.find(key);
+  return at == std::string::npos
+           ? 0
+           : std::strtoul(text.c_str() + at + key.size(), nullptr, 10);
+}
+
+std::string description_of(TIFF *file)
+{
+  const char *text = nullptr;
+  return TIFFGetField(file, TIFFTAG_IMAGEDESCRIPTION, &text) != 0 && text != nullptr
+           ? text
+           : "";
+}
+
+/** Number of images that the description of the first page tells of, as ImageJ and tifffile write
+ * it, and others in OME files, which may be several for one body; 0: nothing. */
+std::size_t announced_images(TIFF *file, const bool one_file)
+{
+  std::uint32_t width = 0, height = 0;
+  TIFFGetField(file, TIFFTAG_IMAGEWIDTH, &width);
+  TIFFGetField(file, TIFFTAG_IMAGELENGTH, &height);
+  const std::string text = description_of(file);
+  std::size_t images     = number_behind(text, "images=");
+  if (const std::size_t at = text.find("\"shape\": ["); at != std::string::npos)
+    {
+      double numbers   = 1.;
+      const char *next = text.c_str() + at + 9;
+      do
+        {
+          char *end = nullptr;
+          numbers *= static_cast<double>(std::strtoul(next + 1, &end, 10));
+          next = end;
+        }
+      while (*next == ',');
+      images = static_cast<std::size_t>(numbers / std::max(1., 1. * width * height));
+    }
+  return one_file ? std::max(images, number_behind(text, "SizeZ=\"")) : images;
+}
+
+/** Throws if the description @p text tells of several channels or times. */
+void require_one_series(const std::string &text,
+                        const std::string &path,
+                        const bool one_file)
+{
+  const std::size_t channels =
+    std::max(number_behind(text, "channels="),
+             one_file ? number_behind(text, "SizeC=\"") : std::size_t{0});
+  if (channels > 1)
+    throw UserError(path + " has " + std::to_string(channels) +
+                    " channels, as its description says; save one of them");
+  const auto both = [&text](const char *places, const char *times) {
+    return number_behind(text, places) > 1 && number_behind(text, times) > 1;
+  };
+  if (both("slices=", "frames=") || (one_file && both("SizeZ=\"", "SizeT=\"")))
+    throw UserError(path + " has several slices at several times, as its description "
+                           "says; save those of one time");
+}
+
+/** Where the numbers of the first page begin if they lie there one after the other as in memory; 0:
+ * they do not. */
+std::uint64_t begin_of_plain_page(TIFF *file, const std::uint64_t bytes)
+{
+  std::uint16_t compression = COMPRESSION_NONE;
+  std::uint64_t *offsets = nullptr, *counts = nullptr;
+  TIFFGetFieldDefaulted(file, TIFFTAG_COMPRESSION, &compression);
+  if (compression != COMPRESSION_NONE || TIFFIsTiled(file) != 0 ||
+      TIFFGetField(file, TIFFTAG_STRIPOFFSETS, &offsets) == 0 ||
+      TIFFGetField(file, TIFFTAG_STRIPBYTECOUNTS, &counts) == 0)
+    return 0;
+  const std::uint32_t last = TIFFNumberOfStrips(file) - 1;
+  return offsets[last] + counts[last] == offsets[0] + bytes ? offsets[0] : 0;
+}
+
+/** Reads image @p page of those behind the only page; see tiff_pages(). */
+bool read_behind_page(TIFF *file,
+                      const std::string &path,
+                      const std::size_t page,
+                      std::string &bytes)
+{
+  const std::uint64_t begin = begin_of_plain_page(file, bytes.size());
+  std::ifstream in(path, std::ios::binary);
+  in.seekg(static_cast<std::streamoff>(begin + page * bytes.size()));
+  return begin > 0 && page < announced_images(file, true) &&
+         in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+}
+
+/** Of rows of @p row bytes with a bit for each of @p width pixels: 1 where it is white. */
+std::vector<double> values_of_bits(const std::string &bytes,
+                                   const std::size_t width,
+                                   const std::size_t row,
+                                   const bool white_is_0)
+{
+  std::vector<double> values;
+  for (std::size_t begin = 0; begin < bytes.size(); begin += row)
+    for (std::size_t x = 0; x < width; ++x)
+      {
+        const auto byte = static_cast<unsigned char>(bytes[begin + x / 8]);
+        values.push_back(((byte >> (7U - x % 8) & 1U) != 0) != white_is_0);
+      }
+  return values;
 }
 
 /** No compression shrinks further: nothing may make us ask for all memory. */
@@ -65,9 +175,36 @@ void require_possible_page(const std::string &path, const double bytes)
 }
 } // namespace
 
-std::size_t tiff_pages(const std::string &path)
+std::size_t tiff_pages(const std::string &path, const bool one_file)
 {
-  return TIFFNumberOfDirectories(open_tiff(path).get());
+  const TiffFile file = open_tiff(path);
+  const auto has      = static_cast<std::size_t>(TIFFNumberOfDirectories(file.get()));
+  if (has == 0 ||
+      TIFFSetDirectory(file.get(), static_cast<std::uint32_t>(has) - 1) == 0 ||
+      TIFFLastDirectory(file.get()) == 0)
+    throw UserError(path + " is damaged or truncated: behind page " +
+                    std::to_string(has) + " another one is missing; save it again");
+  TIFFSetDirectory(file.get(), 0);
+  require_one_series(description_of(file.get()), path, one_file);
+  const std::size_t images = announced_images(file.get(), one_file);
+  if (images <= has)
+    return has;
+  std::uint32_t width = 0, height = 0;
+  TIFFGetField(file.get(), TIFFTAG_IMAGEWIDTH, &width);
+  TIFFGetField(file.get(), TIFFTAG_IMAGELENGTH, &height);
+  const std::uint64_t bytes =
+    std::uint64_t{width} * height * type_of_page(file.get(), path).bytes;
+  std::error_code code;
+  const std::uint64_t begin = begin_of_plain_page(file.get(), bytes),
+                      size  = std::filesystem::file_size(path, code);
+  // The images of large stacks follow each other behind the one page.
+  if (has == 1 && begin > 0 && !code &&
+      (size - begin) / std::max(bytes, std::uint64_t{1}) >= images)
+    return images;
+  throw UserError(path + " tells of " + std::to_string(images) +
+                  " images in its description, but has " + std::to_string(has) +
+                  (has == 1 ? " page" : " pages") +
+                  "; save all images again, each as a page");
 }
 
 TiffImage read_tiff(const std::string &path, const std::size_t page)
@@ -75,25 +212,37 @@ TiffImage read_tiff(const std::string &path, const std::size_t page)
   const TiffFile file       = open_tiff(path);
   const std::string damaged = path + ": page " + std::to_string(page + 1) +
                               " of this TIFF is damaged or truncated; save it again";
+  const bool has_page =
+    TIFFSetDirectory(file.get(), static_cast<std::uint32_t>(page)) != 0;
   std::uint32_t width = 0, height = 0;
-  if (TIFFSetDirectory(file.get(), static_cast<std::uint32_t>(page)) == 0 ||
+  if (!(has_page || TIFFSetDirectory(file.get(), 0) != 0) ||
       TIFFGetField(file.get(), TIFFTAG_IMAGEWIDTH, &width) == 0 ||
       TIFFGetField(file.get(), TIFFTAG_IMAGELENGTH, &height) == 0 || width == 0 ||
       height == 0)
     throw UserError(damaged);
   TiffImage image;
-  image.width  = width;
-  image.height = height;
-  image.type   = type_of_page(file.get(), path);
-  require_possible_page(path, 1. * width * height * image.type.bytes);
+  image.width        = width;
+  image.height       = height;
+  image.type         = type_of_page(file.get(), path);
+  std::uint16_t bits = 1, meaning = PHOTOMETRIC_MINISBLACK;
+  TIFFGetFieldDefaulted(file.get(), TIFFTAG_BITSPERSAMPLE, &bits);
+  TIFFGetField(file.get(), TIFFTAG_PHOTOMETRIC, &meaning);
+  require_possible_page(path, 1. * width * height * bits / 8.);
   const auto row = static_cast<std::size_t>(TIFFScanlineSize64(file.get()));
-  if (row != image.width * image.type.bytes)
+  if (row != (image.width * bits + 7) / 8)
     throw UserError(damaged);
   std::string bytes(row * height, '\0');
-  for (std::uint32_t y = 0; y < height; ++y)
-    if (TIFFReadScanline(file.get(), &bytes[y * row], y) != 1)
-      throw UserError(damaged);
-  image.values = image.type.decode(bytes.data(), image.width * image.height, path);
+  if (has_page)
+    for (std::uint32_t y = 0; y < height; ++y)
+      if (TIFFReadScanline(file.get(), &bytes[y * row], y) != 1)
+        throw UserError(damaged);
+  if (!has_page && !read_behind_page(file.get(), path, page, bytes))
+    throw UserError(damaged);
+  if (!has_page)
+    image.type.big_endian = TIFFIsBigEndian(file.get()) != 0;
+  image.values =
+    bits == 1 ? values_of_bits(bytes, image.width, row, meaning == PHOTOMETRIC_MINISWHITE)
+              : image.type.decode(bytes.data(), image.width * image.height, path);
   return image;
 }
 } // namespace mesoslip

@@ -103,13 +103,14 @@ public:
     , dataset(source.dataset)
   {
     extents   = file.shape(dataset, source.dataset_key + " has to name one");
+    stored    = extents;
     whole     = !file.is_floating(dataset);
     type_name = whole ? "'integer'" : "'float'";
   }
 
   std::vector<double> plane(const std::size_t z) override
   {
-    Shape first(extents.size(), 0), count = extents;
+    Shape first(stored.size(), 0), count = stored;
     first[0]                   = z;
     count[0]                   = 1;
     std::vector<double> values = file.read_block<double>(dataset, first, count);
@@ -121,6 +122,7 @@ public:
 private:
   Hdf5File file;
   const std::string dataset;
+  Shape stored; ///< extents of the dataset
 };
 
 std::unique_ptr<VoxelFile> open_raw(const VoxelSource &source)
@@ -161,6 +163,13 @@ std::size_t VoxelFile::plane_size() const
   return n;
 }
 
+bool is_hdf5_name(const std::string &path)
+{
+  const std::string ends[] = {".h5", ".hdf5", ".dream3d", ".mat", ".nc"};
+  return std::any_of(std::begin(ends), std::end(ends),
+                     [&](const std::string &end) { return has_ending(path, end); });
+}
+
 bool has_ending(const std::string &path, const std::string &end)
 {
   return path.size() >= end.size() &&
@@ -177,7 +186,7 @@ VoxelSource::Kind VoxelSource::kind() const
   if (ends(".png") || ends(".tif") || ends(".tiff") || fs::is_directory(path, ignored) ||
       path.find_first_of("*?") != std::string::npos)
     return Kind::stack;
-  if (ends(".h5") || ends(".hdf5"))
+  if (is_hdf5_name(path))
     return Kind::hdf5;
   if (ends(".raw"))
     return Kind::raw;
@@ -212,9 +221,11 @@ std::unique_ptr<VoxelFile> VoxelFile::open(const VoxelSource &source)
                     std::to_string(source.components) +
                     " numbers a voxel are one of the shape [z][y][x][" +
                     std::to_string(source.components) + "]");
+  if (source.components == 1 && shape.size() == 4 && shape[3] == 1)
+    file->extents.pop_back();
   if (source.components == 1 && shape.size() != 3)
     throw UserError(source.path + " is an array " + text_of_shape(file->shape()) +
-                    ", but voxels are one of three axes, [z][y][x]");
+                    ", but voxels are one of three axes, [z][y][x], or [z][y][x][1]");
   return file;
 }
 } // namespace mesoslip

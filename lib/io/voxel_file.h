@@ -49,6 +49,9 @@ struct VoxelSource
 /** Whether a path is that of a file whose name ends in @p end, upper or lower case. */
 bool has_ending(const std::string &path, const std::string &end);
 
+/** Whether it ends as files of HDF5 do, also those of DREAM.3D, MATLAB and NetCDF. */
+bool is_hdf5_name(const std::string &path);
+
 /** Numbers [z][y][x], or [z][y][x][component], of a file or of a stack of pictures, read plane
  *  by plane. */
 class VoxelFile

@@ -1,9 +1,7 @@
 #include "mesh/boundary.h"
 
 #include "base/errors.h"
-#include "base/text.h"
 
-#include <deal.II/base/bounding_box.h>
 #include <deal.II/base/quadrature.h>
 #include <deal.II/grid/reference_cell.h>
 
@@ -125,18 +123,6 @@ void visit_faces(const Mesh<dim> &mesh, const Visit &visit)
     }
 }
 
-template <int dim>
-std::string place(const Mesh<dim> &mesh, const std::vector<unsigned int> &points)
-{
-  dealii::Point<dim> centre;
-  for (const unsigned int p : points)
-    centre += mesh.points[p] / static_cast<double>(points.size());
-  std::vector<double> x(dim);
-  for (unsigned int d = 0; d < dim; ++d)
-    x[d] = centre[d];
-  return "(" + to_text(x) + ") m";
-}
-
 /** Outward normal times the Jacobian at the corner or, for a line, of it (m^(dim-1)). */
 dealii::Tensor<1, 2> normal(const std::array<dealii::Tensor<1, 2>, 1> &tangent)
 {
@@ -146,6 +132,27 @@ dealii::Tensor<1, 2> normal(const std::array<dealii::Tensor<1, 2>, 1> &tangent)
 dealii::Tensor<1, 3> normal(const std::array<dealii::Tensor<1, 3>, 2> &tangent)
 {
   return dealii::cross_product_3d(tangent[0], tangent[1]);
+}
+
+/** How far the middle of a cell lies from the plane of one of its faces, times the area of that;
+ * negative on the other side of the face. */
+template <int dim>
+double
+height_over(const Mesh<dim> &mesh, const BoundaryFace<dim> &face, const unsigned int cell)
+{
+  const auto corner = [&](const unsigned int v) { return mesh.points[face.points[v]]; };
+  std::array<dealii::Tensor<1, dim>, dim - 1> tangent = {{corner(1) - corner(0)}};
+  if constexpr (dim == 3)
+    tangent = face.n_points == 3
+                ? decltype(tangent){{corner(1) - corner(0), corner(2) - corner(0)}}
+                : decltype(tangent){{corner(3) - corner(0), corner(2) - corner(1)}};
+  dealii::Tensor<1, dim> height;
+  for (unsigned int v = 0; v < face.n_points; ++v)
+    height -= corner(v) / static_cast<double>(face.n_points);
+  const auto &vertices = mesh.cells[cell].vertices;
+  for (const unsigned int p : vertices)
+    height += mesh.points[p] / static_cast<double>(vertices.size());
+  return height * normal(tangent);
 }
 
 /** Integrals of normal times shape function; their sign is not that of the outside. */
@@ -184,12 +191,15 @@ std::vector<BoundaryFace<dim>> boundary_faces(const Mesh<dim> &mesh)
   visit_faces(mesh, [&](const std::vector<SortedFace<dim>> &same) {
     const SortedFace<dim> &one = same.front(), &other = same.back();
     const BoundaryFace<dim> face = face_of_cell(mesh, one.cell, one.number);
-    if (same.size() > 2)
-      throw UserError(
-        "Mesh/File: " + std::to_string(same.size()) + " cells share the " +
-        (dim == 2 ? "edge" : "face") + " at " +
-        place(mesh, {face.points.begin(), face.points.begin() + face.n_points}) +
-        "; cells overlap or are there twice, look at the mesh");
+    const bool overlap =
+      same.size() == 2 &&
+      !(height_over(mesh, face, one.cell) * height_over(mesh, face, other.cell) < 0.);
+    if (same.size() > 2 || overlap)
+      throw UserError("Mesh/File: " + std::to_string(same.size()) + " cells share the " +
+                      (dim == 2 ? "edge" : "face") + " at " + place_of(mesh, face) +
+                      (overlap ? " and lie on the same side of it" : "") +
+                      "; cells overlap or are there twice, look at the mesh" +
+                      (overlap ? ", which may be folded there" : ""));
     if (same.size() == 1)
       result.push_back(face);
     else if (pieces.find_set(one.cell) != pieces.find_set(other.cell))
@@ -267,52 +277,15 @@ std::vector<BoundaryFace<dim>> faces_of_group(const Mesh<dim> &mesh,
   return result;
 }
 
-template <int dim>
-std::array<std::vector<BoundaryFace<dim>>, 2UL * dim>
-faces_of_box(const Mesh<dim> &mesh, const std::vector<BoundaryFace<dim>> &faces)
-{
-  const dealii::BoundingBox<dim> box(mesh.points);
-  std::array<std::vector<BoundaryFace<dim>>, 2UL * dim> sides;
-  for (const BoundaryFace<dim> &face : faces)
-    {
-      const auto is_on = [&](const unsigned int side) {
-        const unsigned int axis = side / 2;
-        const double level =
-          side % 2 == 0 ? box.lower_bound(axis) : box.upper_bound(axis);
-        return std::all_of(face.points.begin(), face.points.begin() + face.n_points,
-                           [&](const unsigned int p) {
-                             return std::fabs(mesh.points[p][axis] - level) <=
-                                    1e-9 * box.side_length(axis);
-                           });
-      };
-      unsigned int side = 0;
-      while (side < 2 * dim && !is_on(side))
-        ++side;
-      if (side == 2 * dim)
-        throw UserError(
-          "Mesh/File: the boundary at " +
-          place(mesh, {face.points.begin(), face.points.begin() + face.n_points}) +
-          " is on no side of the bounding box; a volume element has to be "
-          "a box without holes (make a hole a phase with a small modulus)");
-      sides[side].push_back(face);
-    }
-  return sides;
-}
-
-template std::vector<BoundaryFace<2>> boundary_faces(const Mesh<2> &);
-template std::vector<BoundaryFace<3>> boundary_faces(const Mesh<3> &);
-template std::vector<std::array<unsigned int, 2>> neighbouring_cells(const Mesh<3> &);
-template std::vector<std::array<unsigned int, 2>> neighbouring_cells(const Mesh<2> &);
-template BoundaryPoints<2> boundary_points(const Mesh<2> &,
-                                           const std::vector<BoundaryFace<2>> &);
-template BoundaryPoints<3> boundary_points(const Mesh<3> &,
-                                           const std::vector<BoundaryFace<3>> &);
-template std::vector<BoundaryFace<2>>
-faces_of_group(const Mesh<2> &, const std::vector<BoundaryFace<2>> &, const unsigned int);
-template std::vector<BoundaryFace<3>>
-faces_of_group(const Mesh<3> &, const std::vector<BoundaryFace<3>> &, const unsigned int);
-template std::array<std::vector<BoundaryFace<2>>, 4>
-faces_of_box(const Mesh<2> &, const std::vector<BoundaryFace<2>> &);
-template std::array<std::vector<BoundaryFace<3>>, 6>
-faces_of_box(const Mesh<3> &, const std::vector<BoundaryFace<3>> &);
+#define MESOSLIP_INSTANTIATE(dim)                                                       \
+  template std::vector<BoundaryFace<dim>> boundary_faces(const Mesh<dim> &);            \
+  template std::vector<std::array<unsigned int, 2>> neighbouring_cells(                 \
+    const Mesh<dim> &);                                                                 \
+  template BoundaryPoints<dim> boundary_points(const Mesh<dim> &,                       \
+                                               const std::vector<BoundaryFace<dim>> &); \
+  template std::vector<BoundaryFace<dim>> faces_of_group(                               \
+    const Mesh<dim> &, const std::vector<BoundaryFace<dim>> &, const unsigned int);
+MESOSLIP_INSTANTIATE(2)
+MESOSLIP_INSTANTIATE(3)
+#undef MESOSLIP_INSTANTIATE
 } // namespace mesoslip

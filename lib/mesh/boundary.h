@@ -20,8 +20,8 @@ struct BoundaryFace
 
 /**
  * The faces on the boundary.
- * @throws UserError if more than two cells share a face, so that cells overlap or are
- * there twice, or if the cells are not all connected through faces
+ * @throws UserError if more than two cells share a face, or two on the same side of it, so that
+ * cells overlap or are there twice, or if the cells are not all connected through faces
  */
 template <int dim>
 std::vector<BoundaryFace<dim>> boundary_faces(const Mesh<dim> &mesh);
@@ -52,10 +52,22 @@ std::vector<BoundaryFace<dim>> faces_of_group(const Mesh<dim> &mesh,
                                               const std::vector<BoundaryFace<dim>> &faces,
                                               const unsigned int boundary);
 
+/** How many faces group @p boundary has in the file, in the body and outside of it too. */
+template <int dim>
+std::size_t n_faces_in_file(const Mesh<dim> &mesh, const unsigned int boundary);
+
+/** "(0.1, 0.2) m", the middle of the face. */
+template <int dim>
+std::string place_of(const Mesh<dim> &mesh, const BoundaryFace<dim> &face);
+
+/** Shortest distance of two corners (m). */
+template <int dim>
+double shortest_edge(const Mesh<dim> &mesh, const BoundaryFace<dim> &face);
+
 /**
  * The faces on the sides of the bounding box, numbered as deal.II does: 2 d at the lower,
- * 2 d + 1 at the upper end of axis d. @throws UserError if one lies on no side, as then
- * the body is not a box.
+ * 2 d + 1 at the upper end of axis d. Points may be off by Mesh::tolerance edges of the face.
+ * @throws UserError if one lies on no side, as then the body is not a box.
  */
 template <int dim>
 std::array<std::vector<BoundaryFace<dim>>, 2UL * dim>

@@ -7,9 +7,12 @@
 #include <gmsh.h>
 
 #include <algorithm>
+#include <cstdio>
+#include <fstream>
 #include <limits>
 #include <map>
 #include <numeric>
+#include <set>
 
 namespace mesoslip
 {
@@ -123,30 +126,127 @@ void append(std::vector<GmshCells> &cells,
     }
 }
 
-/** All cells of dimension @p d in physical groups, with the names of these. */
-std::vector<GmshCells>
-cells_in_groups(const int d, std::vector<std::string> &names, const std::string &file)
+/** A physical group and the parts of the geometry that are in it. */
+struct PhysicalGroup
 {
-  std::vector<GmshCells> cells;
-  std::map<int, std::string> group_of_entity;
+  int tag;
+  std::vector<int> entities;
+};
+
+/** Those of dimension @p d. */
+std::vector<PhysicalGroup> physical_groups(const int d)
+{
+  std::vector<PhysicalGroup> result;
   gmsh::vectorpair groups;
   gmsh::model::getPhysicalGroups(groups, d);
-  for (const auto &[dimension, group] : groups)
+  for (const auto &[dimension, tag] : groups)
     {
-      std::string name;
-      gmsh::model::getPhysicalName(dimension, group, name);
-      names.push_back(name.empty() ? std::to_string(group) : name);
-      std::vector<int> entities;
-      gmsh::model::getEntitiesForPhysicalGroup(dimension, group, entities);
-      for (const int entity : entities)
+      result.push_back({tag, {}});
+      gmsh::model::getEntitiesForPhysicalGroup(d, tag, result.back().entities);
+    }
+  return result;
+}
+
+/** The same of a file that was read with Mesh.SwitchElementTags: each part is a group. */
+std::vector<PhysicalGroup> groups_by_tag(const int d, const std::string &file)
+{
+  std::vector<PhysicalGroup> result;
+  gmsh::vectorpair entities;
+  gmsh::model::getEntities(entities, d);
+  for (const auto &[dimension, tag] : entities)
+    if (tag < 0)
+      throw UserError(file + " has the physical group " + std::to_string(tag) +
+                      "; number groups from 1 on");
+    else if (tag > 0) // 0 is no group
+      result.push_back({tag, {tag}});
+  return result;
+}
+
+/** Reads @p file, in which @p d is the dimension of the cells. True if the groups are those of
+ * groups_by_tag(): format 2.2 has the group of each cell, but Gmsh gives a part of the geometry all
+ * groups of its cells, and other programs number all parts alike. */
+bool merge(const std::string &file, const int d)
+{
+  std::ifstream in(file);
+  std::string first, version;
+  in >> first >> version;
+  if (first.empty() || first[0] != '$')
+    throw UserError(file +
+                    (first.empty() ? " is empty" : " does not begin with $MeshFormat") +
+                    "; save the mesh again in Gmsh's format");
+  gmsh::option::setNumber("Mesh.SwitchElementTags", 0);
+  gmsh::merge(file);
+  std::set<std::pair<int, int>> seen;
+  bool is_twice = false;
+  for (const int of : {d, d - 1})
+    for (const PhysicalGroup &group : physical_groups(of))
+      for (const int entity : group.entities)
+        is_twice = !seen.emplace(of, entity).second || is_twice;
+  if (!is_twice || version[0] != '2')
+    return false;
+  gmsh::clear();
+  gmsh::option::setNumber("Mesh.SwitchElementTags", 1);
+  gmsh::merge(file);
+  return true;
+}
+
+/** Names of the groups of dimension @p d by their numbers, as the first sections of @p file have
+ * them: of several groups with one name Gmsh 4.8 keeps that of the first alone. */
+std::map<int, std::string> names_in_file(const int d, const std::string &file)
+{
+  std::ifstream in(file);
+  std::map<int, std::string> names;
+  const auto begins = [](const std::string &line, const char *section) {
+    return line.compare(0, std::string(section).size(), section) == 0;
+  };
+  bool here = false;
+  for (std::string line;
+       std::getline(in, line) && !begins(line, "$Nodes") && !begins(line, "$Entities");)
+    {
+      int dimension = 0, tag = 0;
+      const std::size_t begin = line.find('"'), end = line.rfind('"');
+      if (here && begin != end &&
+          std::sscanf(line.c_str(), "%d %d", &dimension, &tag) == 2 && dimension == d)
+        names[tag] = line.substr(begin + 1, end - begin - 1);
+      else if (begins(line, "$"))
+        here = begins(line, "$PhysicalNames");
+    }
+  return names;
+}
+
+/** All cells of dimension @p d in @p groups; those with the same name are one, whose name
+ * @p names gets. Cells belong to one group, faces to any number. */
+std::vector<GmshCells> cells_in_groups(const int d,
+                                       const std::vector<PhysicalGroup> &groups,
+                                       const bool are_faces,
+                                       std::vector<std::string> &names,
+                                       const std::string &file)
+{
+  auto name_of = names_in_file(d, file);
+  std::vector<GmshCells> cells;
+  std::map<int, std::set<std::size_t>> groups_of_entity;
+  for (const PhysicalGroup &group : groups)
+    {
+      std::string &name = name_of[group.tag];
+      if (name.empty())
+        gmsh::model::getPhysicalName(d, group.tag, name);
+      if (name.empty())
+        name = std::to_string(group.tag);
+      const std::size_t number =
+        std::find(names.begin(), names.end(), name) - names.begin();
+      if (number == names.size())
+        names.push_back(name);
+      for (const int entity : group.entities)
         {
-          const auto [other, is_first] = group_of_entity.emplace(entity, names.back());
-          if (!is_first)
+          auto &others = groups_of_entity[entity];
+          if (!others.insert(number).second)
+            continue;
+          if (!are_faces && others.size() > 1)
             throw UserError(file + ": part " + std::to_string(entity) +
                             " of the geometry is in two physical groups, '" +
-                            other->second + "' and '" + names.back() +
+                            names[*others.begin()] + "' and '" + names[*others.rbegin()] +
                             "'; put it into one");
-          append(cells, static_cast<unsigned int>(names.size() - 1), d, entity, file);
+          append(cells, static_cast<unsigned int>(number), d, entity, file);
         }
     }
   return cells;
@@ -159,11 +259,15 @@ GmshContent::GmshContent(const std::string &the_file, const unsigned int dim)
   try
     {
       const GmshLibrary library;
-      gmsh::merge(file);
-      const int d = static_cast<int>(dim);
-      cells       = cells_in_groups(d, phases, file);
+      const int d        = static_cast<int>(dim);
+      const bool by_tag  = merge(file, d);
+      const auto content = [&](const int of, std::vector<std::string> &names) {
+        return cells_in_groups(of, by_tag ? groups_by_tag(of, file) : physical_groups(of),
+                               of < d, names, file);
+      };
+      cells = content(d, phases);
       require_groups(file, dim, count(cells));
-      faces = cells_in_groups(d - 1, boundaries, file);
+      faces = content(d - 1, boundaries);
       // Last, as the tags of the cells have needed their memory twice.
       std::vector<double> parametric;
       gmsh::model::mesh::getNodes(point_tags, coordinates, parametric, -1, -1, false,

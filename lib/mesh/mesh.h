@@ -60,12 +60,16 @@ struct Mesh
   std::vector<dealii::Point<dim>> points;
 
   std::vector<Cell> cells; ///< triangles and quadrilaterals, or tetrahedra, or hexahedra
-  std::vector<Face> faces; ///< those on the boundary of the body that belong to a group
+  std::vector<Face>
+    faces; ///< those of groups, once in each, whether or not they bound the body
 
   std::vector<std::string> phases;     ///< names of the groups of cells
   std::vector<std::string> boundaries; ///< names of the groups of edges (2D) or faces
 
   std::size_t n_turned = 0; ///< cells whose corners the file has in the reverse order
+
+  /** How far points may be off the sides of a box and the points opposite, in edges. */
+  double tolerance = 1e-3;
 
   /** With periodic sides: for each point the one that it moves with, itself where it is the
    * original; empty without such sides. See join_sides(). */
@@ -81,7 +85,7 @@ struct Mesh
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    serialize_members<7>(archive, *this);
+    serialize_members<8>(archive, *this);
   }
 };
 } // namespace mesoslip

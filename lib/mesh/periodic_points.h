@@ -15,13 +15,14 @@ struct OppositePoints
 
 /**
  * Pairs the points of two opposite sides, for each point the nearest one.
- * @throws UserError unless the sides have equally many points and each is opposite to
- * one within 1e-6 of @p cell_size (m), the shortest edge of the mesh
+ * @throws UserError unless the sides have equally many points, each is opposite to one within
+ * Mesh::tolerance times @p cell_size (m), the shortest edge of the mesh, and the pairs make faces
+ * of faces
  */
 template <int dim>
 OppositePoints<dim> opposite_points(const Mesh<dim> &mesh,
-                                    const std::vector<unsigned int> &lower,
-                                    const std::vector<unsigned int> &upper,
+                                    const std::vector<BoundaryFace<dim>> &lower,
+                                    const std::vector<BoundaryFace<dim>> &upper,
                                     const unsigned int axis,
                                     const double cell_size);
 /**
@@ -33,8 +34,8 @@ OppositePoints<dim> opposite_points(const Mesh<dim> &mesh,
  */
 template <int dim>
 OppositePoints<dim> join_sides(Mesh<dim> &mesh,
-                               const std::vector<unsigned int> &lower,
-                               const std::vector<unsigned int> &upper,
+                               const std::vector<BoundaryFace<dim>> &lower,
+                               const std::vector<BoundaryFace<dim>> &upper,
                                const unsigned int axis,
                                const double cell_size);
 } // namespace mesoslip

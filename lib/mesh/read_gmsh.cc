@@ -82,17 +82,10 @@ void set_points(Mesh<dim> &mesh, const GmshContent &content, const double scale)
                     "from " +
                     to_text(lower_z) + " to " + to_text(upper_z) +
                     "; plane bodies are meshed in x and y");
-  // Faces in groups that bound no cell go.
-  auto &faces = mesh.faces;
-  for (auto &face : faces)
+  // Points of no cell stay invalid, so that faces with them are none of a cell.
+  for (auto &face : mesh.faces)
     for (unsigned int &v : face.vertices)
       v = number[v];
-  faces.erase(std::remove_if(faces.begin(), faces.end(),
-                             [unused](const auto &face) {
-                               return std::count(face.vertices.begin(),
-                                                 face.vertices.end(), unused) > 0;
-                             }),
-              faces.end());
 }
 
 /** Cells get a positive volume; deal.II wants the edges of quadrilaterals and hexahedra to run alike in all of them, too. */

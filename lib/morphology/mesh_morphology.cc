@@ -5,6 +5,7 @@
 #include "material/plausibility.h"
 #include "mesh/boundary.h"
 #include "mesh/cell_quality.h"
+#include "mesh/boundary/open_seams.h"
 #include "mesh/read_gmsh.h"
 #include "parameters/keys.h"
 
@@ -113,21 +114,27 @@ void check_size(MeshMorphology<dim> &body, const bool scale_typed)
 }
 
 template <int dim>
+std::string point_text(const dealii::Point<dim> &point)
+{
+  std::string text;
+  for (unsigned int d = 0; d < dim; ++d)
+    text += brief_text(4, d == 0 ? "" : ", ", point[d]);
+  return text;
+}
+
+template <int dim>
 std::string quality_line(const MeshQuality<dim> &quality)
 {
-  std::string place;
-  for (unsigned int d = 0; d < dim; ++d)
-    place += brief_text(4, d == 0 ? "" : ", ", quality.worst_place[d]);
   return brief_text(4, "Edges from ", quality.smallest_edge, " to ", quality.largest_edge,
-                    " m; worst cell at (", place, ") m, scaled Jacobian ",
-                    quality.worst_jacobian);
+                    " m; worst cell at (", point_text(quality.worst_place),
+                    ") m, scaled Jacobian ", quality.worst_jacobian);
 }
 
 /** Faces and area of each group on the boundary. */
 template <int dim>
-std::vector<std::string> boundary_lines(const Mesh<dim> &mesh)
+std::vector<std::string> boundary_lines(const Mesh<dim> &mesh,
+                                        const std::vector<BoundaryFace<dim>> &faces)
 {
-  const auto faces = boundary_faces(mesh);
   std::vector<std::string> lines;
   for (unsigned int b = 0; b < mesh.boundaries.size(); ++b)
     {
@@ -140,11 +147,16 @@ std::vector<std::string> boundary_lines(const Mesh<dim> &mesh)
             normal += part;
           area += normal.norm();
         }
-      const std::string name = "Boundary '" + mesh.boundaries[b] + "': ";
-      lines.push_back(group.empty() ? name + "inside the body, without effect"
-                                    : brief_text(6, name, group.size(),
-                                                 dim == 2 ? " edges, " : " faces, ", area,
-                                                 dim == 2 ? " m" : " m^2"));
+      const std::string name   = "Boundary '" + mesh.boundaries[b] + "': ";
+      const std::size_t others = n_faces_in_file(mesh, b) - group.size();
+      lines.push_back(
+        group.empty()
+          ? name + "inside the body, without effect"
+          : brief_text(6, name, group.size(), dim == 2 ? " edges, " : " faces, ", area,
+                       dim == 2 ? " m" : " m^2") +
+              (others > 0
+                 ? "; " + std::to_string(others) + " more not on the boundary of the body"
+                 : ""));
     }
   return lines;
 }
@@ -154,6 +166,7 @@ template <int dim>
 struct OppositeSides
 {
   OppositePoints<dim> points;
+  double largest_offset = 0.; ///< of points from the planes of the sides (m)
   std::string error;
 };
 
@@ -161,15 +174,20 @@ struct OppositeSides
 template <int dim>
 std::array<OppositeSides<dim>, dim> opposite_sides(const Mesh<dim> &mesh)
 {
-  const auto faces  = faces_of_box(mesh, boundary_faces(mesh));
-  const double edge = cell_quality(mesh).smallest_edge;
+  const auto faces          = faces_of_box(mesh, boundary_faces(mesh));
+  const double edge         = cell_quality(mesh).smallest_edge;
+  const auto [lower, upper] = dealii::BoundingBox<dim>(mesh.points).get_boundary_points();
   std::array<OppositeSides<dim>, dim> result;
+  for (unsigned int side = 0; side < 2 * dim; ++side)
+    for (const unsigned int p : boundary_points(mesh, faces[side]).points)
+      result[side / 2].largest_offset = std::max(
+        result[side / 2].largest_offset,
+        std::fabs(mesh.points[p][side / 2] - (side % 2 == 0 ? lower : upper)[side / 2]));
   for (unsigned int axis = 0; axis < dim; ++axis)
     try
       {
         result[axis].points =
-          opposite_points(mesh, boundary_points(mesh, faces[2 * axis]).points,
-                          boundary_points(mesh, faces[2 * axis + 1]).points, axis, edge);
+          opposite_points(mesh, faces[2 * axis], faces[2 * axis + 1], axis, edge);
       }
     catch (const UserError &e)
       {
@@ -200,7 +218,11 @@ void MeshParameters::bind(Keys &keys)
                      "a grid [-]");
     keys.bind("Scale", scale, Range::positive(),
               "Metres per unit of the mesh file: 0.001 for one in mm [m]");
-    keys.only_if(!files.empty(), {"Scale"}, "there is no mesh", "set Mesh/File");
+    keys.bind("Tolerance", tolerance, Range::closed(1e-9, 0.1),
+              "How far points may be off the sides of a volume and off the points "
+              "opposite, in edges [-]");
+    keys.only_if(!files.empty(), {"Scale", "Tolerance"}, "there is no mesh",
+                 "set Mesh/File");
   }
   scale_typed = keys.is_typed("Mesh/Scale");
   keys.require(dim == 2 || has_grids_in_3d || !files.empty(), "Dimension",
@@ -216,6 +238,7 @@ MeshMorphology<dim> read_mesh(const MeshParameters &parameters,
   Mesh<dim> &mesh = result.mesh;
   result.file     = file;
   mesh            = read_gmsh<dim>(file, parameters.scale);
+  mesh.tolerance  = parameters.tolerance;
   number_phases(mesh, file, phases, parameters.one_phase);
   result.description = {kinds_text(mesh) + " of " + file_name_of(file), box_line(mesh)};
   check_size(result, parameters.scale_typed);
@@ -242,8 +265,17 @@ MeshMorphology<dim> read_mesh(const MeshParameters &parameters,
                                   "' of Phases/Names has no cell in " +
                                   file_name_of(file));
     }
-  for (const std::string &line : boundary_lines(mesh))
+  const auto faces = boundary_faces(mesh);
+  for (const std::string &line : boundary_lines(mesh, faces))
     result.description.push_back(line);
+  if (const auto open = open_seams(mesh, faces); !open.empty())
+    result.warnings.push_back(
+      file_name_of(file) +
+      " is open where parts touch: " + count_text(open.size(), "points of the boundary") +
+      " coincide with others or lie on edges or faces of other cells, first at (" +
+      point_text(mesh.points[open.front()]) +
+      ") m; if that is no crack, let the parts share their points (in Gmsh: "
+      "BooleanFragments or Coherence)");
   return result;
 }
 
@@ -259,6 +291,11 @@ std::vector<std::string> periodicity_lines(const Mesh<dim> &mesh)
 {
   std::vector<std::string> lines;
   const auto pairs = opposite_sides(mesh);
+  const dealii::BoundingBox<dim> box(mesh.points);
+  for (unsigned int axis = 0; axis < dim; ++axis)
+    if (pairs[axis].largest_offset > 1e-9 * box.side_length(axis))
+      lines.push_back(brief_text(3, "Sides at both ends of ", "xyz"[axis],
+                                 ": plane within ", pairs[axis].largest_offset, " m"));
   for (unsigned int axis = 0; axis < dim; ++axis)
     lines.push_back(pairs[axis].error.empty()
                       ? std::string("Sides at both ends of ") + "xyz"[axis] + ": " +

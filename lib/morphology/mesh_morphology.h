@@ -23,6 +23,7 @@ struct MeshParameters
   std::vector<std::string> files; ///< meshes of Gmsh; empty: the body is a grid
   double scale     = 1.;          ///< m per unit of the file
   bool scale_typed = false;       ///< whether the .prm says so
+  double tolerance = 1e-3;        ///< see Mesh::tolerance
 
   /** Whether all groups of cells are one phase, whatever their names. */
   bool one_phase = false;
@@ -116,14 +117,14 @@ struct MeshMorphology
    */
   std::vector<std::string> description;
 
-  /** Sentences for the log: phases without cells, cells that are nearly flat. */
+  /** Sentences for the log: phases without cells, cells that are nearly flat, open seams. */
   std::vector<std::string> warnings;
 };
 
 /**
  * Reads one of the meshes of @p parameters. The calling rank reads the whole mesh.
  * @throws UserError naming the file when it cannot be read, has a phase without material,
- * flat, twisted or duplicate cells, several pieces, or a size that looks like another
+ * flat, twisted, overlapping or duplicate cells, several pieces, or a size that looks like another
  * unit and no `Mesh/Scale`
  */
 template <int dim>

@@ -139,11 +139,10 @@ void MicrostructureParameters::bind(Keys &keys, const unsigned int dimension)
   keys.bind_input(
     "File", file,
     "Rectangles: CSV with x_left_mm,y_bottom_mm,width_mm,height_mm and, "
-    "if needed, phase (the index, 1 where missing). Image: PNG, or text "
-    "with rows of whole numbers from the top. Voxels [z][y][x]: .npy, .raw, .h5, or a "
+    "if needed, phase (the index, 1 where missing). Image: PNG, TIFF, .npy or text with "
+    "rows of whole numbers from the top. Voxels [z][y][x]: .npy, .raw, .h5, or a "
     "stack of PNG or TIFF: their folder, a pattern of their names with * and ?, or a "
-    "TIFF "
-    "of several pages [-]");
+    "TIFF of several pages [-]");
   keys.bind_list(
     "Image values", image.values, std::numeric_limits<int>::min(),
     std::numeric_limits<int>::max(),

@@ -30,8 +30,9 @@ void bind_raw(Keys &keys, VoxelReading &reading, const std::string &path)
                  " numbers; give three, along x, y and z");
   keys.only_if(has_ending(path, ".raw"), {"Raw shape", "Raw type", "Raw byte order"},
                "Microstructure/File does not end in .raw", "name such a file");
-  keys.only_if(has_ending(path, ".h5") || has_ending(path, ".hdf5"), {"Dataset"},
-               "Microstructure/File does not end in .h5 or .hdf5", "name such a file");
+  keys.only_if(is_hdf5_name(path), {"Dataset"},
+               "Microstructure/File does not end in .h5, .hdf5, .dream3d, .mat or .nc",
+               "name such a file");
 }
 
 std::string numbers_list(const std::array<std::size_t, 3> &n)

@@ -279,7 +279,10 @@ void Keys::bind_inputs(const std::string &key,
   bind_value<std::string>(key, list, list,
                           "names of files to read, separated by commas, or nothing",
                           take_text, meaning);
-  paths = split_list(list);
+  Key of_paths;
+  of_paths.value    = list;
+  of_paths.is_input = of_paths.is_list = true;
+  paths                                = of_paths.inputs();
   if (!reading)
     keys.back().is_input = keys.back().is_list = true;
 }

@@ -165,7 +165,15 @@ std::vector<std::string> Key::inputs() const
 {
   if (!is_input || value.empty())
     return {};
-  return is_list ? split_list(value) : std::vector<std::string>{value};
+  if (!is_list)
+    return {value};
+  if (value.front() != '/')
+    return split_list(value);
+  // As apply() has joined them: folders may have commas in their names.
+  std::vector<std::string> paths;
+  for (std::size_t begin = 0, end = 0; end != std::string::npos; begin = end + 2)
+    paths.push_back(value.substr(begin, (end = value.find(", /", begin)) - begin));
+  return paths;
 }
 
 void Keys::apply()
@@ -192,7 +200,8 @@ void Keys::apply()
         throw UserError(raw.origin(entry) + ": " + declared.unknown("key", entry.path));
       Key &key  = keys[found->second];
       key.value = entry.value;
-      if (const auto inputs = key.inputs(); !inputs.empty())
+      if (const auto inputs = key.is_list ? split_list(entry.value) : key.inputs();
+          !inputs.empty())
         {
           key.value.clear();
           for (const std::string &input : inputs)

@@ -1,6 +1,7 @@
 #include "base/errors.h"
 #include "mesh/boundary.h"
 #include "mesh/cell_quality.h"
+#include "mesh/boundary/open_seams.h"
 #include "mesh/periodic_points.h"
 #include "mesh/read_gmsh.h"
 
@@ -107,13 +108,22 @@ std::size_t n_interface_edges(const Mesh<dim> &mesh)
   return n;
 }
 
-/** A mesh in Gmsh's format 2.2, line by line: "x y z", "type group corner...". */
-std::string refusal(const int dim,
-                    const std::vector<std::string> &points,
-                    const std::vector<std::string> &cells)
+/** Writes a mesh in Gmsh's format 2.2, line by line: "x y z", "type group corner...", names
+ * "dimension group name"; all cells in one part of the geometry, as meshio writes them, or one for
+ * each group. */
+void write_mesh(const std::vector<std::string> &points,
+                const std::vector<std::string> &cells,
+                const std::vector<std::string> &names = {},
+                const bool one_part                   = false)
 {
   std::ofstream out(file);
-  out << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n" << points.size() << "\n";
+  out << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";
+  if (!names.empty())
+    out << "$PhysicalNames\n" << names.size() << '\n';
+  for (const std::string &name : names)
+    out << name << '\n';
+  out << (names.empty() ? "" : "$EndPhysicalNames\n") << "$Nodes\n"
+      << points.size() << "\n";
   for (std::size_t k = 0; k < points.size(); ++k)
     out << k + 1 << ' ' << points[k] << '\n';
   out << "$EndNodes\n$Elements\n" << cells.size() << "\n";
@@ -121,11 +131,18 @@ std::string refusal(const int dim,
     {
       int type = 0, group = 0, n = 0;
       std::sscanf(cells[k].c_str(), "%d %d%n", &type, &group, &n);
-      out << k + 1 << ' ' << type << " 2 " << group << ' ' << group << cells[k].substr(n)
-          << '\n';
+      out << k + 1 << ' ' << type << " 2 " << group << ' ' << (one_part ? 0 : group)
+          << cells[k].substr(n) << '\n';
     }
   out << "$EndElements\n";
-  out.close();
+}
+
+/** What is wrong with a mesh of write_mesh(). */
+std::string refusal(const int dim,
+                    const std::vector<std::string> &points,
+                    const std::vector<std::string> &cells)
+{
+  write_mesh(points, cells);
   const auto check = [](const auto &mesh) {
     cell_quality(mesh);
     faces_of_box(mesh, boundary_faces(mesh));
@@ -215,13 +232,14 @@ void check_boundary(const std::string &kind)
     return sum;
   };
   EXPECT_LT(total(faces).norm(), 1e-12);
+  EXPECT_TRUE(open_seams(mesh, faces).empty());
   for (unsigned int axis = 0; axis < dim; ++axis)
     {
       EXPECT_NEAR(total(sides[2 * axis])[axis], -area, 1e-12);
       EXPECT_NEAR(total(sides[2 * axis + 1])[axis], area, 1e-12);
-      const auto lower    = boundary_points(mesh, sides[2 * axis]).points,
-                 upper    = boundary_points(mesh, sides[2 * axis + 1]).points;
-      const auto opposite = opposite_points(mesh, lower, upper, axis, 0.1);
+      const auto lower = boundary_points(mesh, sides[2 * axis]).points;
+      const auto opposite =
+        opposite_points(mesh, sides[2 * axis], sides[2 * axis + 1], axis, 0.1);
       EXPECT_EQ(opposite.pairs.size(), lower.size());
       EXPECT_LT(opposite.largest_mismatch, 1e-12);
     }
@@ -316,14 +334,174 @@ TEST(Mesh, RefusalsSayWhatToDo)
   EXPECT_THROW(read_gmsh<2>("mesh.vtu", 1.), UserError);
   std::ofstream(file) << "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n7";
   EXPECT_THROW(read_gmsh<2>(file, 1.), UserError);
+  std::ofstream(file) << "";
+  try
+    {
+      read_gmsh<2>(file, 1.);
+    }
+  catch (const UserError &e)
+    {
+      EXPECT_TRUE(contains(e.what(), "is empty"));
+    }
 }
 
 TEST(Mesh, PointsThatAreNotOppositeAreRefused)
 {
   Mesh<2> mesh;
-  mesh.points = {{0., 0.}, {0., .5}, {0., 1.}, {1., 0.}, {1., .500001}, {1., 1.}};
-  EXPECT_NEAR(opposite_points(mesh, {0, 1, 2}, {3, 4, 5}, 0, 2.).largest_mismatch, 1e-6,
-              1e-12);
-  EXPECT_THROW(opposite_points(mesh, {0, 1, 2}, {3, 4, 5}, 0, .5), UserError);
-  EXPECT_THROW(opposite_points(mesh, {0, 2}, {3, 4, 5}, 0, .5), UserError);
+  mesh.points = {{0., 0.}, {0., .5}, {0., 1.}, {1., 0.}, {1., .5001}, {1.00001, 1.}};
+  mesh.cells.assign(2, Cell(4));
+  mesh.cells[0].vertices = {0, 3, 1, 4};
+  mesh.cells[1].vertices = {1, 4, 2, 5};
+  const auto sides       = faces_of_box(mesh, boundary_faces(mesh));
+  const auto opposite    = [&]() {
+    return opposite_points(mesh, sides[0], sides[1], 0, .5).largest_mismatch;
+  };
+  EXPECT_NEAR(opposite(), 1e-4, 1e-12);
+  mesh.tolerance = 1e-5;
+  EXPECT_THROW(opposite(), UserError);
+  EXPECT_THROW(opposite_points(mesh, {sides[0][0]}, sides[1], 0, .5), UserError);
+  EXPECT_THROW(faces_of_box(mesh, boundary_faces(mesh)), UserError);
+}
+
+TEST(Mesh, GroupsOfOneNameAreOne)
+{
+  // Two edges below, in two groups; the one between the cells is inside.
+  const std::vector<std::string> points = {"0 0 0", "1 0 0", "2 0 0",
+                                           "2 1 0", "1 1 0", "0 1 0"};
+  for (const bool one_part : {false, true})
+    {
+      write_mesh(
+        points,
+        {"1 3 1 2", "1 4 2 3", "1 5 2 3", "1 5 2 5", "3 1 1 2 5 6", "3 2 2 3 4 5"},
+        {"1 3 \"Contact\"", "1 4 \"Contact\"", "1 5 \"outer\"", "2 1 \"matrix\"",
+         "2 2 \"matrix\""},
+        one_part);
+      const Mesh<2> mesh = read_gmsh<2>(file, 1.);
+      const auto faces   = boundary_faces(mesh);
+      EXPECT_EQ(mesh.phases, std::vector<std::string>{"matrix"});
+      ASSERT_EQ(mesh.boundaries, (std::vector<std::string>{"Contact", "outer"}));
+      EXPECT_EQ(faces_of_group(mesh, faces, 0).size(), 2u);
+      EXPECT_EQ(faces_of_group(mesh, faces, 1).size(), 1u);
+      EXPECT_EQ(n_faces_in_file(mesh, 1), 2u);
+    }
+  // Equal numbers of the parts, as meshio writes them, are no two groups of a part.
+  write_mesh(points, {"3 1 1 2 5 6", "3 2 2 3 4 5"}, {"2 1 \"matrix\"", "2 2 \"fibre\""},
+             true);
+  const Mesh<2> mesh = read_gmsh<2>(file, 1.);
+  EXPECT_EQ(mesh.phases, (std::vector<std::string>{"matrix", "fibre"}));
+  ASSERT_EQ(mesh.cells.size(), 2u);
+  EXPECT_NE(mesh.cells[0].material_id, mesh.cells[1].material_id);
+}
+
+TEST(Mesh, PartsMayBeInSeveralGroupsOfFaces)
+{
+  gmsh::initialize(0, nullptr, false);
+  gmsh::option::setNumber("General.Terminal", 0);
+  gmsh::model::occ::addRectangle(0, 0, 0, 1, 1);
+  gmsh::model::occ::synchronize();
+  name_group(2, {1}, "matrix");
+  name_group(1, side(2, 1, 0.), "Contact");
+  name_group(1, {1, 2, 3, 4}, "outer");
+  gmsh::model::mesh::generate(2);
+  for (const double version : {4.1, 2.2})
+    {
+      gmsh::option::setNumber("Mesh.MshFileVersion", version);
+      gmsh::write(testing::TempDir() + std::to_string(version) + ".msh");
+    }
+  gmsh::finalize();
+  for (const double version : {4.1, 2.2})
+    {
+      const Mesh<2> mesh =
+        read_gmsh<2>(testing::TempDir() + std::to_string(version) + ".msh", 1.);
+      const auto faces = boundary_faces(mesh);
+      ASSERT_EQ(mesh.boundaries, (std::vector<std::string>{"Contact", "outer"}));
+      EXPECT_EQ(faces_of_group(mesh, faces, 1).size(), faces.size());
+      EXPECT_EQ(faces_of_group(mesh, faces, 0).size() * 4, faces.size());
+    }
+}
+
+TEST(Mesh, OpenSeamsAreFound)
+{
+  // Four cells around a point; of the edge to (1, 0) points are doubled, then one hangs.
+  const std::vector<std::string> points = {"0 0 0", "1 0 0", "2 0 0", "0 1 0", "1 1 0",
+                                           "2 1 0", "0 2 0", "1 2 0", "2 2 0"};
+  const auto open = [&](const std::string &more, const std::vector<std::string> &below) {
+    auto all = points, cells = std::vector<std::string>{"3 1 4 5 8 7", "3 1 5 6 9 8"};
+    all.push_back(more);
+    cells.insert(cells.end(), below.begin(), below.end());
+    write_mesh(all, cells);
+    const Mesh<2> mesh = read_gmsh<2>(file, 1.);
+    return open_seams(mesh, boundary_faces(mesh)).size();
+  };
+  EXPECT_EQ(open("9 9 0", {"3 1 1 2 5 4", "3 1 2 3 6 5"}), 0u);
+  EXPECT_EQ(open("1.000001 0 0", {"3 1 1 2 5 4", "3 1 10 3 6 5"}), 2u);
+  EXPECT_EQ(open("1.05 0 0", {"3 1 1 2 5 4", "3 1 10 3 6 5"}), 0u);
+  EXPECT_EQ(open("1 .5 0", {"3 1 1 2 5 4", "2 1 2 3 10", "2 1 3 6 10", "2 1 6 5 10"}),
+            1u);
+
+  // Two layers of cubes; of the cube at (2, 1, 2) a point is doubled.
+  Mesh<3> cube;
+  cube.phases = {"all"};
+  for (unsigned int k = 0; k < 12; ++k)
+    cube.points.emplace_back(k % 2, k / 2 % 2, k / 4);
+  cube.cells.assign(2, Cell(8));
+  for (unsigned int v = 0; v < 8; ++v)
+    {
+      cube.cells[0].vertices[v] = v;
+      cube.cells[1].vertices[v] = v + 4;
+    }
+  EXPECT_TRUE(open_seams(cube, boundary_faces(cube)).empty());
+  for (const dealii::Point<3> &p :
+       {dealii::Point<3>(2., 0., 0.), dealii::Point<3>(2., 1., 0.),
+        dealii::Point<3>(2., 0., 1.), dealii::Point<3>(2., 1., 1.),
+        dealii::Point<3>(2., 0., 2.), dealii::Point<3>(2., 1., 2.),
+        dealii::Point<3>(1., 1., 2.)})
+    cube.points.push_back(p);
+  cube.cells.push_back(Cell(8));
+  cube.cells.back().vertices = {1, 12, 3, 13, 5, 14, 7, 15};
+  cube.cells.push_back(Cell(8));
+  cube.cells.back().vertices = {5, 14, 7, 15, 9, 16, 18, 17};
+  EXPECT_EQ(open_seams(cube, boundary_faces(cube)), (std::vector<unsigned int>{11, 18}));
+}
+
+TEST(Mesh, FoldedCellsAreRefused)
+{
+  const std::vector<std::string> fan = {"2 1 1 2 5", "2 1 2 3 5", "2 1 3 4 5",
+                                        "2 1 4 1 5"};
+  auto points                        = square;
+  points.push_back(".5 .5 0");
+  EXPECT_EQ(refusal(2, points, fan), "accepted");
+  points.back() = ".5 1.2 0";
+  EXPECT_NE(refusal(2, points, fan).find("same side"), std::string::npos);
+  EXPECT_NE(refusal(2, square, {"3 1 1 2 3 4", "3 1 1 2 3 4"}).find("same side"),
+            std::string::npos);
+}
+
+// Of five tetrahedra in a cube the diagonals of opposite sides cross, of six they do not.
+TEST(Mesh, OppositeSidesHaveTheSameFaces)
+{
+  Mesh<3> mesh;
+  mesh.phases = {"all"};
+  for (unsigned int k = 0; k < 8; ++k)
+    mesh.points.emplace_back(k & 1U, k >> 1U & 1U, k >> 2U);
+  const auto check = [&mesh](const std::vector<std::vector<unsigned int>> &cells) {
+    mesh.cells.clear();
+    for (const auto &corners : cells)
+      {
+        mesh.cells.emplace_back(4);
+        mesh.cells.back().vertices = corners;
+      }
+    const auto sides = faces_of_box(mesh, boundary_faces(mesh));
+    for (unsigned int axis = 0; axis < 3; ++axis)
+      opposite_points(mesh, sides[2 * axis], sides[2 * axis + 1], axis, 1.);
+  };
+  EXPECT_NO_THROW(check({{0, 1, 3, 7},
+                         {0, 1, 7, 5},
+                         {0, 5, 7, 4},
+                         {0, 3, 2, 7},
+                         {0, 2, 6, 7},
+                         {0, 6, 4, 7}}));
+  EXPECT_THROW(
+    check({{0, 1, 2, 4}, {1, 3, 2, 7}, {1, 4, 5, 7}, {2, 4, 7, 6}, {1, 2, 4, 7}}),
+    UserError);
 }

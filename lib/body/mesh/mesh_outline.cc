@@ -35,7 +35,7 @@ std::vector<BoundaryFace<dim>> faces_in_plane(const Mesh<dim> &mesh,
                                     face.points.begin() + face.n_points,
                                     [&](const unsigned int p) {
                                       return std::fabs(mesh.points[p][axis] - level) <=
-                                             1e-9 * box.side_length(axis);
+                                             mesh.tolerance * shortest_edge(mesh, face);
                                     });
                });
   return result;
@@ -136,11 +136,13 @@ void tie_sides(const Mesh<dim> &mesh,
   if (!mesh.originals.empty())
     return;
   const std::array<bool, 2> periodic = {{periodicity.x, periodicity.y}};
+  const auto faces                   = boundary_faces(mesh);
+  const dealii::BoundingBox<dim> box(mesh.points);
   for (unsigned int axis = 0; axis < 2; ++axis)
     if (periodic[axis])
       for (const auto &[duplicate, original] :
-           opposite_points(mesh, outline.sides[2 * axis].points,
-                           outline.sides[2 * axis + 1].points, axis,
+           opposite_points(mesh, faces_in_plane(mesh, faces, box, 2 * axis),
+                           faces_in_plane(mesh, faces, box, 2 * axis + 1), axis,
                            cell_quality(mesh).smallest_edge)
              .pairs)
         outline.duplicates.insert(outline.duplicates.end(), {duplicate, original});

@@ -16,6 +16,27 @@ bool same_shape(const Shape &shape, const Shape &expected)
     shape.begin(), shape.end(), expected.begin(), expected.end(),
     [](const std::size_t a, const std::size_t b) { return a == b || b == any_extent; });
 }
+
+/** Why a dataset cannot be read: a filter that this library does not have, or damage. */
+std::string reading_failure(const hid_t object)
+{
+  const bool is_dataset = H5Iget_type(object) == H5I_DATASET;
+  const Hdf5Handle properties(is_dataset ? H5Dget_create_plist(object) : -1);
+  for (int k = 0; is_dataset && k < H5Pget_nfilters(properties); ++k)
+    {
+      char name[64]      = "";
+      std::size_t n      = 0;
+      unsigned int flags = 0;
+      const auto filter = H5Pget_filter2(properties, static_cast<unsigned int>(k), &flags,
+                                         &n, nullptr, sizeof name, name, nullptr);
+      if (filter >= 0 && H5Zfilter_avail(filter) <= 0)
+        return "cannot be read: it is compressed by the filter '" + std::string(name) +
+               "' (number " + std::to_string(filter) +
+               "), which the HDF5 library here does not have; save it with gzip or "
+               "uncompressed";
+    }
+  return "cannot be read: the file is truncated or damaged";
+}
 } // namespace
 
 Hdf5Handle Hdf5File::open_dataset(const std::string &name, const std::string &hint) const
@@ -75,7 +96,7 @@ std::vector<T> Hdf5File::read_values(const Hdf5Handle &object,
     if (n > 0 && (is_attribute ? H5Aread(object, memory_type, values)
                                     : H5Dread(object, memory_type, memory, space, H5P_DEFAULT,
                                               values)) < 0)
-      fail(text + " cannot be read: the file is truncated or damaged");
+      fail(text + " " + reading_failure(object));
   };
   std::vector<T> values(n);
   if constexpr (!texts)

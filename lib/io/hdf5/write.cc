@@ -156,7 +156,7 @@ void Hdf5File::reserve_rows(const std::string &name,
       return;
     }
   Shape chunk = shape;
-  chunk[0]    = std::min(n_together, shape[0]);
+  chunk[0]    = std::max<std::size_t>(1, std::min(n_together, shape[0]));
   // The library takes chunks below 4 GB.
   while (hdf5::product(chunk) > (std::size_t(1) << 28))
     chunk[1] = (chunk[1] + 1) / 2;

@@ -40,6 +40,8 @@ std::map<double, std::array<double, 3>> read_grains(const std::string &path)
         if (!(std::abs(angle) <= largest_bunge_angle))
           table.fail(row, "the angle " + to_text(angle) +
                             " degrees is beyond two turns, 720; write angles in degrees");
+      if (grain[row] != std::floor(grain[row]))
+        table.fail(row, "grain " + to_text(grain[row]) + " is no whole number");
       if (!grains.emplace(grain[row], angles).second)
         table.fail(row,
                    "grain " + to_text(grain[row]) + " stands in two lines; remove one");
@@ -85,9 +87,10 @@ void OrientationReading::bind(Keys &keys)
   keys.only_if(
     has_ending(file, ".raw"), {"Orientation raw type", "Orientation raw byte order"},
     "Microstructure/Orientation file does not end in .raw", "name such a file");
-  keys.only_if(
-    has_ending(file, ".h5") || has_ending(file, ".hdf5"), {"Orientation dataset"},
-    "Microstructure/Orientation file does not end in .h5 or .hdf5", "name such a file");
+  keys.only_if(is_hdf5_name(file), {"Orientation dataset"},
+               "Microstructure/Orientation file does not end in .h5, .hdf5, .dream3d, "
+               ".mat or .nc",
+               "name such a file");
 }
 
 VoxelSource OrientationReading::source(const std::array<std::size_t, 3> &voxels) const

@@ -40,14 +40,16 @@ std::vector<BoundaryFace<dim>> group_faces(const MeshMorphology<dim> &morphology
       (dim == 2 ? "curves" : "surfaces") + " in " + morphology.file +
       (names.empty() ? ", which has none" : "; there are " + to_text(names)) +
       "; name one there, or here");
+  const auto number = static_cast<unsigned int>(found - names.begin());
   if constexpr (dim == 3)
     if (morphology.box)
-      return faces_of_side(morphology, static_cast<unsigned int>(found - names.begin()));
-  auto group = faces_of_group(morphology.mesh, faces,
-                              static_cast<unsigned int>(found - names.begin()));
-  if (group.empty())
-    throw UserError(key + ": the group '" + name + "' lies inside the body of " +
-                    morphology.file + "; it has to be a part of its boundary");
+      return faces_of_side(morphology, number);
+  auto group            = faces_of_group(morphology.mesh, faces, number);
+  const std::size_t all = n_faces_in_file(morphology.mesh, number);
+  if (group.empty() || all > group.size())
+    throw UserError(key + ": of the group '" + name + "' " +
+                    std::to_string(all - group.size()) + " of " + std::to_string(all) +
+                    " faces are not on the boundary of the body; take them out of it");
   return group;
 }
 
@@ -246,11 +248,10 @@ void join_periodic_sides(MeshMorphology<dim> &morphology,
     if (const auto &groups = parameters.periodic[axis]; !groups.empty())
       {
         const std::string key = std::string("Mesh/Periodic in ") + "xy"[axis];
-        const auto points     = [&](const std::string &name) {
-          return boundary_points(mesh, group_faces(morphology, faces, key, name)).points;
-        };
-        const auto sides = join_sides(mesh, points(groups[0]), points(groups[1]), axis,
-                                      smallest_edge(morphology));
+        const auto sides =
+          join_sides(mesh, group_faces(morphology, faces, key, groups[0]),
+                     group_faces(morphology, faces, key, groups[1]), axis,
+                     smallest_edge(morphology));
         if (!morphology.box)
           morphology.description.push_back(key.substr(5) + ": " + opposite_text(sides));
       }

@@ -1,5 +1,6 @@
 #include "sliding/transient/contact_map_output.h"
 
+#include "base/errors.h"
 #include "base/exchange.h"
 #include "exchange/datasets.h"
 
@@ -69,6 +70,10 @@ Shape ContactMapOutput<dim>::shape(const MapField &field,
 template <int dim>
 void ContactMapOutput<dim>::reserve(Hdf5File &file, const std::uint64_t n_steps) const
 {
+  if (setup.count(n_steps) == 0)
+    throw UserError(
+      "Contact map/From lies behind the last step, so that there would be no "
+      "sample; set it earlier, or Interval = 0");
   for (const MapField &field : setup.fields(dim))
     file.reserve_rows(
       map_dataset(field), shape(field, setup.count(n_steps)), rows_together,

@@ -35,7 +35,7 @@ double number_of_map_samples(const ContactParameters &parameters, const double n
     return 0.;
   const double end  = parameters.time.end_time,
                last = std::isnan(map.to) ? end : std::min(map.to, end);
-  if (!(map.from <= last && map.from < end))
+  if (!(map.from <= last && std::round(map.from / end * n_steps) < n_steps))
     throw UserError("Contact map/From: " + to_text(map.from) +
                     " s is after the last sample, at " + to_text(last) +
                     " s, so there would be none; set it earlier, or Interval = 0");

@@ -138,11 +138,16 @@ def refused_meshes():
     del hole.cells[4], hole.groups[4]
     shifted = Box([2, 1], [4, 2], lambda x: "matrix")
     shifted.points[5][1] += 0.1
+    folded = Box([2, 1], [4, 2], lambda x: "matrix")
+    folded.cells = [half for a, b, c, d in folded.cells for half in ([a, b, c], [a, c, d])]
+    folded.groups = [group for group in folded.groups for _ in range(2)]
+    folded.points[6] += [0, 0.6]
+    folded.kind = "simplex"
     other = Box([2, 1], [4, 2], lambda x: "fiber")
     solid = Box([1, 1, 1], [1, 1, 1], lambda x: "matrix")
     return [("flat", flat, ["flat"]), ("doubled", doubled, ["share the edge", "there twice"]),
             ("twisted", twisted, ["twisted"]), ("apart", apart, ["in 2 pieces"]), ("hole", hole, ["no side of the bounding box"]),
-            ("shifted", shifted, ["the sides at both ends of x", "not opposite"]),
+            ("folded", folded, ["same side", "overlap"]), ("shifted", shifted, ["the sides at both ends of x", "not opposite"]),
             ("other", other, ["'fiber'", "Phases/Names is matrix, fibre"]), ("solid", solid, ["Dimension"])]
 
 
@@ -155,7 +160,7 @@ def check_refusals(folder):
             assert all(word in text for word in words) and text.count("\n") == 1, (name, text)
     STRIPES.write(folder("mesh.msh"))
     for settings, words in [
-            (["Mesh/Scale=1000"], None), (["Grid/Cells=3, 3"], ["Grid/Cells", "Mesh/File is given"]),
+            (["Mesh/Tolerance=1"], ["Mesh/Tolerance", "0.1"]), (["Mesh/Scale=1000"], None), (["Grid/Cells=3, 3"], ["Grid/Cells", "Mesh/File is given"]),
             (["Homogenization/Solver=jacobi"], ["Solver", "ml"]), (["Dimension=4"], ["Dimension"]), (["Mesh/Scale=0"], ["Scale"]),
             (["Mesh/File="], ["Mesh/Scale"]), (["Mesh/File=no.msh"], ["Mesh/File", "no.msh"]),
             (["Mesh/File=case.prm"], ["case.prm", ".msh"]), (["Ensemble/Members=3"], ["Ensemble/Members", "Mesh/File"]),
@@ -172,6 +177,23 @@ def check_refusals(folder):
     folder.write("no_mesh.prm", "set Dimension = 3\n" + PHASES)
     text = folder.run(2, "rve_homogenization", "no_mesh.prm", "--validate")
     assert "Dimension" in text and "Mesh/File" in text, text
+
+
+def check_seven_digits(folder):
+    """Points off by a tenth of a thousandth of an edge are on their sides, and the log tells by how much."""
+    exact, rough = (Box([2, 1], [40, 20], lambda x: "fibre" if 0.5 < x[0] < 1.1 and x[1] > 0.4 else "matrix") for _ in range(2))
+    rough.points = rough.points + 5e-6 * np.random.default_rng(3).uniform(-1, 1, rough.points.shape)
+    D = []
+    folder.write("digits.prm", MESH)
+    for mesh in (exact, rough):
+        mesh.write(folder("mesh.msh"))
+        text = folder.run(0, "rve_homogenization", "digits.prm", "--output", "digits")
+        D.append(np.array(folder.summary("digits")["stiffness"]["PBC"]))
+    assert np.abs(D[1] - D[0]).max() < 2e-4 * D[0].max()
+    text = folder.run(0, "rve_homogenization", "digits.prm", "--validate")
+    assert "Sides at both ends of x: plane within" in text and "Sides at both ends of y: 41 points each, opposite within" in text, text
+    text = folder.run(2, "rve_homogenization", "digits.prm", "--validate", "--set=Mesh/Tolerance=1e-6")
+    assert "no side of the bounding box" in text and "Mesh/Tolerance = 1e-06" in text, text
 
 
 def check_validate(folder):
@@ -191,6 +213,7 @@ def main():
         check_turned_phase(folder)
         check_ensemble(folder)
         check_refusals(folder)
+        check_seven_digits(folder)
         check_validate(folder)
 
 

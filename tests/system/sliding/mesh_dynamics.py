@@ -243,6 +243,25 @@ def check_refused(folder):
     refused(["Body/Acceleration", "three components"], "Body/Acceleration=1, 2, 3", prm_file="grid.prm")
 
 
+def check_boundaries(folder):
+    """Groups with inner edges are refused; points of the contact that are there twice are warned of."""
+    def plane():
+        return Box([2, 1], [4, 2], lambda x: "body").name_side("Contact", 1, False).name_side("Top", 1, True)
+
+    folder.write("boundaries.prm", MESH + prm(BODY))
+    inner, doubled = plane(), plane()
+    inner.faces.append(([6, 7], "Contact"))
+    inner.write(folder("mesh.msh"))
+    said = folder.run(2, "contact_dynamics", "boundaries.prm", "--output", "none")
+    assert "Mesh/Contact boundary: of the group 'Contact' 1 of 5 faces are not on the boundary" in said, said
+    doubled.points = np.vstack([doubled.points, doubled.points[2]])
+    doubled.cells = [[15 if c == 2 and 3 in cell else c for c in cell] for cell in doubled.cells]
+    doubled.faces = [([15 if c == 2 and 3 in face else c for c in face], name) for face, name in doubled.faces]
+    doubled.write(folder("mesh.msh"))
+    said = folder.run(0, "contact_dynamics", "boundaries.prm", "--validate")
+    assert "warning: mesh.msh is open where parts touch: 2 points of the boundary coincide" in said and "first at (0.001, 0) m" in said, said
+
+
 def main():
     with tempfile.TemporaryDirectory() as path:
         folder = Folder(path)
@@ -252,6 +271,7 @@ def main():
         check_solid(folder)
         check_resumed(folder)
         check_refused(folder)
+        check_boundaries(folder)
     print("contact_dynamics on meshes: as on the grid, on several ranks, in three dimensions, and continued")
 
 

@@ -42,6 +42,17 @@ TEST(Tables, ReadBackUnchanged)
                [&] { CsvTable::read(path).numbers("a, \"b\" [m]"); });
 }
 
+TEST(Tables, SemicolonsComeWithDecimalCommas)
+{
+  const TemporaryFolder folder;
+  const std::string path = folder / "s.csv";
+  write_file(path, "grain;phi1 [degrees]\r\n1;30,5\r\n2;-1.25\r\n");
+  EXPECT_EQ(CsvTable::read(path).numbers("phi1 [degrees]"),
+            (std::vector<double>{30.5, -1.25}));
+  write_file(path, "grain,phi1\n1,\"30,5\"\n");
+  expect_error("holds '30,5'", [&] { CsvTable::read(path).numbers("phi1"); });
+}
+
 TEST(Tables, DraftsAreRefused)
 {
   const TemporaryFolder folder;

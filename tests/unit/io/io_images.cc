@@ -133,6 +133,22 @@ TEST(Images, BeginAtTheBottom)
   write_file(folder / "t.txt", "# phases\n1 2 3\n\n4,5, -6 # bottom\n");
   image = read_image(folder / "t.txt");
   EXPECT_EQ(image.values, (std::vector<int>{4, 5, -6, 1, 2, 3}));
+
+  // As numpy.savetxt() and numpy.save() write them.
+  write_file(folder / "t.txt", "0.000000000000000000e+00 1.000000000000000000e+00\n"
+                               "-5.000000000000000000e+00 3.000000000000000000e+00\n");
+  EXPECT_EQ(read_image(folder / "t.txt").values, (std::vector<int>{-5, 3, 0, 1}));
+  for (const std::string order : {"False", "True"})
+    {
+      std::string head =
+        "{'descr': '|u1', 'fortran_order': " + order + ", 'shape': (2, 3)}";
+      head.resize(118, ' ');
+      write_file(folder / "a.npy", std::string("\x93NUMPY\1\0\x76\0", 10) + head +
+                                     (order == "True" ? "\1\4\2\5\3\6" : "\1\2\3\4\5\6"));
+      image = read_image(folder / "a.npy");
+      EXPECT_EQ(image.width, 3u);
+      EXPECT_EQ(image.values, (std::vector<int>{4, 5, 6, 1, 2, 3}));
+    }
 }
 
 TEST(Images, NameWhatIsWrong)
@@ -154,7 +170,7 @@ TEST(Images, NameWhatIsWrong)
   expect_error("has transparent pixels", [&] { read_image(folder / "a.png"); });
   const std::string png = read_file(folder / "g.png");
   expect_contains(message(png.substr(0, png.size() / 2)), "i.txt");
-  expect_contains(message(png.substr(1)), "neither a PNG nor a text file");
+  expect_contains(message(png.substr(1)), "neither a PNG");
   expect_error("is a folder", [&] { read_image(folder.path); });
   expect_contains(message("0011\n1100\n"), "i.txt:1: value 1 is '0011', a number that");
   expect_contains(message(png_of_row(16, 2, "", "abcdef")), "colours of 16 bits");
@@ -166,7 +182,7 @@ TEST(Images, NameWhatIsWrong)
               .find("is a JPEG, which blurs the edges of "
                     "phases; save it as PNG"),
             std::string::npos);
-  expect_contains(message(std::string("II*\0\x08", 5)), "is a TIFF; save it as PNG");
+  expect_contains(message(std::string("II*\0\x08", 5)), "cannot be opened as a TIFF");
   expect_contains(message("P2\n2 1\n255\n0 255\n"), "is a PGM; save it as PNG");
   std::string damaged = png_of_row(8, 0, "", "\x01\x02");
   damaged[damaged.size() - 20] ^= 1; // in the pixels or their checksum

@@ -84,8 +84,7 @@ struct MeshCase
   void join(const unsigned int axis)
   {
     const auto faces = faces_of_box(mesh, boundary_faces(mesh));
-    join_sides(mesh, boundary_points(mesh, faces[2 * axis]).points,
-               boundary_points(mesh, faces[2 * axis + 1]).points, axis, 1e-6);
+    join_sides(mesh, faces[2 * axis], faces[2 * axis + 1], axis, 1e-6);
     if (box)
       box->periodic[axis] = true;
   }

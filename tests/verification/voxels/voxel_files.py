@@ -62,6 +62,12 @@ def check_kinds(folder):
         array.astype(np.dtype(raw).newbyteorder(">")).tofile(folder("big.RAW"))
         with h5py.File(folder("file.h5"), "w") as file:
             file.create_dataset("some/voxels", data=array, chunks=(2, 5, 7), compression="gzip")
+        for name in ("file.dream3d", "file.mat", "file.nc"):
+            with h5py.File(folder(name), "w") as file:
+                file["FeatureIds"] = array[..., None]
+            kinds[name] = {"Dataset": "FeatureIds"}
+        np.save(folder("fourth.npy"), array[..., None])
+        kinds["fourth.npy"] = {}
         write_stack(folder, "tiffs", array, "tif")
         images = [Image.fromarray(plane) for plane in array]
         images[0].save(folder("pages.tiff"), save_all=True, append_images=images[1:], compression="tiff_lzw")
@@ -160,6 +166,7 @@ def check_refusals(folder):
     good.tofile(folder("good.raw"))
     with h5py.File(folder("good.h5"), "w") as file:
         file["voxels"], file["plane"], file["float"], file["texts"] = good, good[0], good / 2, np.full(good.shape, b"a")
+        file.create_dataset("lzf", data=good, compression="lzf")
     for name, end in (("pngs", "png"), ("tiffs", "tif"), ("sizes", "png"), ("mixed", "png"), ("order", "png"), ("damaged", "tif")):
         write_stack(folder, name, good, end)
     Image.fromarray(good[0].T).save(folder("sizes", "slice_002.png"))
@@ -198,6 +205,7 @@ def check_refusals(folder):
             (raw | {"Raw shape": "4, 3, 2"}, ["Grid/Cells", "set Grid/Cells = 4, 3, 2"]),
             (h5, ["Dataset is empty"]),
             (h5 | {"Dataset": "nowhere"}, ["nowhere"]),
+            (h5 | {"Dataset": "lzf"}, ["the filter 'lzf' (number 32000)", "gzip"]),
             (h5 | {"Dataset": "plane"}, ["[3][2]", "three axes"]),
             (h5 | {"Dataset": "float"}, ["'float'", "Thresholds"]),
             (h5 | {"Dataset": "texts"}, ["texts", "numbers"]),

@@ -1,0 +1,83 @@
+#include "base/errors.h"
+#include "base/text.h"
+#include "mesh/boundary.h"
+
+#include <deal.II/base/bounding_box.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace mesoslip
+{
+template <int dim>
+std::size_t n_faces_in_file(const Mesh<dim> &mesh, const unsigned int boundary)
+{
+  return std::count_if(mesh.faces.begin(), mesh.faces.end(),
+                       [boundary](const Face &f) { return f.boundary_id == boundary; });
+}
+
+template <int dim>
+std::string place_of(const Mesh<dim> &mesh, const BoundaryFace<dim> &face)
+{
+  std::vector<double> x(dim);
+  for (unsigned int v = 0; v < face.n_points; ++v)
+    for (unsigned int d = 0; d < dim; ++d)
+      x[d] += mesh.points[face.points[v]][d] / face.n_points;
+  return "(" + to_text(x) + ") m";
+}
+
+template <int dim>
+double shortest_edge(const Mesh<dim> &mesh, const BoundaryFace<dim> &face)
+{
+  double shortest = std::numeric_limits<double>::infinity();
+  for (unsigned int v = 0; v < face.n_points; ++v)
+    for (unsigned int w = 0; w < v; ++w)
+      shortest = std::min(
+        shortest, mesh.points[face.points[v]].distance(mesh.points[face.points[w]]));
+  return shortest;
+}
+
+template <int dim>
+std::array<std::vector<BoundaryFace<dim>>, 2UL * dim>
+faces_of_box(const Mesh<dim> &mesh, const std::vector<BoundaryFace<dim>> &faces)
+{
+  const dealii::BoundingBox<dim> box(mesh.points);
+  std::array<std::vector<BoundaryFace<dim>>, 2UL * dim> sides;
+  for (const BoundaryFace<dim> &face : faces)
+    {
+      const double off = mesh.tolerance * shortest_edge(mesh, face);
+      const auto is_on = [&](const unsigned int side) {
+        const unsigned int axis = side / 2;
+        const double level =
+          side % 2 == 0 ? box.lower_bound(axis) : box.upper_bound(axis);
+        return std::all_of(face.points.begin(), face.points.begin() + face.n_points,
+                           [&](const unsigned int p) {
+                             return std::fabs(mesh.points[p][axis] - level) <= off;
+                           });
+      };
+      unsigned int side = 0;
+      while (side < 2 * dim && !is_on(side))
+        ++side;
+      if (side == 2 * dim)
+        throw UserError(
+          "Mesh/File: the boundary at " + place_of(mesh, face) +
+          " is on no side of the bounding box within " + to_text(off) +
+          " m (Mesh/Tolerance = " + to_text(mesh.tolerance) +
+          "); a volume element has to be a box without holes or open seams (make a hole "
+          "a phase with a small modulus, let parts share their points)");
+      sides[side].push_back(face);
+    }
+  return sides;
+}
+
+#define MESOSLIP_INSTANTIATE(dim)                                              \
+  template std::size_t n_faces_in_file(const Mesh<dim> &, const unsigned int); \
+  template std::string place_of(const Mesh<dim> &, const BoundaryFace<dim> &); \
+  template double shortest_edge(const Mesh<dim> &, const BoundaryFace<dim> &); \
+  template std::array<std::vector<BoundaryFace<dim>>, 2UL * dim> faces_of_box( \
+    const Mesh<dim> &, const std::vector<BoundaryFace<dim>> &);
+MESOSLIP_INSTANTIATE(2)
+MESOSLIP_INSTANTIATE(3)
+#undef MESOSLIP_INSTANTIATE
+} // namespace mesoslip
