@@ -8,7 +8,9 @@
 #include "contact/static_contact_solver.h"
 #include "material/plausibility.h"
 
+#include <map>
 #include <utility>
+#include <vector>
 
 namespace mesoslip
 {
@@ -50,6 +52,12 @@ public:
   /** The solution; once. @throws NotConverged */
   StaticContactSolution run();
 
+  /** What run() has done, also when it ends with an exception. */
+  const StaticContactSolution &so_far() const
+  {
+    return solution;
+  }
+
 private:
   static constexpr unsigned int n_tangents  = dim - 1; ///< components of friction
   static constexpr unsigned int normal_axis = dim - 1; ///< of the flat
@@ -60,8 +68,9 @@ private:
    * end. */
   static constexpr double turning = dim == 3 ? 0.1 : 1.;
   static constexpr unsigned int hasty_changes =
-    10; ///< of states, before friction is exact
-  using Friction = IncrementalFriction<dim>;
+    10;                                           ///< of states, before friction is exact
+  static constexpr unsigned int most_returns = 2; ///< of the same states
+  using Friction                             = IncrementalFriction<dim>;
 
   /** Of friction on all nodes; zero on a flat at rest. */
   typename Friction::Direction of_sliding_flat() const
@@ -86,6 +95,12 @@ private:
   double gap(const unsigned int i) const
   {
     return problem.gap.empty() ? 0. : problem.gap[i];
+  }
+
+  /** Whether friction does not turn, so that states and directions tell what follows. */
+  bool is_linear() const
+  {
+    return dim == 2 || problem.sliding != 0;
   }
 
   /** Of a node that touches the flat and has not moved. */
@@ -219,6 +234,10 @@ private:
   Friction tangential; ///< of the last solution
   AndersonAcceleration acceleration;
   StaticContactSolution solution;
+  std::map<
+    std::pair<std::vector<ContactState>, std::vector<typename Friction::Direction>>,
+    unsigned int>
+    seen; ///< how often, each time that states change
 };
 } // namespace mesoslip
 

@@ -1,6 +1,8 @@
 #include "contact/static_contact_solver.h"
 
+#include "base/errors.h"
 #include "contact/active_set_iteration.h"
+#include "contact/condensed_contact.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,11 +20,7 @@ StaticContactSolution ActiveSetIteration<dim>::run()
       if (solution.iterations == options.max_iterations)
         fail("no equilibrium was found; ", changed ? "contact states still change, " : "",
              "friction forces change by ", change,
-             " of the contact force, the residual is ", solution.residual,
-             solver.can_move()
-               ? ", as sides and contact leave the body free to move or turn "
-                 "as a whole: hold a side of it"
-               : "");
+             " of the contact force, the residual is ", solution.residual);
       if (options.before_iteration)
         options.before_iteration(solution.iterations);
       set_forces();
@@ -41,6 +39,9 @@ StaticContactSolution ActiveSetIteration<dim>::run()
       if (changed)
         {
           ++solution.state_changes;
+          if (is_linear() &&
+              ++seen[{solution.state, tangential.direction}] > most_returns)
+            fail("no equilibrium was found; contact states go round in circles");
           acceleration.reset();
           hold_contact();
           change = 1.;
@@ -291,12 +292,53 @@ void ActiveSetIteration<dim>::require_contact(const bool enough) const
     fail("the body lifts off or tips over its edge, at most one node stays on the flat");
 }
 
+namespace
+{
+/** By pivots of the condensed contact, where the iteration @p failed. */
+template <int dim>
+StaticContactSolution solve_condensed(const ElasticBody<dim> &body,
+                                      const StaticContactProblem &problem,
+                                      const StaticContactOptions &options,
+                                      const NotConverged &failed)
+{
+  const std::string said = failed.what();
+  CondensedContact<dim> contact(body, problem);
+  if (!contact.is_solvable())
+    throw NotConverged(said + "; only active sets were tried, as Lemke's method takes " +
+                       (dim == 3 && problem.sliding == 0
+                          ? std::string("no flat at rest in 3D")
+                          : "contacts of " + std::to_string(CondensedContact<dim>::most) +
+                              " displacements at most"));
+  if (auto found = contact.solve(options.tolerance))
+    return std::move(*found);
+  if (contact.has_none())
+    throw NumericalFailure(
+      "static contact: there is no equilibrium, as no contact forces "
+      "with this friction carry the load; reduce the friction or hold "
+      "the body otherwise");
+  throw NumericalFailure(said + "; Lemke's method found no equilibrium either, and with "
+                                "this friction there need not be one");
+}
+} // namespace
+
 template <int dim>
 StaticContactSolution solve_static_contact(const ElasticBody<dim> &body,
                                            StaticContactProblem problem,
                                            const StaticContactOptions &options)
 {
-  return ActiveSetIteration<dim>(body, std::move(problem), options).run();
+  const StaticContactProblem given = problem;
+  ActiveSetIteration<dim> iteration(body, std::move(problem), options);
+  try
+    {
+      return iteration.run();
+    }
+  catch (const NotConverged &e)
+    {
+      StaticContactSolution found = solve_condensed(body, given, options, e);
+      found.iterations            = iteration.so_far().iterations;
+      found.state_changes         = iteration.so_far().state_changes;
+      return found;
+    }
 }
 
 template StaticContactSolution solve_static_contact(const ElasticBody<2> &,

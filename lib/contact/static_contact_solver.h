@@ -105,9 +105,10 @@ struct StaticContactSolution
  * held along the normal, those that stick along the flat as well, those that slip carry mu times their
  * normal reaction of the iteration before, accelerated after Anderson, or, where friction turns on a
  * flat at rest, found by Newton's method. The states follow
- * the signs of reactions and penetrations until nothing changes.
+ * the signs of reactions and penetrations until nothing changes. Where that fails, CondensedContact
+ * is asked if it can.
  *
- * @throws NotConverged, also when the body lifts off or tips over
+ * @throws NotConverged; NumericalFailure where it is certain that there is no equilibrium
  */
 template <int dim>
 StaticContactSolution solve_static_contact(const ElasticBody<dim> &body,

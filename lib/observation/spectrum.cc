@@ -79,21 +79,33 @@ constexpr double crossing_hysteresis = 0.2; ///< of the standard deviation
 constexpr double shortest_period     = 0.6; ///< of the one expected
 constexpr unsigned int bins          = 200; ///< of the phase
 
+/** The value of @p signal, of four samples at least, by the cubic through four of them. */
 double at(const std::vector<double> &signal, const double position)
 {
-  const auto i   = std::min(static_cast<std::size_t>(position), signal.size() - 2);
-  const double s = position - static_cast<double>(i);
-  return (1. - s) * signal[i] + s * signal[i + 1];
+  const auto last      = static_cast<double>(signal.size() - 3),
+             middle    = std::clamp(std::floor(position), 1., last);
+  const double *before = signal.data() + static_cast<std::size_t>(middle) - 1;
+  const double s       = position - middle;
+  return before[0] * s * (s - 1.) * (2. - s) / 6. +
+         before[1] * (s + 1.) * (s - 1.) * (s - 2.) / 2. +
+         before[2] * (s + 1.) * s * (2. - s) / 2. +
+         before[3] * (s + 1.) * s * (s - 1.) / 6.;
 }
 
 /**
  * One period of @p signal, from sample position @p begin to @p end, by bins: the mean of
- * the samples in a bin, or the interpolated value at its centre if it holds none.
+ * the samples in a bin, or, where some hold fewer than two, the interpolated value at its centre.
  */
 std::vector<double>
 fold(const std::vector<double> &signal, const double begin, const double end)
 {
   std::vector<double> sum(bins, 0.);
+  if (end - begin < 2. * bins)
+    {
+      for (unsigned int bin = 0; bin < bins; ++bin)
+        sum[bin] = at(signal, begin + (bin + 0.5) / bins * (end - begin));
+      return sum;
+    }
   std::vector<unsigned int> count(bins, 0);
   for (auto i = static_cast<std::size_t>(std::ceil(begin)); static_cast<double>(i) < end;
        ++i)
@@ -104,8 +116,7 @@ fold(const std::vector<double> &signal, const double begin, const double end)
       ++count[bin];
     }
   for (unsigned int bin = 0; bin < bins; ++bin)
-    sum[bin] = count[bin] > 0 ? sum[bin] / count[bin]
-                              : at(signal, begin + (bin + 0.5) / bins * (end - begin));
+    sum[bin] /= count[bin];
   return sum;
 }
 

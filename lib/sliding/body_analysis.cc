@@ -13,6 +13,8 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include <algorithm>
+
 namespace mesoslip
 {
 namespace
@@ -71,6 +73,19 @@ void with_advice(const std::string &advice, const std::function<void()> &action)
     {
       throw NumericalFailure(std::string(e.what()) + "; " + advice);
     }
+}
+
+std::string equilibrium_advice(const std::vector<double> &friction, const bool slides)
+{
+  const std::string generic = "loosen Static contact/Tolerance or allow more Iterations";
+  const double mu           = *std::max_element(friction.begin(), friction.end());
+  if (!slides || mu <= 0.5)
+    return generic;
+  return "a sliding body need not have an equilibrium: with a friction coefficient of " +
+         to_text(mu) +
+         " it may wedge, lift off or tip; reduce Friction/Coefficient or, where the "
+         "friction forces hardly change any more, " +
+         generic;
 }
 
 BodyAnalysis::BodyAnalysis(const ContactParameters &p)

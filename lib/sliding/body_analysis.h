@@ -42,6 +42,10 @@ std::function<void(unsigned int)> stop_or_report(RunContext &context,
 /** Runs @p action. @throws NumericalFailure instead of NotConverged, with @p advice. */
 void with_advice(const std::string &advice, const std::function<void()> &action);
 
+/** What to do when no equilibrium with the coefficients @p friction is found on a flat that @p slides or
+ * rests. */
+std::string equilibrium_advice(const std::vector<double> &friction, const bool slides);
+
 /** What the analyses of a body on the flat have in common. */
 class BodyAnalysis : public Analysis
 {

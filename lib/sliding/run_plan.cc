@@ -94,6 +94,14 @@ unsigned int statistics_interval(const double crossing, const double dt)
   return static_cast<unsigned int>(std::clamp(crossing / (6. * dt), 1., 10.));
 }
 
+/** @p x to ten digits, not more than x, so that a bound which ranks know up to round-off is the same
+ * on all numbers of them. */
+static double rounded_down(const double x)
+{
+  const double unit = std::pow(10., std::floor(std::log10(x)) - 9.);
+  return std::floor(x / unit) * unit;
+}
+
 TimeStepChoice choose_time_step(const ContactParameters &parameters,
                                 const double highest_frequency)
 {
@@ -101,7 +109,7 @@ TimeStepChoice choose_time_step(const ContactParameters &parameters,
   StepParameters &step = choice.step = parameters.step;
   choice.critical = critical_time_step(highest_frequency, step.beta2, step.beta);
   if (std::isnan(step.dt))
-    step.dt = parameters.time.safety * choice.critical;
+    step.dt = rounded_down(parameters.time.safety * choice.critical);
   if (parameters.time.check_time_step && step.dt > choice.critical)
     throw UserError(brief_text(
       6, "Time/Time step: ", step.dt, " s is above the critical ", choice.critical,

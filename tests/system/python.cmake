@@ -55,7 +55,7 @@ mesoslip_python_tests(system 2 chains/chain chains/chain_validation chains/draft
                       sliding/mesh_flat sliding/mesh_modes sliding/mesh_periodic sliding/mesh_static_contact sliding/oriented_boxes
                       sliding/resume sliding/steady_part)
 mesoslip_python_tests(verification 1 stability contact/hertz contact/hertz_sphere contact/incremental_friction contact/incremental_sphere
-                      contact/mesh_friction_vector contact/oblique_modes
+                      contact/mesh_friction_vector contact/oblique_modes contact/random_static_contact
                       contact/spence contact/static_localization volumes/hexagonal_cell volumes/independent_finite_elements
                       volumes/mesh_inclusions voxels/voxel_files)
 mesoslip_python_tests(verification 2 contact/large_strains contact/mesh_ranks contact/resting_flat volumes/divided_plane

@@ -327,6 +327,18 @@ TEST(PhaseDiagram, AFoldedCircle)
     }
 }
 
+// Straight lines between samples lose 1 - cos(pi / 8), 8 %, where the motion is fastest.
+TEST(PhaseDiagram, OfEightSamplesACycle)
+{
+  const double f = 41321., w = 2. * pi * f, dt = 1. / (8. * f);
+  const auto u = sampled(400, dt, [w](const double t) { return std::sin(w * t + 1.); });
+  const auto v = sampled(400, dt, [w](const double t) { return std::cos(w * t + 1.); });
+  const auto diagram = mean_phase_diagram(u, v, dt, 1. / f);
+  ASSERT_EQ(diagram.velocity.size(), 200u);
+  for (unsigned int i = 0; i < 200; ++i)
+    EXPECT_NEAR(diagram.velocity[i], std::cos(2. * pi * (i + 0.5) / 200.), 0.02);
+}
+
 TEST(PhaseDiagram, HarmonicsAndNoiseAreNoPeriods)
 {
   std::mt19937 generator(5);

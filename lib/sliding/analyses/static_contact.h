@@ -53,9 +53,6 @@ public:
   void run(RunContext &context) override;
 
 private:
-  /** What to do when no equilibrium is found. */
-  std::string advice() const;
-
   /** @throws NumericalFailure if a cell is inside out; the largest strain into the
    * summary. */
   void judge_strain(RunContext &context) const;

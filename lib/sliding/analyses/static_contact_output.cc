@@ -115,20 +115,6 @@ void StaticContactAnalysis::write_summary(nlohmann::json &json) const
     json["nodes"][to_string(state)] = count(state);
 }
 
-std::string StaticContactAnalysis::advice() const
-{
-  const std::string generic = "loosen Static contact/Tolerance or allow more Iterations";
-  const double mu =
-    *std::max_element(body.node_friction.begin(), body.node_friction.end());
-  if (parameters.contact.flat_velocity.amplitude() == 0. || mu <= 0.5)
-    return generic;
-  return "a sliding body need not have an equilibrium: with a friction coefficient of " +
-         to_text(mu) +
-         " it may wedge, lift off or tip; reduce Friction/Coefficient or, where the "
-         "friction forces hardly change any more, " +
-         generic;
-}
-
 void StaticContactAnalysis::judge_strain(RunContext &context) const
 {
   const NodalField<double> &u = result.solution.displacement;
@@ -154,10 +140,12 @@ void StaticContactAnalysis::run(RunContext &context)
   options.before_iteration     = stop_or_report(context, "iteration");
   {
     const auto scope = context.timer().scope("Equilibrium");
-    with_advice(advice(), [&]() {
-      result = compute_static_contact(parameters, body, material, options,
-                                      context.communicator());
-    });
+    with_advice(equilibrium_advice(body.node_friction,
+                                   parameters.contact.flat_velocity.amplitude() != 0.),
+                [&]() {
+                  result = compute_static_contact(parameters, body, material, options,
+                                                  context.communicator());
+                });
   }
   judge_strain(context);
   log_result(context);

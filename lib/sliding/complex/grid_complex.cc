@@ -73,7 +73,7 @@ void ComplexModesAnalysis::run(RunContext &context)
       solve = [&](const std::vector<double> &friction) {
         described.node_friction = friction;
         StaticContactResult found;
-        with_advice("loosen Static contact/Tolerance or allow more Iterations", [&]() {
+        with_advice(equilibrium_advice(friction, true), [&]() {
           found = compute_static_contact(of_case, described, material, options,
                                                    context.communicator());
         });

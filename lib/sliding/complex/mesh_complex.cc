@@ -73,7 +73,7 @@ SlidingState MeshComplex<dim>::at_rest(const ContactParameters &of_case,
     solve = [&](const std::vector<double> &friction) {
       described.friction = friction;
       StaticContactSolution found;
-      with_advice("loosen Static contact/Tolerance or allow more Iterations", [&]() {
+      with_advice(equilibrium_advice(friction, true), [&]() {
         MeshStaticLoad<dim> load(of_case, described, elastic, held,
                                  this->phases[0].stiffness(dim - 1, dim - 1));
         found = load.follow(options);

@@ -9,6 +9,7 @@
 #include "sliding/mesh/box_body.h"
 #include "sliding/run_plan.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -60,6 +61,26 @@ MeshMorphology<dim> read_body(const ContactParameters &parameters,
                   "take a coarser mesh, or divide it among more machines"});
   return body;
 }
+
+/** Empty if all contact nodes have an area seen along the normal of the flat. */
+std::string standing_faces_warning(const MeshBoundary &contact,
+                                   const MeshBodyParameters &mesh)
+{
+  double mean = 0.;
+  for (const double area : contact.area)
+    mean += std::fabs(area) / static_cast<double>(contact.area.size());
+  const auto n = std::count_if(contact.area.begin(), contact.area.end(),
+                               [&](const double a) { return !(-a > 1e-9 * mean); });
+  if (n == 0)
+    return "";
+  return "Mesh/Contact boundary: " + std::to_string(n) + " of " +
+         std::to_string(contact.area.size()) + " nodes of '" + mesh.contact_boundary +
+         "' have no area seen along the normal of the flat, as faces of the group stand "
+         "on "
+         "it or look up; they have no pressure, but count in the shares of sticking, "
+         "slipping and separated nodes like all others: leave these faces out of the "
+         "group";
+}
 } // namespace
 
 template <int dim>
@@ -73,6 +94,10 @@ MeshAnalysis<dim>::MeshAnalysis(const ContactParameters &given)
     morphology = read_body<dim>(parameters, n_here, n_ranks, memory);
     join_periodic_sides(morphology, parameters.mesh);
     body = describe_body(morphology, parameters);
+    if (const std::string sentence =
+          standing_faces_warning(body.contact, parameters.mesh);
+        !sentence.empty())
+      morphology.warnings.push_back(sentence);
     if (!parameters.mesh.rve_note.empty())
       morphology.warnings.push_back(parameters.mesh.rve_note);
     for (const std::string &sentence :

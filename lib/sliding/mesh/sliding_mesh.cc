@@ -3,6 +3,7 @@
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <unordered_map>
@@ -87,6 +88,8 @@ std::vector<double> mean_of_phases(const Mesh<dim> &mesh,
                                    const std::vector<double> &property,
                                    const std::vector<double> &weight)
 {
+  // Faces that stand on the flat count where there is nothing else.
+  constexpr double standing = 1e-9;
   std::unordered_map<unsigned int, std::array<double, 2>> sums;
   for (const BoundaryFace<dim> &face : faces)
     {
@@ -94,8 +97,10 @@ std::vector<double> mean_of_phases(const Mesh<dim> &mesh,
       const BoundaryPoints<dim> of_face = boundary_points<dim>(mesh, {face});
       for (std::size_t k = 0; k < of_face.points.size(); ++k)
         {
-          const double share = weight[phase] * of_face.normal_area[k].norm();
-          auto &sum          = sums[mesh.original(of_face.points[k])];
+          const dealii::Tensor<1, dim> &area = of_face.normal_area[k];
+          const double share =
+            weight[phase] * (std::fabs(area[dim - 1]) + standing * area.norm());
+          auto &sum = sums[mesh.original(of_face.points[k])];
           sum[0] += share * property[phase];
           sum[1] += share;
         }

@@ -42,7 +42,7 @@ MeshBoundary mesh_boundary(const Mesh<dim> &mesh,
 /**
  * What the points of a boundary have of a property of the phases, such as the coefficient
  * of friction: the mean over the cells behind the @p faces around a point, with the
- * tributary area in each face times @p weight of its phase.
+ * tributary area in each face, as seen along the normal of the flat, times @p weight of its phase.
  */
 template <int dim>
 std::vector<double> mean_of_phases(const Mesh<dim> &mesh,

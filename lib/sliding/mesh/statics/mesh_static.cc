@@ -92,13 +92,16 @@ std::optional<double> MeshStatic<dim>::sliding_friction() const
 template <int dim>
 void MeshStatic<dim>::evaluate()
 {
-  const std::vector<double> &area = this->body.contact.area;
-  for (std::size_t i = 0; i < area.size(); ++i)
+  for (std::size_t i = 0; i < solution.state.size(); ++i)
     {
-      pressure.push_back(solution.normal_force[i] / std::fabs(area[i]));
+      // A node on faces that stand on the flat has no area.
+      const double area  = std::fabs(this->body.contact.area[i]);
+      const auto by_area = [&](const double force) {
+        return force == 0. ? 0. : force / area;
+      };
+      pressure.push_back(by_area(solution.normal_force[i]));
       for (unsigned int c = 0; c + 1 < dim; ++c)
-        shear[c].push_back(solution.tangential_force[(dim - 1) * i + c] /
-                           std::fabs(area[i]));
+        shear[c].push_back(by_area(solution.tangential_force[(dim - 1) * i + c]));
     }
 }
 
@@ -248,13 +251,16 @@ void MeshStatic<dim>::run(RunContext &context)
   this->order_contact(*elastic);
   {
     const auto scope = context.timer().scope("Equilibrium");
-    with_advice("loosen Static contact/Tolerance or allow more Iterations", [&]() {
-      const DofMask held = this->held_by_mesh(this->parameters.top, *elastic);
-      MeshStaticLoad<dim> load(this->parameters, this->body, *elastic, held,
-                               this->phases[0].stiffness(dim - 1, dim - 1));
-      solution = load.follow(options);
-      steps    = load.steps();
-    });
+    with_advice(
+      equilibrium_advice(this->body.friction,
+                         this->parameters.contact.flat_velocity.amplitude() != 0.),
+      [&]() {
+        const DofMask held = this->held_by_mesh(this->parameters.top, *elastic);
+        MeshStaticLoad<dim> load(this->parameters, this->body, *elastic, held,
+                                 this->phases[0].stiffness(dim - 1, dim - 1));
+        solution = load.follow(options);
+        steps    = load.steps();
+      });
   }
   displaced = elastic->surface_values(ElasticBody<dim>::bottom, solution.displacement);
   evaluate();

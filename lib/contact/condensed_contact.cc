@@ -1,0 +1,276 @@
+#include "contact/condensed_contact.h"
+
+#include "contact/lemke.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace mesoslip
+{
+using Eigen::Index;
+
+template <int dim>
+CondensedContact<dim>::CondensedContact(const ElasticBody<dim> &body,
+                                        const StaticContactProblem &problem)
+  : body(body)
+  , problem(problem)
+  , bottom(body.surface(ElasticBody<dim>::bottom))
+  , solver(body)
+{
+  const std::vector<double> held =
+    body.surface_values(ElasticBody<dim>::bottom, problem.constrained);
+  const std::size_t n_nodes = bottom.normal_area.size() - (bottom.closed ? 1 : 0);
+  numbers.assign(dim * n_nodes, -1);
+  for (unsigned int i = 0; i < n_nodes; ++i)
+    for (unsigned int c = 0; c < dim && held[dim * i + normal_axis] == 0.; ++c)
+      if (held[dim * i + c] == 0.)
+        {
+          numbers[dim * i + c] = static_cast<Index>(place.size());
+          place.push_back({i, c});
+        }
+}
+
+template <int dim>
+Eigen::VectorXd CondensedContact<dim>::internal_forces(NodalField<double> &u,
+                                                       const Eigen::VectorXd &d,
+                                                       const NodalField<double> &force)
+{
+  for (std::size_t k = 0; k < bottom.nodes.size(); ++k)
+    for (unsigned int c = 0; c < dim; ++c)
+      if (const Index at = number(bottom.place(k), c); at >= 0)
+        u(c, bottom.nodes[k]) = d[at];
+  body.copy_duplicates(u);
+  solver.solve(u, force, 1e-12);
+  const std::vector<double> internal =
+    body.surface_values(ElasticBody<dim>::bottom, solver.internal_force());
+  Eigen::VectorXd result(d.size());
+  for (Index k = 0; k < d.size(); ++k)
+    result[k] = internal[dim * place[static_cast<std::size_t>(k)].i +
+                         place[static_cast<std::size_t>(k)].c];
+  return result;
+}
+
+template <int dim>
+std::optional<StaticContactSolution> CondensedContact<dim>::solve(const double tolerance)
+{
+  const auto n = static_cast<Index>(place.size());
+  DofMask held = problem.constrained;
+  for (std::size_t k = 0; k < bottom.nodes.size(); ++k)
+    for (unsigned int c = 0; c < dim; ++c)
+      if (number(bottom.place(k), c) >= 0)
+        held.constrain(c, bottom.nodes[k]);
+  body.copy_duplicates(held);
+  solver.set_constrained(held);
+  const std::vector<double> given =
+    body.surface_values(ElasticBody<dim>::bottom, problem.force);
+  start = loaded = Eigen::VectorXd::Zero(n);
+  for (Index k = 0; k < n; ++k)
+    {
+      const auto [i, c] = place[static_cast<std::size_t>(k)];
+      loaded[k]         = given[dim * i + c];
+      if (c == normal_axis)
+        start[k] = problem.gap.empty() ? 0. : -problem.gap[i];
+      else if (!problem.reference.empty())
+        start[k] = problem.reference[(dim - 1) * i + c];
+    }
+  NodalField<double> u = problem.displacement;
+  F                    = internal_forces(u, start, problem.force) - loaded;
+  S.resize(n, n);
+  for (Index k = 0; k < n; ++k)
+    {
+      u        = body.zero_field();
+      S.col(k) = internal_forces(u, Eigen::VectorXd::Unit(n, k), body.zero_field());
+    }
+  Problem of = problem.sliding != 0 ? of_sliding_flat() : of_resting_flat();
+  of.M /= of.M.template lpNorm<Eigen::Infinity>();
+  of.q /= of.q.template lpNorm<Eigen::Infinity>();
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> share(0.1, 1.);
+  Eigen::VectorXd cover = Eigen::VectorXd::Ones(of.q.size());
+  for (unsigned int k = 0; k < 10; ++k)
+    {
+      if (const auto z = lemke(of.M, of.q, cover))
+        if (auto found = equilibrium(nodes_of(of, *z), tolerance))
+          return found;
+      for (double &x : cover)
+        x = share(random);
+    }
+  none = is_infeasible(of.M, of.q);
+  return std::nullopt;
+}
+
+template <int dim>
+typename CondensedContact<dim>::Problem CondensedContact<dim>::of_sliding_flat() const
+{
+  std::vector<Index> normal, along;
+  for (Index k = 0; k < F.size(); ++k)
+    (place[static_cast<std::size_t>(k)].c == normal_axis ? normal : along).push_back(k);
+  // Forces along the flat less friction.
+  Eigen::MatrixXd excess(static_cast<Index>(along.size()), F.size());
+  Eigen::VectorXd at_start(excess.rows());
+  for (Index k = 0; k < excess.rows(); ++k)
+    {
+      const Index at    = along[static_cast<std::size_t>(k)];
+      const auto [i, c] = place[static_cast<std::size_t>(at)];
+      const double mu =
+        problem.friction_coefficient[i] * problem.sliding * problem.flat_direction[c];
+      excess.row(k) = S.row(at) - mu * S.row(number(i, normal_axis));
+      at_start[k]   = F[at] - mu * F[number(i, normal_axis)];
+    }
+  const Eigen::FullPivLU<Eigen::MatrixXd> moves(excess(Eigen::all, along));
+  Problem of;
+  of.M = S(normal, normal) -
+         S(normal, along) * moves.solve(Eigen::MatrixXd(excess(Eigen::all, normal)));
+  of.q = F(normal) - S(normal, along) * moves.solve(at_start);
+  for (const Index k : normal)
+    of.z.emplace_back(k, 1.);
+  return of;
+}
+
+template <int dim>
+typename CondensedContact<dim>::Problem CondensedContact<dim>::of_resting_flat() const
+{
+  Problem of;
+  for (Index k = 0; k < F.size(); ++k)
+    {
+      of.z.emplace_back(k, 1.);
+      if (place[static_cast<std::size_t>(k)].c != normal_axis)
+        of.z.emplace_back(k, -1.);
+    }
+  const auto n = static_cast<Index>(of.z.size());
+  of.M.resize(n, n);
+  of.q.resize(n);
+  for (Index row = 0; row < n; ++row)
+    {
+      const auto [k, sign]         = of.z[static_cast<std::size_t>(row)];
+      const auto [i, c]            = place[static_cast<std::size_t>(k)];
+      Eigen::RowVectorXd condition = S.row(k);
+      double at_start              = F[k];
+      if (c != normal_axis)
+        {
+          const double mu   = problem.friction_coefficient[i];
+          const Index press = number(i, normal_axis);
+          condition         = mu * S.row(press) + sign * condition;
+          at_start          = mu * F[press] + sign * at_start;
+        }
+      of.q[row] = at_start;
+      for (Index column = 0; column < n; ++column)
+        of.M(row, column) = of.z[static_cast<std::size_t>(column)].second *
+                            condition[of.z[static_cast<std::size_t>(column)].first];
+    }
+  return of;
+}
+
+template <int dim>
+std::vector<typename CondensedContact<dim>::Node>
+CondensedContact<dim>::nodes_of(const Problem &of, const Eigen::VectorXd &z) const
+{
+  std::vector<Node> nodes(numbers.size() / dim);
+  for (const Place &at : place)
+    {
+      nodes[at.i].state =
+        problem.sliding != 0 || !(problem.friction_coefficient[at.i] > 0.)
+          ? ContactState::slip
+          : ContactState::stick;
+      for (unsigned int c = 0; c + 1 < dim; ++c)
+        nodes[at.i].direction[c] = problem.sliding * problem.flat_direction[c];
+    }
+  for (Index k = 0; k < z.size(); ++k)
+    {
+      const auto [at, sign] = of.z[static_cast<std::size_t>(k)];
+      const auto [i, c]     = place[static_cast<std::size_t>(at)];
+      Node &node            = nodes[i];
+      if (!(z[k] > 0.) || node.state == ContactState::separated)
+        continue;
+      node.state = c == normal_axis ? ContactState::separated : ContactState::slip;
+      if (c != normal_axis)
+        node.direction[c] = -sign;
+    }
+  return nodes;
+}
+
+template <int dim>
+Eigen::MatrixXd CondensedContact<dim>::conditions(const std::vector<Node> &nodes) const
+{
+  Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(F.size(), F.size());
+  for (Index k = 0; k < F.size(); ++k)
+    {
+      const auto [i, c] = place[static_cast<std::size_t>(k)];
+      const Node &node  = nodes[i];
+      if (node.state == ContactState::separated ||
+          (c != normal_axis && node.state == ContactState::slip))
+        rows(k, k) = 1.;
+      if (c != normal_axis && node.state == ContactState::slip)
+        rows(k, number(i, normal_axis)) =
+          -problem.friction_coefficient[i] * node.direction[c];
+    }
+  return rows;
+}
+
+template <int dim>
+std::optional<StaticContactSolution>
+CondensedContact<dim>::equilibrium(const std::vector<Node> &nodes, const double tolerance)
+{
+  const Eigen::MatrixXd rows = conditions(nodes);
+  std::vector<Index> free;
+  for (Index k = 0; k < F.size(); ++k)
+    if (rows(k, k) != 0.)
+      free.push_back(k);
+  const Eigen::FullPivLU<Eigen::MatrixXd> moves((rows * S)(free, free));
+  StaticContactSolution found;
+  found.displacement = problem.displacement;
+  Eigen::VectorXd d = Eigen::VectorXd::Zero(F.size()), f = F;
+  double pressed = 0., left = 1.;
+  // Once more where S is not exact enough.
+  for (unsigned int n = 0; n < 4 && !(left <= 0.1 * tolerance * pressed); ++n)
+    {
+      if (!free.empty())
+        d(free) -= moves.solve(Eigen::VectorXd((rows * f)(free)));
+      f       = internal_forces(found.displacement, start + d, problem.force) - loaded;
+      left    = (rows * f).template lpNorm<1>();
+      pressed = 0.;
+      for (std::size_t i = 0; i < nodes.size(); ++i)
+        pressed += number(i, normal_axis) < 0 ? 0. : f[number(i, normal_axis)];
+    }
+  found.residual = found.friction_change = left / pressed;
+  bool holds                             = left <= tolerance * pressed;
+  const double negligible                = tolerance * pressed / nodes.size(),
+               short_way                 = negligible / stiffness_scale(body);
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    {
+      const auto &[state, direction] = nodes[i];
+      const Index at                 = number(i, normal_axis);
+      const bool touches             = at >= 0 && state != ContactState::separated;
+      const double normal            = touches ? f[at] : 0.;
+      const double limit             = problem.friction_coefficient[i] * normal;
+      holds =
+        holds && normal >= -negligible && (at < 0 || touches || d[at] >= -short_way);
+      found.state.push_back(state);
+      found.normal_force.push_back(normal);
+      for (unsigned int c = 0; c + 1 < dim; ++c)
+        {
+          const Index along = number(i, c);
+          double friction   = touches ? direction[c] * limit : 0.;
+          if (state == ContactState::stick || (problem.sliding == 0 && along < 0))
+            friction = along < 0 ? 0. : f[along];
+          found.tangential_force.push_back(friction);
+          holds = holds && (state != ContactState::stick ||
+                            std::fabs(friction) <= limit + negligible);
+          if (problem.sliding == 0 && state == ContactState::slip && along >= 0)
+            holds = holds && d[along] * direction[c] <= short_way;
+        }
+    }
+  if (bottom.closed)
+    {
+      found.state.push_back(found.state[0]);
+      found.normal_force.push_back(found.normal_force[0]);
+      found.tangential_force.push_back(found.tangential_force[0]);
+    }
+  found.solver_iterations = solver.iterations();
+  return holds ? std::make_optional(std::move(found)) : std::nullopt;
+}
+
+template class CondensedContact<2>;
+template class CondensedContact<3>;
+} // namespace mesoslip

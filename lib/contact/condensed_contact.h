@@ -1,0 +1,113 @@
+#ifndef mesoslip_contact_condensed_contact_h
+#define mesoslip_contact_condensed_contact_h
+
+#include "contact/equilibrium_solver.h"
+#include "contact/static_contact_solver.h"
+
+#include <Eigen/Dense>
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace mesoslip
+{
+/**
+ * A static contact condensed to its nodes: the forces of the flat on them are F + S d, d being their
+ * displacements from where they touch and stick. The conditions of contact and friction are a
+ * linear complementarity problem, in 3D where the flat slides. Each column of S is one solve.
+ */
+template <int dim>
+class CondensedContact
+{
+public:
+  /** Number of displacements up to which this is worth it. */
+  static constexpr std::size_t most = 600;
+
+  /** @p body and @p problem must outlive this object. Collective, like solve(). */
+  CondensedContact(const ElasticBody<dim> &body, const StaticContactProblem &problem);
+
+  /** Whether this is a linear complementarity problem, and not too large. */
+  bool is_solvable() const
+  {
+    return (dim == 2 || problem.sliding != 0) && place.size() <= most;
+  }
+
+  /** An equilibrium to the @p tolerance by Lemke's method from several starts; nothing if none was
+   * found. @throws NotConverged */
+  std::optional<StaticContactSolution> solve(const double tolerance);
+
+  /** After solve(): whether it is certain that there is none. */
+  bool has_none() const
+  {
+    return none;
+  }
+
+private:
+  static constexpr unsigned int normal_axis = dim - 1;
+  using Direction                           = std::array<double, dim - 1>;
+
+  /** A displacement: component c of contact node i. */
+  struct Place
+  {
+    unsigned int i = 0;
+    unsigned int c = 0;
+  };
+
+  /** What a node does, and the direction of its friction where it slips. */
+  struct Node
+  {
+    ContactState state  = ContactState::held;
+    Direction direction = {};
+  };
+
+  /** M z + q, and the displacement that each z is, with its sign. */
+  struct Problem
+  {
+    Eigen::MatrixXd M;
+    Eigen::VectorXd q;
+    std::vector<std::pair<Eigen::Index, double>> z;
+  };
+
+  /** z are the gaps; what moves along the flat is eliminated. */
+  Problem of_sliding_flat() const;
+
+  /** z are the gaps and the slips to either side, against which friction is at its limit. */
+  Problem of_resting_flat() const;
+
+  std::vector<Node> nodes_of(const Problem &of, const Eigen::VectorXd &z) const;
+
+  /** Which combination of the forces (the rows) is zero at each displacement; a row of zeros where it is
+   * not free. */
+  Eigen::MatrixXd conditions(const std::vector<Node> &nodes) const;
+
+  /** Displaces the contact nodes of @p u by @p d and all others as @p force wants it; the internal
+   * forces at the contact. */
+  Eigen::VectorXd internal_forces(NodalField<double> &u,
+                                  const Eigen::VectorXd &d,
+                                  const NodalField<double> &force);
+
+  std::optional<StaticContactSolution> equilibrium(const std::vector<Node> &nodes,
+                                                   const double tolerance);
+
+  /** Number of component @p c of node @p i; -1: a side holds it. */
+  Eigen::Index number(const std::size_t i, const unsigned int c) const
+  {
+    return dim * i + c < numbers.size() ? numbers[dim * i + c] : -1;
+  }
+
+  const ElasticBody<dim> &body;
+  const StaticContactProblem &problem;
+  const SurfaceNodes<dim> &bottom;
+  std::vector<Place> place; ///< of each displacement
+  std::vector<Eigen::Index> numbers;
+  EquilibriumSolver<dim> solver;
+  Eigen::MatrixXd S;
+  Eigen::VectorXd start;  ///< displacements where all nodes touch and stick
+  Eigen::VectorXd loaded; ///< the given forces at the contact
+  Eigen::VectorXd F;
+  bool none = false;
+};
+} // namespace mesoslip
+
+#endif
