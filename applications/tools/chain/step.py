@@ -69,7 +69,7 @@ class Step:
         return any(need is other or need.hangs_on(other) for need in self.needs)
 
     def command(self, ranks, resume):
-        start = ["mpirun", "--oversubscribe", "-np", str(ranks)] if ranks > 1 else []
+        start = ["mpirun", "--quiet", "--oversubscribe", "-np", str(ranks)] if ranks > 1 else []
         return start + [self.program, self.prm, "--output", self.output] + (["--resume"] if resume else [])
 
     def ask_to_stop(self):

@@ -50,7 +50,7 @@ def run(prm, settings=None, output=None, ranks=1, resume=False, program=None, pr
     path, printed = _program_for(prm, words, program, programs)
     if output is None:
         output = _folder_in(printed) or os.path.join("output", os.path.splitext(os.path.basename(prm))[0])
-    start = ["mpirun", "--oversubscribe", "-np", str(ranks)] if ranks > 1 else []
+    start = ["mpirun", "--quiet", "--oversubscribe", "-np", str(ranks)] if ranks > 1 else []
     _call([*start, path, prm, "--quiet", "--output", os.fspath(output), *words, *(["--resume"] if resume else [])])
     return open_folder(output)
 
