@@ -58,6 +58,9 @@ void require_readable_file(const std::string &what,
     }
   if (fs::is_directory(status))
     throw UserError(what + path + " is a folder, but a file is needed" + after);
+  if (!fs::is_regular_file(status)) // to open a pipe waits for who writes it
+    throw UserError(what + path +
+                    " is a pipe or a device, but a file is needed; save it as one");
   errno = 0;
   if (!std::ifstream(path, std::ios::binary))
     throw UserError(what + path + " cannot be read (" + system_message() + ")" + after);

@@ -49,7 +49,11 @@ bool is_utf8(const std::string &text)
 
 std::string trimmed(const std::string &text)
 {
-  return boost::algorithm::trim_copy(text, std::locale::classic());
+  const char *const blanks = " \t\n\v\f\r";
+  const std::size_t first  = text.find_first_not_of(blanks);
+  return first == std::string::npos
+           ? std::string()
+           : text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
 namespace

@@ -41,12 +41,21 @@ bool is_positive_definite(const VoigtMatrix<dim> &D)
          Eigen::LLT<VoigtMatrix<dim>>(scaled).info() == Eigen::Success;
 }
 
-[[noreturn]] void refuse(const std::string &condition, const std::string &what)
+/** Below this a smaller tolerance does not make the solution more accurate. */
+constexpr double smallest_tolerance = 1e-12;
+
+/** What changes residuals. Means of strains follow from the sides, whatever the solution is. */
+template <int dim>
+std::string remedy(const HomogenizedResponse<dim> &r, const double tolerance)
 {
-  throw NumericalFailure(condition + ": " + what +
-                         "; lower Homogenization/Tolerance, try another "
-                         "Homogenization/Solver, or give the phases "
-                         "moduli that differ less");
+  if (r.condition != BoundaryCondition::SUBC &&
+      !(r.mean_residual <= std::max(tell_above, r.hill_mandel_residual)))
+    return "; this is no matter of Homogenization/Tolerance: cells and sides of the "
+           "volume "
+           "do not fit together";
+  if (tolerance <= smallest_tolerance)
+    return "; this is round-off, as moduli differ too much";
+  return "; lower Homogenization/Tolerance (now " + to_text(tolerance) + ")";
 }
 
 std::string gigapascals(const double modulus)
@@ -227,16 +236,19 @@ std::string check_response(const HomogenizedResponse<dim> &r, const double toler
   const bool stresses         = r.condition == BoundaryCondition::SUBC;
   const char *const tensor    = stresses ? "B" : "L";
   const std::string condition = to_string(r.condition);
+  const auto refuse           = [&](const std::string &what) {
+    throw NumericalFailure(condition + ": " + what + remedy(r, tolerance));
+  };
   std::ostringstream text;
   text.precision(1);
   text << std::scientific;
   if (!is_positive_definite<dim>(r.stiffness))
-    refuse(condition, "the stiffness is not positive definite");
+    refuse("the stiffness is not positive definite");
   if (r.two_phase_residual && !(*r.two_phase_residual <= refuse_phase_means_above))
     {
       text << "the means over the two phases contradict the stiffness by "
            << *r.two_phase_residual << ", more than " << refuse_phase_means_above;
-      refuse(condition, text.str());
+      refuse(text.str());
     }
   text << "the stiffness from the energy and the one from the mean "
        << (stresses ? "strain" : "stress") << " differ by " << r.hill_mandel_residual
@@ -244,15 +256,14 @@ std::string check_response(const HomogenizedResponse<dim> &r, const double toler
   if (!(r.hill_mandel_residual <= refuse_above) || !(r.mean_residual <= refuse_above))
     {
       text << ", more than " << refuse_above;
-      refuse(condition, text.str());
+      refuse(text.str());
     }
   const double error = std::max(r.hill_mandel_residual, r.mean_residual);
   if (error <= tell_above)
     return {};
   // Of 3000 random solutions, one was off by 35 times its residual.
   text << ", so about " << static_cast<int>(-std::log10(error)) - 1
-       << " digits hold, in the tensors " << tensor
-       << " as well; lower Homogenization/Tolerance (now " << tolerance << ")";
+       << " digits hold, in the tensors " << tensor << " as well" << remedy(r, tolerance);
   return condition + ": " + text.str();
 }
 

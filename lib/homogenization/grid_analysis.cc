@@ -205,25 +205,9 @@ std::vector<std::string> slips_of(const MicrostructureParameters &p)
     ranges.push_back(
       plausible_length("Grid/Size along " + std::string(1, "xy"[d]), p.grid.extent(d)));
   std::vector<std::string> sentences = implausible(ranges);
-  if (const std::string stiffness = stiffness_warning<2>(phases); !stiffness.empty())
-    sentences.push_back(stiffness);
+  for (const std::string &one : stiffness_warnings<2>(phases))
+    sentences.push_back(one);
   return sentences;
-}
-
-/** What helps a solve that failed. */
-std::string advice_for(const NotConverged::Reason reason, const StaticSolverKind solver)
-{
-  if (reason == NotConverged::Reason::not_finite)
-    return "check the moduli of Phases and Grid/Size, which are in Pa and m: forces or "
-           "displacements are beyond the range of numbers";
-  if (solver == StaticSolverKind::divided)
-    return "loosen Homogenization/Tolerance or set Homogenization/Solver = multigrid, "
-           "which takes more memory";
-  if (solver != StaticSolverKind::multigrid)
-    return "set Homogenization/Solver = multigrid";
-  return reason == NotConverged::Reason::broke_down
-           ? "set Homogenization/Solver = jacobi"
-           : "loosen Homogenization/Tolerance or set Homogenization/Solver = jacobi";
 }
 
 class GridAnalysis : public VolumeAnalysis<2>
@@ -283,10 +267,19 @@ protected:
                             : compute_members(parameters, context);
   }
 
-  std::string advice(const NotConverged::Reason reason) const override
+  std::string advice(const NotConverged &failure) const override
   {
-    return advice_for(reason,
-                      division.divided ? StaticSolverKind::divided : parameters.solver);
+    if (failure.reason == NotConverged::Reason::not_finite)
+      return "check the moduli of Phases and Grid/Size, which are in Pa and m: forces or "
+             "displacements are beyond the range of numbers";
+    const auto &edges = parameters.microstructure.grid.spacing;
+    const std::string more =
+      causes(failure, std::max(edges[0], edges[1]) / std::min(edges[0], edges[1]));
+    if (!division.divided && parameters.solver == StaticSolverKind::multigrid)
+      return more;
+    return std::string("set Homogenization/Solver = multigrid") +
+           (division.divided ? ", which takes more memory" : "") +
+           (more.empty() ? "" : "; " + more);
   }
 
 private:

@@ -96,7 +96,7 @@ public:
       {
         static const char *const names[] = {"xx", "yy", "xy"};
         throw NotConverged(to_string(condition) + " " + names[k] + ": " + e.what(),
-                           e.reason);
+                           e.reason, e.reached);
       }
   }
 

@@ -66,10 +66,9 @@ protected:
 
   std::vector<std::string> slips() const override
   {
-    const auto phases     = make_phases<dim>(parameters.microstructure.phases);
-    auto sentences        = implausible(plausible_phases<dim>(phases));
-    const std::string one = stiffness_warning<dim>(phases);
-    if (!one.empty())
+    const auto phases = make_phases<dim>(parameters.microstructure.phases);
+    auto sentences    = implausible(plausible_phases<dim>(phases));
+    for (const std::string &one : stiffness_warnings<dim>(phases))
       sentences.push_back(one);
     return sentences;
   }
@@ -119,12 +118,13 @@ protected:
     return content;
   }
 
-  std::string advice(const NotConverged::Reason reason) const override
+  std::string advice(const NotConverged &failure) const override
   {
-    return reason == NotConverged::Reason::not_finite
+    // The worst angles of the cells are among the lines on the mesh.
+    return failure.reason == NotConverged::Reason::not_finite
              ? "check the moduli of Phases and Mesh/Scale: forces or displacements are "
                "beyond the range of numbers"
-             : "loosen Homogenization/Tolerance, or mesh without flat cells";
+             : this->causes(failure, 1.);
   }
 
 private:

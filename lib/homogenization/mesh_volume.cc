@@ -209,7 +209,8 @@ SolverReport MeshVolume<dim>::solve_case(const unsigned int k, const double tole
             " iterations at a relative residual of " +
             to_text(e.last_residual / reference) + ", wanted " + to_text(tolerance),
           std::isfinite(e.last_residual) ? NotConverged::Reason::iterations
-                                         : NotConverged::Reason::not_finite);
+                                         : NotConverged::Reason::not_finite,
+          e.last_residual / reference);
       }
   constraints.distribute(x);
   solutions.emplace_back(owned, mesh.relevant(), mesh.communicator());

@@ -1,11 +1,13 @@
 #include "homogenization/ensemble.h"
 
+#include "base/digest.h"
 #include "base/errors.h"
 #include "base/files.h"
 #include "material/stiffness.h"
 #include "parameters/keys.h"
 
 #include <algorithm>
+#include <map>
 #include <stdexcept>
 
 namespace mesoslip
@@ -140,6 +142,13 @@ void RveParameters::check() const
     {
       for (const std::string &file : mesh.files)
         require_readable_file("Mesh/File: ", file, "it has to name a mesh of Gmsh");
+      std::map<std::string, std::string> contents;
+      for (const std::string &file : mesh.files)
+        if (const auto [same, is_new] =
+              contents.emplace(Digest().add_file(file).hex(), file);
+            !is_new)
+          throw UserError("Mesh/File: " + same->second + " and " + file +
+                          " are one mesh; members of an ensemble have to differ");
       for (const PhaseParameters &phase : microstructure.phases)
         mesh.dim == 2 ? phase.check<2>() : phase.check<3>();
       return;

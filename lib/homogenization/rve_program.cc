@@ -13,6 +13,7 @@
 #include "io/hdf5_file.h"
 #include "material/bounds.h"
 #include "material/engineering_constants.h"
+#include "material/plausibility.h"
 #include "parameters/keys.h"
 #include "program/run_context.h"
 
@@ -26,6 +27,9 @@ namespace
 // is then made again. 2: ensembles on several ranks had been wrong. 3: cells coarser than
 // the pixels of an image took the pixel at their centre, and gamma changed a PNG.
 constexpr double revision = 3.;
+
+// With a tolerance above this, hardly a result is as accurate as check_response() asks for.
+constexpr double largest_useful_residual = 1e-4;
 
 // What determines rve.h5: the computation, the parameters that matter and the content of
 // the input file.
@@ -114,6 +118,19 @@ void VolumeAnalysis<dim>::write_draft(const std::string &folder) const
 }
 
 template <int dim>
+std::string VolumeAnalysis<dim>::causes(const NotConverged &failure,
+                                        const double aspect) const
+{
+  std::string text =
+    hard_to_solve<dim>(make_phases<dim>(parameters.microstructure.phases), aspect);
+  if (failure.reached <= largest_useful_residual)
+    text += (text.empty() ? "" : "; ") +
+            brief_text(1, "Homogenization/Tolerance = ", 2. * failure.reached,
+                       " would have been met");
+  return text;
+}
+
+template <int dim>
 void VolumeAnalysis<dim>::run(RunContext &context)
 {
   bool reuse = context.root() && parameters.reuse &&
@@ -145,7 +162,8 @@ void VolumeAnalysis<dim>::run(RunContext &context)
     }
   catch (const NotConverged &e)
     {
-      throw NumericalFailure(std::string(e.what()) + "; " + advice(e.reason));
+      const std::string more = advice(e);
+      throw NumericalFailure(e.what() + (more.empty() ? "" : "; " + more));
     }
   if (!context.root())
     return;

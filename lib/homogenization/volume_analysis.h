@@ -47,8 +47,12 @@ protected:
    * @throws NotConverged */
   virtual RveResults<dim> compute(RunContext &context) = 0;
 
-  /** What helps a solve that failed for @p reason. */
-  virtual std::string advice(const NotConverged::Reason reason) const = 0;
+  /** What explains a solve that failed, or helps; empty: nothing is known. */
+  virtual std::string advice(const NotConverged &failure) const = 0;
+
+  /** What is hard about phases and cells @p aspect times as long as wide, and the
+   * tolerance that the solve would have met. */
+  std::string causes(const NotConverged &failure, const double aspect) const;
 
   const RveParameters parameters; ///< checked
   const std::string digest;       ///< of all inputs

@@ -132,7 +132,7 @@ protected:
       ranges.push_back(plausible_length("Grid/Size along " + std::string(1, "xyz"[d]),
                                         parameters.microstructure.box.extent(d)));
     auto sentences = implausible(ranges);
-    if (const std::string one = stiffness_warning<3>(phases); !one.empty())
+    for (const std::string &one : stiffness_warnings<3>(phases))
       sentences.push_back(one);
     return sentences;
   }
@@ -170,13 +170,15 @@ protected:
     return results;
   }
 
-  std::string advice(const NotConverged::Reason reason) const override
+  std::string advice(const NotConverged &failure) const override
   {
-    return reason == NotConverged::Reason::not_finite
+    const auto &edges              = parameters.microstructure.box.spacing;
+    const auto [shortest, longest] = std::minmax_element(edges.begin(), edges.end());
+    return failure.reason == NotConverged::Reason::not_finite
              ? "check the moduli of Phases and Grid/Size, which are in Pa and m: forces "
                "or "
                "displacements are beyond the range of numbers"
-             : "loosen Homogenization/Tolerance";
+             : causes(failure, *longest / *shortest);
   }
 
 private:

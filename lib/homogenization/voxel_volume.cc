@@ -93,7 +93,7 @@ VolumeSums<3> VoxelVolume::solve(const BoundaryCondition wanted,
         throw NotConverged(to_string(condition) + " " +
                              (flat ? voigt_names<2>[k / 2] : voigt_names<3>[k]) + ": " +
                              error.what(),
-                           error.reason);
+                           error.reason, error.reached);
       }
   VolumeSums<3> sums = integrate();
   sums.reports       = reports;

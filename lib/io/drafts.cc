@@ -12,6 +12,7 @@ namespace
 struct DraftState
 {
   bool accepted = false, marked = false, empty = false;
+  std::string path = {}; ///< of the draft that is being written
 };
 DraftState draft_state;
 } // namespace
@@ -35,7 +36,15 @@ std::string path_of_draft(const std::string &folder, const std::string &name)
                       " already; name a folder without one");
   std::error_code ignored; // writing tells what is wrong
   std::filesystem::create_directories(folder, ignored);
+  draft_state.path = path;
   return path;
+}
+
+void discard_draft()
+{
+  std::error_code ignored;
+  if (!draft_state.path.empty())
+    std::filesystem::remove(draft_state.path + ".part", ignored);
 }
 
 DraftMark::DraftMark(const bool is_filled)

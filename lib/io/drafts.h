@@ -33,6 +33,9 @@ bool drafts_are_accepted();
  */
 std::string path_of_draft(const std::string &folder, const std::string &name);
 
+/** Removes what writing a draft has left unfinished. */
+void discard_draft();
+
 /** While one lives, all files that this process begins are drafts. */
 class DraftMark
 {

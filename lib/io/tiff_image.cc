@@ -1,6 +1,7 @@
 #include "io/tiff_image.h"
 
 #include "base/errors.h"
+#include "base/files.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -29,6 +30,7 @@ TiffFile open_tiff(const std::string &path)
   // What goes wrong is told by the values that functions return.
   TIFFSetErrorHandler(nullptr);
   TIFFSetWarningHandler(nullptr);
+  require_readable_file("", path);
   TiffFile file(TIFFOpen(path.c_str(), "r"));
   if (!file)
     throw UserError(path +

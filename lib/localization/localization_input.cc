@@ -98,8 +98,9 @@ LocalizationInput<dim>::LocalizationInput(const LocalizationParameters &p,
   if (files.direct)
     check_direct();
   choose_window();
-  for (const std::string &slip : slips(p, volume.box()))
-    warnings.push_back(slip);
+  for (const auto &sentences :
+       {slips(p, volume.box()), locking_warnings<dim>(files.rve.constituents())})
+    warnings.insert(warnings.end(), sentences.begin(), sentences.end());
   find_points(in_body);
   plan_probes(in_volume);
   choose_snapshots();

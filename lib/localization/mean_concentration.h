@@ -29,7 +29,7 @@ std::string concentration_warning(const std::string &file,
     file + ": the mean of the concentration tensors " + condition;
   if (!(defect <= largest_defect))
     return tensors + " differs from the identity by " + to_text(defect) +
-           "; rve_homogenization should be run with a smaller tolerance";
+           ", so that localized stresses are off by about this share";
   const double coupling = (mean - prescribed).cwiseAbs().maxCoeff();
   if (!(coupling <= largest_coupling))
     return tensors + " couples shear to other strains by " + brief_text(2, coupling) +

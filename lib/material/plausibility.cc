@@ -1,6 +1,11 @@
 #include "material/plausibility.h"
 
+#include "material/stiffness.h"
+
+#include <Eigen/LU>
+
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace mesoslip
@@ -8,6 +13,10 @@ namespace mesoslip
 namespace
 {
 constexpr double softest = 1e6, largest_contrast = 1e6; // Pa, -
+// Of lambda / mu: 0.49 of Poisson's ratio.
+constexpr double locks_from = 48.999;
+// From where on a solve takes long, in single precision in particular.
+constexpr double hard_contrast = 1e4, hard_anisotropy = 1e3, hard_aspect = 30.;
 
 /** The largest against a strain along one axis that another makes up for; of isotropic phases 2 G,
  * which Poisson's ratio hardly changes. */
@@ -20,6 +29,35 @@ double stiffness(const Phase<dim> &phase)
       largest = std::max(largest, 0.5 * (phase.stiffness(i, i) + phase.stiffness(j, j)) -
                                     phase.stiffness(i, j));
   return largest;
+}
+
+/** The softest and the stiffest phase; there is one. */
+template <int dim>
+auto extremes(const std::vector<Phase<dim>> &phases)
+{
+  return std::minmax_element(phases.begin(), phases.end(),
+                             [](const Phase<dim> &a, const Phase<dim> &b) {
+                               return stiffness<dim>(a) < stiffness<dim>(b);
+                             });
+}
+
+/** lambda / mu of an isotropic phase; of another one that of the isotropic phase whose compliance
+ * against pressure is as small a part of those against normal stresses. */
+template <int dim>
+double incompressibility(const Phase<dim> &phase)
+{
+  const auto compliance = phase.stiffness.inverse().eval();
+  const double share    = compliance.template topLeftCorner<dim, dim>().sum() /
+                       compliance.template topLeftCorner<dim, dim>().trace();
+  return (dim == 2 ? 2. : 1.) * (1. - share) / share;
+}
+
+/** Poisson's ratio of such an isotropic phase. */
+template <int dim>
+std::string ratio_text(const Phase<dim> &phase)
+{
+  const double ratio = incompressibility<dim>(phase);
+  return brief_text(7, ratio / (2. * (1. + ratio)));
 }
 } // namespace
 
@@ -93,29 +131,90 @@ std::vector<PlausibleRange> plausible_phases(const std::vector<Phase<dim>> &phas
 }
 
 template <int dim>
-std::string stiffness_warning(const std::vector<Phase<dim>> &phases)
+std::string unit_warning(const std::vector<Phase<dim>> &phases)
 {
-  const auto [soft, stiff] = std::minmax_element(
-    phases.begin(), phases.end(), [](const Phase<dim> &a, const Phase<dim> &b) {
-      return stiffness<dim>(a) < stiffness<dim>(b);
-    });
-  std::ostringstream text;
-  text.precision(3);
   if (phases.empty())
     return "";
-  const double contrast = stiffness<dim>(*stiff) / stiffness<dim>(*soft);
+  const auto [soft, stiff] = extremes<dim>(phases);
+  const double contrast    = stiffness<dim>(*stiff) / stiffness<dim>(*soft);
   if (contrast > largest_contrast * (1. + 1e-9))
-    text << "phase '" << stiff->name << "' is " << contrast
-         << " times as stiff as phase '" << soft->name
-         << "'; is one of them in GPa or MPa? Moduli are in Pa";
-  else if (stiffness<dim>(*soft) < softest)
-    text << "phase '" << soft->name << "' has a stiffness of " << stiffness<dim>(*soft)
-         << " Pa, less than soft rubber; is it in GPa or MPa? Moduli are in Pa";
-  return text.str();
+    return brief_text(3, "phase '", stiff->name, "' is ", contrast,
+                      " times as stiff as phase '", soft->name,
+                      "'; is one of them in GPa or MPa? Moduli are in Pa");
+  if (stiffness<dim>(*soft) < softest)
+    return brief_text(
+      3, "phase '", soft->name, "' has a stiffness of ", stiffness<dim>(*soft),
+      " Pa, less than soft rubber; is it in GPa or MPa? Moduli are in Pa");
+  return "";
 }
 
-template std::vector<PlausibleRange> plausible_phases<2>(const std::vector<Phase<2>> &);
-template std::vector<PlausibleRange> plausible_phases<3>(const std::vector<Phase<3>> &);
-template std::string stiffness_warning<2>(const std::vector<Phase<2>> &);
-template std::string stiffness_warning<3>(const std::vector<Phase<3>> &);
+template <int dim>
+std::vector<std::string> locking_warnings(const std::vector<Phase<dim>> &phases)
+{
+  const auto worst = std::max_element(
+    phases.begin(), phases.end(), [](const Phase<dim> &a, const Phase<dim> &b) {
+      return incompressibility<dim>(a) < incompressibility<dim>(b);
+    });
+  if (worst == phases.end() || !(incompressibility<dim>(*worst) >= locks_from))
+    return {};
+  // As measured around stiff inclusions, n cells from one to the next: doc/limits.md.
+  const double factor = 2. * incompressibility<dim>(*worst);
+  return {
+    brief_text(2, "phase '", worst->name, "' is nearly incompressible (Poisson's ratio ",
+               ratio_text<dim>(*worst),
+               "): linear cells lock in it, so that what varies over n cells comes out "
+               "up to about 1 + ",
+               factor, " / n^2 times too stiff, ", 1. + factor / 400.,
+               " times for n = 20; see 'Nearly incompressible phases' in doc/limits.md")};
+}
+
+template <int dim>
+std::vector<std::string> stiffness_warnings(const std::vector<Phase<dim>> &phases)
+{
+  std::vector<std::string> sentences = locking_warnings<dim>(phases);
+  if (const std::string one = unit_warning<dim>(phases); !one.empty())
+    sentences.push_back(one);
+  return sentences;
+}
+
+template <int dim>
+std::string hard_to_solve(const std::vector<Phase<dim>> &phases, const double aspect)
+{
+  std::string causes;
+  const auto add = [&](const auto &...parts) {
+    causes += (causes.empty() ? "what makes it hard: " : ", ") + brief_text(2, parts...);
+  };
+  if (aspect > hard_aspect)
+    add("cells are ", aspect, " times as long as wide");
+  const auto anisotropy = [](const Phase<dim> &phase) {
+    const VoigtVector<dim> values = stiffness_eigenvalues<dim>(phase.stiffness);
+    return values[n_voigt<dim> - 1] / values[0];
+  };
+  const auto worst = std::max_element(phases.begin(), phases.end(),
+                                      [&](const Phase<dim> &a, const Phase<dim> &b) {
+                                        return anisotropy(a) < anisotropy(b);
+                                      });
+  if (const double ratio = anisotropy(*worst); ratio > hard_anisotropy)
+    add("phase '", worst->name, "' resists some strains ", ratio,
+        " times as much as others (Poisson's ratio ", ratio_text<dim>(*worst), ")");
+  const auto [soft, stiff] = extremes<dim>(phases);
+  if (const double contrast = stiffness<dim>(*stiff) / stiffness<dim>(*soft);
+      contrast > hard_contrast)
+    add("phase '", stiff->name, "' is ", contrast, " times as stiff as phase '",
+        soft->name, "'");
+  return causes;
+}
+
+#define MESOSLIP_INSTANTIATE(dim)                                          \
+  template std::vector<PlausibleRange> plausible_phases<dim>(              \
+    const std::vector<Phase<dim>> &);                                      \
+  template std::string unit_warning<dim>(const std::vector<Phase<dim>> &); \
+  template std::vector<std::string> locking_warnings<dim>(                 \
+    const std::vector<Phase<dim>> &);                                      \
+  template std::vector<std::string> stiffness_warnings<dim>(               \
+    const std::vector<Phase<dim>> &);                                      \
+  template std::string hard_to_solve<dim>(const std::vector<Phase<dim>> &, const double);
+MESOSLIP_INSTANTIATE(2)
+MESOSLIP_INSTANTIATE(3)
+#undef MESOSLIP_INSTANTIATE
 } // namespace mesoslip

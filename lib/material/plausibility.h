@@ -59,7 +59,21 @@ std::vector<PlausibleRange> plausible_phases(const std::vector<Phase<dim>> &phas
  * empty if there is nothing to say. Stiffness is that against changes of shape, 2 G.
  */
 template <int dim>
-std::string stiffness_warning(const std::vector<Phase<dim>> &phases);
+std::string unit_warning(const std::vector<Phase<dim>> &phases);
+
+/** That linear cells lock in the least compressible phase, from a Poisson's ratio of 0.49 on, with
+ * an estimate of the error: one sentence or none. */
+template <int dim>
+std::vector<std::string> locking_warnings(const std::vector<Phase<dim>> &phases);
+
+/** These two. */
+template <int dim>
+std::vector<std::string> stiffness_warnings(const std::vector<Phase<dim>> &phases);
+
+/** What makes a static solve hard: phases that differ much, or one that resists some strains much
+ * more than others, and cells @p aspect times as long as wide; empty if there is nothing. */
+template <int dim>
+std::string hard_to_solve(const std::vector<Phase<dim>> &phases, const double aspect);
 } // namespace mesoslip
 
 #endif

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <stdexcept>
 
 namespace mesoslip
@@ -244,17 +245,18 @@ void Keys::bind_names(const std::string &key,
   const RawParameters::Entry *const entry = raw.find(path(key));
   if (!reading)
     names = entry != nullptr ? split_list(entry->value) : defaults;
-  for (auto name = names.begin(); name != names.end(); ++name)
+  std::set<std::string> before;
+  for (const std::string &name : names)
     {
       const std::string plain =
-        boost::algorithm::trim_fill_copy(*name, " ", std::locale::classic());
+        boost::algorithm::trim_fill_copy(name, " ", std::locale::classic());
       // Names become groups of HDF5, where a point stands for the group itself.
-      if (plain.empty() || plain == "." || plain == ".." || plain != *name ||
-          name->find_first_of("/,\\=#\"'") != std::string::npos)
-        throw UserError(path(key) + ": '" + *name + "' cannot be the name of a " + kind +
+      if (plain.empty() || plain == "." || plain == ".." || plain != name ||
+          name.find_first_of("/,\\=#\"'") != std::string::npos)
+        throw UserError(path(key) + ": '" + name + "' cannot be the name of a " + kind +
                         "; use letters, digits and single blanks");
-      if (std::find(names.begin(), name, *name) != name)
-        throw UserError(path(key) + ": there are two " + kind + "s named '" + *name +
+      if (!before.insert(name).second)
+        throw UserError(path(key) + ": there are two " + kind + "s named '" + name +
                         "'; rename one");
     }
 }

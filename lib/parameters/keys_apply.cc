@@ -45,10 +45,10 @@ struct Declarations
       {
         keys.push_back(key.path());
         for (std::string s = key.section; !s.empty(); s = parent_of(s))
-          if (std::find(sections.begin(), sections.end(), s) == sections.end())
-            sections.push_back(s);
+          sections.push_back(s);
       }
     std::sort(sections.begin(), sections.end());
+    sections.erase(std::unique(sections.begin(), sections.end()), sections.end());
   }
 
   bool has_section(const std::string &path) const

@@ -91,8 +91,16 @@ void validate(const Analysis &analysis,
 {
   std::ostringstream report;
   analysis.describe(report);
-  if (!line.draft.empty())
-    analysis.write_draft(without_detours(line.draft));
+  try
+    {
+      if (!line.draft.empty())
+        analysis.write_draft(without_detours(line.draft));
+    }
+  catch (const std::exception &)
+    {
+      discard_draft();
+      throw;
+    }
   if (mpi::this_mpi_process(MPI_COMM_WORLD) > 0 || line.quiet)
     return;
   std::cout << line.prm_file << ": the parameters are valid; the results would go to "
@@ -141,7 +149,16 @@ void run(Analysis &analysis,
   catch (const std::exception &)
     {
       context.progress().finish();
-      context.log_to_file("stopped: " + describe_current_exception().message);
+      Outcome outcome = describe_current_exception();
+      std::error_code ignored;
+      if (outcome.status == ExitStatus::user_error && analysis.resumable() &&
+          context.has_begun() &&
+          std::filesystem::exists(context.file(program.name + ".checkpoint"), ignored))
+        outcome.message += "; the same command with --resume goes on from the last "
+                           "checkpoint once this is mended";
+      context.log_to_file("stopped: " + outcome.message);
+      if (outcome.status == ExitStatus::user_error)
+        throw UserError(outcome.message);
       throw;
     }
   if (options.profile && context.root())

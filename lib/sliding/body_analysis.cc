@@ -149,8 +149,8 @@ std::vector<std::string> BodyAnalysis::body_warnings() const
   std::vector<std::string> warnings = body.warnings;
   for (const std::string &sentence : implausible(ranges))
     warnings.push_back(sentence);
-  if (const std::string stiffness = stiffness_warning<2>(body.phases); !stiffness.empty())
-    warnings.push_back(stiffness);
+  for (const std::string &one : stiffness_warnings<2>(body.phases))
+    warnings.push_back(one);
   return warnings;
 }
 

@@ -150,7 +150,7 @@ SolverReport GridSolver::solve(NodalField<double> &u,
         break;
       if (!single || *failure == NotConverged::Reason::not_finite ||
           report.iterations == max_iterations)
-        throw NotConverged(failure_text(*failure, report), *failure);
+        throw NotConverged(failure_text(*failure, report), *failure, report.residual);
       single.reset();
       twice = std::make_unique<Cycle<double>>(material, stiffness, mask);
       report.single_iterations = report.iterations;

@@ -55,13 +55,18 @@ public:
   };
 
   /** @p text says what happened, without advice. */
-  explicit NotConverged(const std::string &text, const Reason reason = Reason::iterations)
+  explicit NotConverged(const std::string &text,
+                        const Reason reason  = Reason::iterations,
+                        const double reached = 1.)
     : std::runtime_error(text)
     , reason(reason)
+    , reached(reached)
   {
   }
 
   const Reason reason; ///< why it ended
+  const double
+    reached; ///< smallest residual before that, relative to the right-hand side
 };
 
 /**

@@ -267,7 +267,8 @@ SolverReport MlSolver<dim>::solve_free(Vector &x,
       text << "conjugate gradients with ML stopped after " << e.last_step
            << " iterations at a relative residual of " << e.last_residual / reference
            << ", wanted " << tolerance;
-      throw NotConverged(text.str());
+      throw NotConverged(text.str(), NotConverged::Reason::iterations,
+                         e.last_residual / reference);
     }
   x += correction;
   SolverReport report;

@@ -23,6 +23,25 @@ std::size_t place_in(const std::vector<double> &axis, const double value)
   return static_cast<std::size_t>(std::lower_bound(axis.begin(), axis.end(), value) -
                                   axis.begin());
 }
+
+/** @throws UserError if fewer rows, each in its @p place, than the axes have points */
+void require_all(const FrictionTable::Points &points,
+                 std::vector<std::size_t> place,
+                 const std::string &path)
+{
+  const std::size_t m = points.pressure.size();
+  if (points.slip_rate.size() * m <= place.size())
+    return;
+  std::sort(place.begin(), place.end());
+  place.erase(std::unique(place.begin(), place.end()), place.end());
+  std::size_t k = 0;
+  while (k < place.size() && place[k] == k)
+    ++k;
+  throw UserError(path + " has no row with a slip rate of " +
+                  to_text(points.slip_rate[k / m]) + " m/s and a pressure of " +
+                  to_text(points.pressure[k % m]) +
+                  " Pa; each slip rate needs a coefficient for each pressure");
+}
 } // namespace
 
 FrictionTable::Points read_friction_table(const std::string &path)
@@ -41,8 +60,12 @@ FrictionTable::Points read_friction_table(const std::string &path)
   points.slip_rate    = ascending(rate);
   points.pressure     = ascending(pressing);
   const std::size_t m = points.pressure.size();
-  points.coefficient.assign(points.slip_rate.size() * m,
-                            std::numeric_limits<double>::quiet_NaN());
+  std::vector<std::size_t> place;
+  for (std::size_t row = 0; row < table.n_rows(); ++row)
+    place.push_back(place_in(points.slip_rate, rate[row]) * m +
+                    place_in(points.pressure, pressing[row]));
+  require_all(points, place, path);
+  points.coefficient.assign(place.size(), std::numeric_limits<double>::quiet_NaN());
   for (std::size_t row = 0; row < table.n_rows(); ++row)
     {
       for (const auto &[name, number] :
@@ -51,20 +74,13 @@ FrictionTable::Points read_friction_table(const std::string &path)
         if (number < 0.)
           table.fail(row, std::string("the ") + name + " is " + to_text(number) +
                             "; it must not be negative");
-      double &entry = points.coefficient[place_in(points.slip_rate, rate[row]) * m +
-                                         place_in(points.pressure, pressing[row])];
+      double &entry = points.coefficient[place[row]];
       if (!std::isnan(entry))
         table.fail(row, "there is a row with this slip rate" +
                           std::string(by_pressure ? " and pressure" : "") +
                           " before; remove one");
       entry = value[row];
     }
-  for (std::size_t k = 0; k < points.coefficient.size(); ++k)
-    if (std::isnan(points.coefficient[k]))
-      throw UserError(path + " has no row with a slip rate of " +
-                      to_text(points.slip_rate[k / m]) + " m/s and a pressure of " +
-                      to_text(points.pressure[k % m]) +
-                      " Pa; each slip rate needs a coefficient for each pressure");
   return points;
 }
 } // namespace mesoslip

@@ -34,7 +34,7 @@ std::vector<std::string> implausible_body(const std::vector<Phase<dim>> &phases,
     ranges.push_back(plausible_pressure(
       "Top/Pressure", std::fabs(parameters.top.pressure.amplitude()), stiffness));
   std::vector<std::string> sentences = implausible(ranges);
-  if (const std::string one = stiffness_warning<dim>(phases); !one.empty())
+  for (const std::string &one : stiffness_warnings<dim>(phases))
     sentences.push_back(one);
   return sentences;
 }

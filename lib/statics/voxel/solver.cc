@@ -44,11 +44,12 @@ double Solver::gross_load(const unsigned int k) const
   return std::sqrt(sum);
 }
 
-/** Residual of load case @p k, and the square of its norm. */
-double Solver::outer(const unsigned int k,
-                     VoxelField<double> &v,
-                     VoxelField<float> &out,
-                     double *exact)
+/** Forces of load case @p k that nothing balances, those at held components included, and the
+ *  square of their norm. */
+double Solver::unbalanced(const unsigned int k,
+                          VoxelField<double> &v,
+                          VoxelField<float> &out,
+                          double *exact)
 {
   SweepArguments<double> a = sweep_arguments(voxels, work);
   a.x                      = v.data();
@@ -63,8 +64,16 @@ double Solver::outer(const unsigned int k,
   else
     a.strain[k] = voxels.flat ? 2. : 4.;
   const Cells cells = cells_of(voxels, n_coefficients);
-  const double square =
-    sum_over_ranks(voxels, sweep_of<double>(kernels().outer, source, cells)(a));
+  return sum_over_ranks(voxels, sweep_of<double>(kernels().outer, source, cells)(a));
+}
+
+/** Residual of load case @p k, and the square of its norm. */
+double Solver::outer(const unsigned int k,
+                     VoxelField<double> &v,
+                     VoxelField<float> &out,
+                     double *exact)
+{
+  const double square = unbalanced(k, v, out, exact);
   if (voxels.sides != Sides::mixed)
     return square;
   clear_held(voxels, out.data());
@@ -103,12 +112,20 @@ Solver::solve(const unsigned int k, const double tolerance, const unsigned int l
     std::fill_n(u.data(), u.size(), 0.);
   VoxelField<float> &q   = multigrid->finest_buffer(); // not needed across a cycle
   const double reference = std::sqrt(outer(k, u, r));
-  double norm = reference, rz = 0., trusted = reference;
+  double norm = reference, rz = 0., trusted = reference, least = reference;
+  double begun =
+    2. * reference;        // the residual from which the directions were last begun anew
+  bool is_new      = true; // whether they begin with the next one
+  const auto trust = [&]() {
+    u.set_ghosts();
+    trusted = norm = std::sqrt(outer(k, u, r));
+    least          = std::min(least, norm);
+  };
   const auto fail = [&](const std::string &what, const NotConverged::Reason reason) {
     std::ostringstream text;
     text << "conjugate gradients " << what << " after " << report.iterations
          << " iterations at a relative residual of " << report.residual;
-    throw NotConverged(text.str(), reason);
+    throw NotConverged(text.str(), reason, least / reference);
   };
   if (reference <= cancelled * gross_load(k))
     norm = 0.;
@@ -121,25 +138,34 @@ Solver::solve(const unsigned int k, const double tolerance, const unsigned int l
       multigrid->vmult(z, r);
       const double last = rz;
       rz = sum_over_ranks(voxels, kernels().dot(r.size(), r.data(), z.data()));
-      const double beta = report.iterations == 0 ? 0. : rz / last;
+      const double beta = is_new ? 0. : rz / last;
       kernels().combine(p.size(), 1.F, z.data(), static_cast<float>(beta), p.data());
       const double pq = multigrid->finest().product(p, q);
       clear_held(voxels, q.data());
       if (!(pq > 0.) || !(rz > 0.))
-        fail("broke down", NotConverged::Reason::broke_down);
+        {
+          // Directions are lost to round-off, the displacements are not.
+          trust();
+          report.residual = norm / reference;
+          if (is_new || !(norm < 0.5 * begun))
+            fail("broke down", NotConverged::Reason::broke_down);
+          begun  = norm;
+          is_new = true;
+          continue;
+        }
+      is_new             = false;
       const double alpha = rz / pq;
       norm               = std::sqrt(
                       sum_over_ranks(voxels, kernels().step(r.size(), static_cast<float>(alpha),
                                                             p.data(), q.data(), u.data(), r.data())));
       ++report.iterations;
       if (norm <= std::max(tolerance * reference, trusted_drop(voxels) * trusted))
-        {
-          u.set_ghosts();
-          trusted = norm = std::sqrt(outer(k, u, r));
-        }
+        trust();
       report.residual = norm / reference;
     }
   u.set_ghosts();
+  if (voxels.sides == Sides::mixed)
+    unbalanced(k, u, r); // other load cases move what this one holds
   keep(k);
   return report;
 }

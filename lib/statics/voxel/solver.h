@@ -78,8 +78,8 @@ public:
 
   /**
    * Effective stiffness (Pa) from the energies, which is of second order in the error of
-   * the solutions; entries of two load cases that hold() other components say nothing. Only
-   * after solve_all().
+   * the solutions; entries of two load cases that hold() other components are their energy, but
+   * no stiffness. Only after solve_all().
    */
   VoigtMatrix<3> effective_stiffness() const;
 
@@ -124,6 +124,10 @@ public:
 private:
   void set_table();
   void build_multigrid();
+  double unbalanced(const unsigned int k,
+                    VoxelField<double> &v,
+                    VoxelField<float> &out,
+                    double *exact = nullptr);
   double outer(const unsigned int k,
                VoxelField<double> &v,
                VoxelField<float> &out,

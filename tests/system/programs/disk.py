@@ -6,8 +6,10 @@ permission are of another user.
 """
 
 import os
+import shutil
 import subprocess
 import tempfile
+import time
 
 from scenes import Folder, prm, rve, sets
 
@@ -33,6 +35,8 @@ static int full(int fd, off_t at, size_t n)
   if (!folder || readlink(link, path, sizeof(path) - 1) < 0 || strncmp(path, folder, strlen(folder)) || fstat(fd, &status))
     return 0;
   errno = ENOSPC;
+  if (getenv("FULL_NOW"))
+    return !access(getenv("FULL_NOW"), F_OK);
   return (at < 0 ? status.st_size : at) + (off_t)n > atol(getenv("FULL_BYTES"));
 }
 #define NEXT(name) ((__typeof__(&name))dlsym(RTLD_NEXT, #name))
@@ -88,6 +92,32 @@ def fills_up(bench, program):
     bench.job(f"{program} that fits again", 0, [], program, program, *again)
 
 
+def fills_up_late(bench):
+    """A disk that fills up after a checkpoint: the sentence says how the run goes on, and so it does."""
+    settings = sets({"Time/End time": 3e-3, "Snapshots/Interval": 1e-5, "Checkpoints/Interval": 0.001})
+    environment = dict(os.environ, LD_PRELOAD=bench("full.so"), FULL_FOLDER=bench("late"), FULL_NOW=bench("now"))
+    run = bench.start("contact_dynamics", "contact_dynamics.prm", "--quiet", "--output", "late", *settings, env=environment)
+    while run.poll() is None and not os.path.exists(bench("late", "contact_dynamics.checkpoint")):
+        time.sleep(0.01)
+    bench.write("now", "")
+    _, err = run.communicate()
+    if run.returncode != 2 or "the same command with --resume goes on from the last checkpoint" not in err or err.count("\n") != 1:
+        bench.problems.append(f"a disk that fills up late: exit status {run.returncode}, {err}")
+    bench.job("the same with --resume", 0, [], "contact_dynamics", "late", "--resume", *settings)
+    if "Resumed at step" not in bench.read("late", "log.txt").decode():
+        bench.problems.append("the run on the disk that was full did not go on")
+
+
+def leaves_no_draft(bench):
+    """A draft that does not fit leaves nothing."""
+    for program in RESULTS:
+        os.makedirs(bench("draft"))
+        bench.job(f"a draft of {program}", 2, [RESULTS[program]], program, "draft", "--validate", "--draft", "draft", largest_file=2000)
+        if os.listdir(bench("draft")):
+            bench.problems.append(f"a draft of {program} on a full disk left {os.listdir(bench('draft'))}")
+        shutil.rmtree(bench("draft"))
+
+
 def become_nobody():
     if os.getuid() == 0:
         os.setgid(NOBODY)
@@ -127,6 +157,8 @@ def main():
         bench = Bench(folder)
         for program in RESULTS:
             fills_up(bench, program)
+        fills_up_late(bench)
+        leaves_no_draft(bench)
         full_device(bench)
         not_permitted(bench)
         # Open MPI's is shared by all processes that start and end side by side: one may remove it under another.

@@ -12,8 +12,8 @@ using namespace mesoslip;
 TEST(Plausibility, ModuliInOtherUnits)
 {
   const auto warning = [](const double matrix, const double fibre) {
-    return stiffness_warning<2>({{"matrix", isotropic_stiffness<2>(matrix, 0.)},
-                                 {"fibre", isotropic_stiffness<2>(fibre, 0.)}});
+    return unit_warning<2>({{"matrix", isotropic_stiffness<2>(matrix, 0.)},
+                            {"fibre", isotropic_stiffness<2>(fibre, 0.)}});
   };
   EXPECT_EQ(warning(30e9, 240e9), "");
   EXPECT_EQ(warning(1e6, 1e12), ""); // a million times, and rubber
@@ -23,7 +23,49 @@ TEST(Plausibility, ModuliInOtherUnits)
   EXPECT_EQ(warning(240e3, 30e3),
             "phase 'fibre' has a stiffness of 3e+04 Pa, less than soft "
             "rubber; is it in GPa or MPa? Moduli are in Pa");
-  EXPECT_EQ(stiffness_warning<2>({}), "");
+  EXPECT_TRUE(stiffness_warnings<2>({}).empty());
+}
+
+// Whatever the phase is given by; a stiff direction is no small compressibility.
+TEST(Plausibility, LinearCellsLockInNearlyIncompressiblePhases)
+{
+  const auto told = [](const VoigtMatrix<2> &plane, const VoigtMatrix<3> &solid) {
+    const auto of_plane = locking_warnings<2>({{"rubber", plane}}),
+               of_solid = locking_warnings<3>({{"rubber", solid}});
+    EXPECT_EQ(of_plane, of_solid);
+    return of_plane.empty() ? std::string() : of_plane[0];
+  };
+  const auto isotropic = [&](const double nu) {
+    return told(isotropic_stiffness<2>(3e6, nu), isotropic_stiffness<3>(3e6, nu));
+  };
+  EXPECT_EQ(isotropic(0.48), "");
+  EXPECT_NE(isotropic(0.49).find("ratio 0.49): linear cells lock"), std::string::npos);
+  EXPECT_NE(
+    isotropic(0.499).find("1 + 1e+03 / n^2 times too stiff, 3.5 times for n = 20"),
+    std::string::npos)
+    << isotropic(0.499);
+  const OrthotropicConstants fibres = {1e12, 1e9, 1e9, 0.3, 0.3, 0.4, 1e9, 1e9, 1e9};
+  EXPECT_EQ(told(orthotropic_stiffness<2>(fibres), orthotropic_stiffness<3>(fibres)), "");
+  EXPECT_EQ(stiffness_warnings<3>({{"a", isotropic_stiffness<3>(1e3, 0.3)},
+                                   {"b", isotropic_stiffness<3>(1e3, 0.4999)}})
+              .size(),
+            2U);
+}
+
+TEST(Plausibility, WhatMakesASolveHard)
+{
+  const auto causes = [](const double nu, const double contrast, const double aspect) {
+    return hard_to_solve<3>({{"a", isotropic_stiffness<3>(1e9, nu)},
+                             {"b", isotropic_stiffness<3>(1e9 * contrast, 0.3)}},
+                            aspect);
+  };
+  EXPECT_EQ(causes(0.3, 1e3, 1.), "");
+  EXPECT_EQ(causes(0.3, 1., 1e4),
+            "what makes it hard: cells are 1e+04 times as long as wide");
+  EXPECT_NE(causes(-0.9999, 1., 1.).find("phase 'a' resists some strains"),
+            std::string::npos);
+  EXPECT_NE(causes(0.49999, 1., 1.).find("ratio 0.49999)"), std::string::npos);
+  EXPECT_NE(causes(0.3, 1e6, 1.).find("times as stiff as phase 'a'"), std::string::npos);
 }
 
 TEST(Plausibility, ValuesOutsideTheirRanges)

@@ -135,6 +135,8 @@ def check_voxels(folder):
             close(found["stiffness"]["MUBC"], wanted["stiffness"]["MUBC"], 1e-9, what + " mesh of the same cells")
             for of in ("hill_mandel_residual", "symmetry_residual"):
                 assert found[of]["MUBC"] < 1e-9, found[of]
+            for key, scale in (("energy_density", None), ("hill_mandel_residual", 1.0)):
+                close(found["loads"][0][key], wanted["loads"][0][key], 1e-8, f"{what} {key}", scale)
             other, numbers = fields(folder, f"mesh{name}1", "shear", "MUBC")[0], voxel_of_cells(folder(f"mesh{name}1", "loads.h5"), shape)
             for key, values in fields(folder, f"{name}{ranks}", "shear", "MUBC")[0].items():
                 close(values[numbers], other[key], 1e-8, what + " " + key)

@@ -45,7 +45,8 @@ def run(prm, settings=None, output=None, ranks=None, resume=False, program=None,
 
     `settings`: {"Top/Pressure": 4e5} goes before what the file says; lists become "a, b". `output`: folder of the results, else that of the
     file's key `Output folder`, else output/NAME. `ranks`: number of MPI processes; without it one, or for a long run as many as there are
-    idle cores. `program`: its name, where neither the file's name nor its keys tell. Warnings of the run become Python warnings. Raises RunError with the program's sentence."""
+    idle cores. `program`: its name, where neither the file's name nor its keys tell. Warnings of the run become Python warnings. Raises
+    RunError with the program's sentence."""
     words = [f"--set={key}={_value_text(value)}" for key, value in (settings or {}).items()]
     prm = os.fspath(prm)
     words += [f"--output={os.fspath(output)}"] if output is not None else []

@@ -45,7 +45,7 @@ def start_of(ranks):
     """The words before a program that start it on so many ranks. Where others work beside them, ranks may change their cores."""
     if ranks == 1:
         return []
-    return ["mpirun", "--oversubscribe", *(["--bind-to", "none"] if ranks < (os.cpu_count() or 1) else []), "-np", str(ranks)]
+    return ["mpirun", "--quiet", "--oversubscribe", *(["--bind-to", "none"] if ranks < (os.cpu_count() or 1) else []), "-np", str(ranks)]
 
 
 def ranks_begun_with(output):
