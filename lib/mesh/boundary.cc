@@ -292,8 +292,10 @@ faces_of_box(const Mesh<dim> &mesh, const std::vector<BoundaryFace<dim>> &faces)
         throw UserError(
           "Mesh/File: the boundary at " +
           place(mesh, {face.points.begin(), face.points.begin() + face.n_points}) +
-          " is on no side of the bounding box; a volume element has to be "
-          "a box without holes (make a hole a phase with a small modulus)");
+          " is on no side of the bounding box; a volume element has to be a box without "
+          "holes. Make a hole a phase with a small modulus; of a body of another shape "
+          "homogenize a box of its material, and name points of the body in Volume "
+          "element/Points of the localization (prm/examples/mesh/own_body)");
       sides[side].push_back(face);
     }
   return sides;
