@@ -25,6 +25,7 @@ install_packages
 cmake_options=()
 programs=(rve_homogenization contact_dynamics stress_localization)
 [ "$script" != applications/tools/studies/benchmarks/run.py ] || programs+=(brick_benchmark mesh_benchmark model_problems scaling_benchmark step_benchmark voxel_benchmark)
+say_how_long build "${programs[@]}"
 build build "${programs[@]}"
 [ "$script" != applications/tools/run_chain.py ] || set -- --from "$caller" "$@"
 exec "$python" "$script" --programs build/applications "$@"

@@ -71,6 +71,14 @@ configure() {
   cmake -S . -B "$folder" -G Ninja -DMESOSLIP_UNITY=ON "${cmake_options[@]}" >"$log" 2>&1 || { tail -n 30 "$log" >&2; fail "cmake failed, see $log"; }
 }
 
+# say_how_long <folder> <program>... : what the first build of the programs takes, before it begins.
+say_how_long() {
+  is_built "$@" && return 0
+  local cores
+  cores=$(nproc 2>/dev/null || echo 1)
+  say "The programs are built first: about 16 minutes of one core, so some $(((16 + cores - 1) / cores)) minutes on the $cores of this machine if they are idle"
+}
+
 # is_built <folder> <target>... : whether programs of these names are there, up to date or not.
 is_built() {
   local target

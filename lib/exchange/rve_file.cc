@@ -22,10 +22,15 @@ namespace
 {
 const char rve_program[] = "rve_homogenization";
 
-std::string concentration_hint(const std::string &condition)
+/** What to do about tensors that @p file lacks, and which it has. */
+std::string concentration_hint(const Hdf5File &file, const std::string &condition)
 {
+  std::string others;
+  for (const std::string other : {"KUBC", "PBC", "MUBC"})
+    if (file.exists(concentration_dataset(other)))
+      others += (others.empty() ? "; it has those of " : ", ") + other;
   return "run rve_homogenization with " + condition +
-         " among its boundary conditions and its concentration tensors written";
+         " among its boundary conditions and its concentration tensors written" + others;
 }
 
 /** The grid, or the bounding box of the mesh as one cell. */
@@ -248,7 +253,8 @@ std::vector<double> RveFile<dim>::concentration(const std::string &name) const
 {
   Shape shape = is_mesh() ? Shape{any_extent} : shape_of_cells(grid);
   shape.insert(shape.end(), {n_voigt<dim>, n_voigt<dim>});
-  return file.read<double>(concentration_dataset(name), shape, concentration_hint(name));
+  return file.read<double>(concentration_dataset(name), shape,
+                           concentration_hint(file, name));
 }
 
 template <int dim>
@@ -259,10 +265,11 @@ std::vector<double> RveFile<dim>::concentration(const std::string &name,
   const std::string dataset = concentration_dataset(name);
   Shape extent              = materials.shape;
   extent.insert(extent.end(), {n_voigt<dim>, n_voigt<dim>});
-  if (file.shape(dataset, concentration_hint(name)) != extent)
+  if (file.shape(dataset, concentration_hint(file, name)) != extent)
     throw UserError(path() + ": concentration tensors and cells differ in number; run "
                              "rve_homogenization again");
-  return read_cells<double>(file, dataset, first, count, concentration_hint(name), 2);
+  return read_cells<double>(file, dataset, first, count, concentration_hint(file, name),
+                            2);
 }
 
 template <int dim>

@@ -159,7 +159,8 @@ void LocalizationInput<dim>::compare_boxes(CellFinder<dim> &in_body)
       !parameters.direct_run.empty())
     throw UserError(both + ", so the volume is not the body: there are neither probes "
                            "nor a direct run; empty Probes/Of the run, Probes/Further "
-                           "and Input/Direct run");
+                           "and Input/Direct run. The report compares the means at "
+                           "the points with those of a direct run in the same report");
 }
 
 template <int dim>

@@ -72,7 +72,8 @@ void bind_phase(Keys &keys, PhaseParameters &phase)
                  0, 21);
   keys.bind("Angle", phase.angle, Range::any(),
             "Orthotropic and stiffness: angle by which the material is turned "
-            "counter-clockwise about z, from x to its axis 1 [rad]");
+            "counter-clockwise about z, from x to its axis 1, in radians, not in "
+            "degrees as Euler angles [rad]");
   bind_orientation(keys, phase);
   keys.bind("Density", phase.density, Range::closed(0., Range::density().upper),
             "Mass density. Statics and homogenization do without; contact_dynamics needs "

@@ -4,13 +4,15 @@ from report.base import figures
 from report.base.common_scales import comparable, same_scale
 from report.base.page import escape, quantities, quantity
 from report.bodies import contact_surface, field_errors, fields, loads, maps, mesh_maps
-from report.runs import analyses, complex_modes, contact_states, energies, key_numbers, paper, probes, waves, what_was_run
+from report.bodies import points as volumes
+from report.runs import analyses, complex_modes, contact_states, energies, key_numbers, paper, probes, verdict, waves, what_was_run
 
 
 def plan(chain, surface_times=()):
     """(heading, [(function, arguments...)]) of every section that the runs of the chain call for, with lists of those parts that stand in a
     row; contact surfaces in 3D are shown at `surface_times` (s), of the last periods if there are none."""
-    result = [("What was run", [(what_was_run.runs_table, chain)])]
+    result = [("In short", [(verdict.verdict, chain)])] if verdict.verdict(None, chain) else []
+    result.append(("What was run", [(what_was_run.runs_table, chain)]))
     if chain.transient:
         result.append(("Key numbers", [(key_numbers.side_by_side, chain.transient)]))
     pins = [run for run in chain.transient + chain.modal + chain.static if paper.is_pin(run)]
@@ -155,6 +157,7 @@ def mean_von_mises(page, run, dynamics):
                                  f"Von Mises stress averaged over time in the volume element at the point {escape(name)} of the body." +
                                  field_errors.window(run, dynamics))
                      for name in run.members("/points"))
+    points += volumes.comparison(run, dynamics) if run.members("/points") else ""
     if run.get("/mean_von_mises") is None and run.members("/points"):
         return points
     return points + whole_body(page, run, module, dynamics)

@@ -64,8 +64,12 @@ faces_of_box(const Mesh<dim> &mesh, const std::vector<BoundaryFace<dim>> &faces)
           "Mesh/File: the boundary at " + place_of(mesh, face) +
           " is on no side of the bounding box within " + to_text(off) +
           " m (Mesh/Tolerance = " + to_text(mesh.tolerance) +
-          "); a volume element has to be a box without holes or open seams (make a hole "
-          "a phase with a small modulus, let parts share their points)");
+          "); a volume element has to be a box without holes or open seams. Make a hole "
+          "a "
+          "phase with a small modulus, let parts share their points; of a body of "
+          "another "
+          "shape homogenize a box of its material, and name points of the body in Volume "
+          "element/Points of the localization (prm/examples/mesh/own_body)");
       sides[side].push_back(face);
     }
   return sides;

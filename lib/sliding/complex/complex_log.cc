@@ -8,11 +8,16 @@ namespace mesoslip
 {
 namespace
 {
-std::string range_text(const ComplexModesParameters &keys, const double highest)
+/** How many modes were found, of which kind. */
+std::string
+range_text(const std::size_t n, const ComplexModesParameters &keys, const double highest)
 {
-  return (keys.least_growth == 0.
-            ? std::string("growing modes")
-            : brief_text(4, "modes that decay by at most ", -keys.least_growth, " 1/s")) +
+  const std::string modes = n == 1 ? "mode" : "modes";
+  return std::to_string(n) + " " +
+         (keys.least_growth == 0.
+            ? "growing " + modes
+            : brief_text(4, modes, n == 1 ? " that decays" : " that decay",
+                         " by at most ", -keys.least_growth, " 1/s")) +
          (keys.lowest_frequency > 0.
             ? brief_text(6, " from ", 1e-3 * keys.lowest_frequency, " to ",
                          1e-3 * highest, " kHz")
@@ -96,16 +101,17 @@ void log_complex_modes(const ComplexCases<dim> &cases,
                 "sliding, whose changes act on a friction force that is at its target");
   if (cases.parts.differ())
     context.log(contact_text(cases.parts, cases.state));
-  context.log(std::to_string(base.modes.size()) + " " +
-              range_text(parameters.complex_modes, cases.highest_frequency) + ", from " +
-              std::to_string(found.n_shifts) + " shifts" +
-              (counted && base.n_missing == 0
-                 ? brief_text(4,
-                              "; the argument principle counts none else with growth "
-                              "rates up to ",
-                              found.fastest_counted, " 1/s")
-               : counted ? std::string()
-                         : "; not counted (Count modes = false)"));
+  context.log(
+    range_text(base.modes.size(), parameters.complex_modes, cases.highest_frequency) +
+    ", from " + std::to_string(found.n_shifts) +
+    (found.n_shifts == 1 ? " shift" : " shifts") +
+    (counted && base.n_missing == 0
+       ? brief_text(4,
+                    "; the argument principle counts none else with growth "
+                    "rates up to ",
+                    found.fastest_counted, " 1/s")
+     : counted ? std::string()
+               : "; not counted (Count modes = false)"));
   if (std::isfinite(base.nothing_grows_above))
     context.log(brief_text(5, "No mode above ", 1e-3 * base.nothing_grows_above,
                            " kHz can grow on these cells"));

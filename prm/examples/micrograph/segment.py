@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Writes phases.png, one grey value for each phase, from micrograph.png: a median filter against the noise, then a threshold; if need be also against
-uneven light, and against the rims that smoothed edges leave between three phases."""
+uneven light, and against the rims that smoothed edges leave between three phases. check.png is micrograph.png with the borders of the phases in red:
+look at it."""
 
 import os
 import sys
@@ -10,22 +11,20 @@ from PIL import Image, ImageFilter
 from scipy import ndimage
 
 THRESHOLDS = [127]    # ascending, between the peaks of the histogram of grey values: one less than phases
-UNEVEN_LIGHT = False  # True: the picture is darker at one side
+UNEVEN_LIGHT = 0      # pixels, where parts of the picture are darker: width of a window of some grains, of which one phase fills most; 0: even light
 THIN_RIMS = True      # of three phases or more; False where bright and dark lie apart, as grains and pores in a grey matrix: small pores stay
 
 
 def evened(grey):
-    """Divided by the plane that fits the grey values of the most frequent phase."""
-    x, y = np.meshgrid(np.linspace(-1, 1, grey.shape[1]), np.linspace(-1, 1, grey.shape[0]))
-    terms = np.stack([np.ones(grey.size), x.ravel(), y.ravel()], axis=1)
-    values = grey.ravel().astype(float)
-    peak = np.argmax(np.convolve(np.bincount(grey.ravel(), minlength=256), np.ones(9), mode="same"))
-    light = np.full(grey.size, float(peak))
-    for _ in range(10):
-        near = np.abs(values / light - 1) < 0.25
-        plane = np.linalg.lstsq(terms[near], values[near], rcond=None)[0]
-        light = terms @ plane
-    return np.clip(values * plane[0] / light, 0, 255).reshape(grey.shape).astype(np.uint8)
+    """Divided by the light: the median of a wide window around each pixel, which is the grey of the phase that fills most of it."""
+    step = max(1, UNEVEN_LIGHT // 24)  # on coarser pixels, for speed
+    coarse = np.asarray(Image.fromarray(grey).reduce(step), dtype=float)
+    half = UNEVEN_LIGHT // step // 2
+    wide = np.pad(coarse, half, mode="reflect", reflect_type="odd")  # light that falls goes on falling
+    inside = tuple(slice(half, half + n) for n in coarse.shape)
+    light = ndimage.gaussian_filter(ndimage.median_filter(wide, 2 * half + 1)[inside], half / 3, mode="nearest")
+    light = np.asarray(Image.fromarray(light.astype(np.float32)).resize(grey.shape[::-1], Image.BICUBIC))
+    return np.clip(grey * (np.median(light) / np.maximum(light, 1)), 0, 255).astype(np.uint8)
 
 
 def segment(grey):
@@ -35,6 +34,15 @@ def segment(grey):
     if THIN_RIMS and len(THRESHOLDS) > 1:  # the rim between dark and bright is grey, as a third phase is; it is thin
         phases = np.asarray(Image.fromarray(phases).filter(ImageFilter.ModeFilter(9)))
     return phases
+
+
+def checked(grey, phases):
+    """The grey picture with the borders of the phases in red, to be looked at."""
+    picture = np.stack([grey] * 3, axis=-1)
+    across, up = phases[:, 1:] != phases[:, :-1], phases[1:] != phases[:-1]
+    border = np.pad(across, ((0, 0), (0, 1))) | np.pad(up, ((0, 1), (0, 0)))
+    picture[border] = (255, 0, 0)
+    return picture
 
 
 def grey_of(name):
@@ -51,7 +59,11 @@ if __name__ == "__main__":
         sys.exit(f"THRESHOLDS is {THRESHOLDS}; write grey values in brackets, ascending, such as [100, 160]")
     if not os.path.exists("micrograph.png"):
         sys.exit("there is no micrograph.png beside this script; copy the grey picture there")
-    found = segment(grey_of("micrograph.png"))
+    grey = grey_of("micrograph.png")
+    if isinstance(UNEVEN_LIGHT, bool) or not (UNEVEN_LIGHT == 0 or 8 <= UNEVEN_LIGHT <= min(grey.shape)):
+        sys.exit(f"UNEVEN_LIGHT is {UNEVEN_LIGHT}; write the width of a window in pixels, 8 to {min(grey.shape)}, or 0 for even light")
+    found = segment(grey)
+    Image.fromarray(checked(grey, found)).save("check.png")
     shades = np.array([255 * k // len(THRESHOLDS) for k in range(len(THRESHOLDS) + 1)], dtype=np.uint8)
     Image.fromarray(shades[found]).save("phases.png")
     print("Image values:", ", ".join(map(str, shades)))

@@ -163,7 +163,7 @@ def check_units_and_texts(rve, dynamics):
         assert "stiffness/effective  [3, 3] Pa" in said and "phase/id  [40, 80]\n" in said and said.startswith("<mesoslip-rve "), said
     assert "closed" in repr(file)
     with mesoslip.open(dynamics) as file:
-        assert "history/contact_normal_force" in repr(file)
+        assert "history/contact_normal_force" in repr(file) and "\n  summary: analysis, " in repr(file), repr(file)
 
 
 def main():

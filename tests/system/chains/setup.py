@@ -55,8 +55,17 @@ def progress(path):
     assert status == 2 and "the build failed, see build/build.log" in said, said
 
 
+def first_build(folder):
+    """Says beforehand how long it takes, on so many cores; nothing where the programs are there."""
+    says = "nproc() { echo 3; }; . cmake/setup.sh; say_how_long build program"
+    told = [subprocess.run(["bash", "-euc", says, "run.sh"], cwd=folder, stdout=subprocess.PIPE, check=True, text=True).stdout
+            for _ in (0, 1) if not _ or build(folder)[0] == 0]
+    assert "16 minutes of one core, so some 6 minutes on the 3" in told[0] and told[1:] == [""], told
+
+
 def moved_or_copied(path):
     first, second = os.path.join(path, "first"), os.path.join(path, "second")
+    first_build(first)
     expect(first, 0)
     expect(first, 0)
     shutil.copytree(first, second)

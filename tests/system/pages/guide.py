@@ -69,8 +69,8 @@ def check_three_phases(text):
     segment.THRESHOLDS = [int(x) for x in re.search(r"THRESHOLDS = \[(\d+), (\d+)\]", text).groups()]
     filtered = np.asarray(Image.fromarray(grey).filter(ImageFilter.MedianFilter(5)))
     thresholds = np.searchsorted(segment.THRESHOLDS, filtered)
+    segment.UNEVEN_LIGHT = int(re.search(r"UNEVEN_LIGHT = (\d+)", text)[1])
     evened = np.searchsorted(segment.THRESHOLDS, segment.evened(filtered))
-    segment.UNEVEN_LIGHT = True
     both = segment.segment(grey)
     wrong = [f"{100 * np.mean(found != phases):.1f} %" for found in (thresholds, evened, both)]
     grains = [sum(ndimage.label(found == k)[1] for k in (1, 2)) for found in (thresholds, evened, both)]
@@ -78,6 +78,28 @@ def check_three_phases(text):
     assert grains[2] == drawn == 40 < min(grains[:2]), (grains, drawn, wrong)
     said = re.search(r"thresholds alone\s+give (\S+ %) of.*?light (\S+ %), and without rims (\S+ %)", text, re.DOTALL).groups()
     assert list(said) == wrong and "found are {}, {} and {}.".format(*grains) in " ".join(text.split()), (said, wrong, grains)
+
+
+def check_spot():
+    """Large bright grains, as coins, under a lamp beside the picture, whose light falls by more than half along a curve: no threshold fits all, and no
+    plane fits the light. The borders are drawn around the grains."""
+    y, x = np.mgrid[:300, :380]
+    centres = [(45 + 58 * i, 50 + 65 * j) for i in range(6) for j in range(4)]
+    grains = np.any([np.hypot(x - cx, y - cy) < 22 for cx, cy in centres], axis=0)
+    light = 0.4 + 0.75 * np.exp(-((x - 60) ** 2 + (y - 40) ** 2) / 180.0**2)
+    grey = np.clip(np.where(grains, 190, 95) * light + np.random.default_rng(1).normal(0, 5, x.shape), 0, 255).astype(np.uint8)
+    segment = script(os.path.join(EXAMPLE, "segment.py"))
+    wrong = {}
+    for segment.UNEVEN_LIGHT in (0, 150):
+        found = []
+        for threshold in range(40, 160, 5):
+            segment.THRESHOLDS = [threshold]
+            found.append(np.mean(segment.segment(grey) != grains))
+        wrong[segment.UNEVEN_LIGHT] = min(found)
+    assert wrong[0] > 0.05 and wrong[150] < 0.01, wrong
+    red = np.all(segment.checked(grey, grains.astype(int)) == (255, 0, 0), axis=-1)
+    around = ndimage.binary_dilation(grains) & ndimage.binary_dilation(~grains)
+    assert red.any() and not np.any(red & ~around), "borders"
 
 
 def check_refusal(text):
@@ -144,6 +166,7 @@ def main():
     check_refusal(text)
     first_steps.check_validation(text)
     check_three_phases(text)
+    check_spot()
     check_cells(text)
     check_squeal()
     with tempfile.TemporaryDirectory() as folder:

@@ -1,5 +1,5 @@
-"""The scripts of the example meshes write meshes that the programs describe as those in the repository: phases, boundaries, box, quality.
-So does a .vtu file with the lines of the page on meshes.
+"""The scripts of the example meshes, in Python and in Gmsh's language, write meshes that the programs describe as those in the repository:
+phases, boundaries, box, quality. So does a .vtu file with the lines of the page on meshes.
 
     mesh_scripts.py <folder with the programs>
 """
@@ -21,6 +21,8 @@ EXAMPLES = os.path.join(TOP, "prm", "examples", "mesh")
 SCRIPTS = {"chamfered_pin": "chamfered_pin.prm", "cylinder": "cylinder.prm", "fibre_cell": "fibre_cell.prm", "spheres": "spheres.prm",
            "round_fibres/round_fibres": "round_fibres/10-rve_homogenization.prm"}
 
+# Scripts in Gmsh's language.
+GEO = {"own_body/cell": "own_body/10-rve_homogenization.prm", "own_body/pin_with_fibres": "own_body/30-contact_dynamics-heterogeneous.prm"}
 
 NUMBER = re.compile(r"-?\d[\d.]*(?:e[-+]\d+)?")
 
@@ -39,6 +41,18 @@ def compare(folder, name, prm, made, kept):
     assert words == expected, f"{name}: {words} instead of {expected}"
     assert len(numbers) > 10 and np.allclose(numbers, of_kept, rtol=1e-3, atol=0), f"{name}: {numbers} instead of {of_kept}"
     print(f"{name}: {len(numbers)} numbers agree", flush=True)
+
+
+def check_geo(folder):
+    """Meshes of the chain of a body that is no box; that of one material is described by cells of its RVE file, which is not there."""
+    code = "import gmsh; gmsh.initialize(); gmsh.open('{0}.geo'); gmsh.model.mesh.generate(2); gmsh.write('{0}.msh')"
+    for script, prm in {**GEO, "own_body/pin": None}.items():
+        place, name = os.path.split(script)
+        os.remove(folder(script + ".msh"))
+        subprocess.run([sys.executable, "-c", code.format(name)], cwd=folder(place), check=True, capture_output=True)
+        if prm:
+            compare(folder, script, prm, folder(script + ".msh"), os.path.join(EXAMPLES, script + ".msh"))
+        assert os.path.getsize(folder(script + ".msh")) > 1e4
 
 
 def check_vtu(folder):
@@ -64,6 +78,7 @@ def main():
             environment = dict(os.environ, PYTHONPATH=copy(), PYTHONDONTWRITEBYTECODE="1")
             subprocess.run([sys.executable, name + ".py"], cwd=copy(place), env=environment, check=True, capture_output=True)
             compare(copy, script, prm, copy(script + ".msh"), os.path.join(EXAMPLES, script + ".msh"))
+        check_geo(copy)
         check_vtu(copy)
 
 

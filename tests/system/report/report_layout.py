@@ -15,6 +15,7 @@ sys.path.insert(0, TOOLS)
 from report.base.data import without_folders  # noqa: E402
 from report.base.figures import plt  # noqa: E402
 from report.bodies.loads import without_round_off  # noqa: E402
+from report.bodies import points, projections  # noqa: E402
 from report.bodies.maps import TALL, views, whole_view  # noqa: E402
 from report.bodies.phase_colours import colours_of, words_on_colours  # noqa: E402
 from report.bodies.projections import Group, View, draw  # noqa: E402
@@ -138,6 +139,52 @@ class Sliding:
         return "/m"
 
 
+class Strained:
+    """A direct run of two phases on a grid or the same cells as a mesh of quadrilaterals, with a uniform strain in all snapshots."""
+    STRAIN = np.array([1e-3, -2e-3, 5e-4])
+
+    def __init__(self, as_mesh):
+        n = np.array([6, 4])
+        x, y = np.meshgrid(np.arange(7) * 1e-3, np.arange(5) * 1e-3)
+        xx, yy, xy = self.STRAIN
+        field = np.stack([xx * x + xy * y, yy * y], axis=-1)
+        first = (np.arange(4)[:, None] * 7 + np.arange(6)).ravel()
+        phase = lambda e: e / 0.72 * np.array([[0.8, 0.2, 0], [0.2, 0.8, 0], [0, 0, 0.3]])
+        self.cells = None if as_mesh else [n.astype(float), np.array([1e-3, 1e-3]), np.zeros(2)]
+        self.data = {"/material/phase_id": np.arange(24) % 2, "/material/stiffness": np.stack([phase(30e9), phase(60e9)]),
+                     "/snapshots/time": np.array([1.0, 2.0, 3.0]), "/snapshots/displacement": np.stack([9 * field, field, field])}
+        if as_mesh:
+            self.data["/mesh/points"] = np.stack([x.ravel(), y.ravel()], axis=1)
+            self.data["/mesh/topology"] = np.column_stack([np.full(24, 5), first, first + 1, first + 8, first + 7]).ravel()
+
+    def grid(self):
+        return self.cells
+
+    def members(self, group):
+        return [name for name in self.data if name.startswith(group + "/")]
+
+    def get(self, dataset, rows=...):
+        return self.data[dataset][rows] if dataset in self.data else None
+
+    def need(self, *datasets):
+        found = [self.data[dataset] for dataset in datasets]
+        return found if len(found) > 1 else found[0]
+
+
+def check_points():
+    """Means of a direct run over a box and a window, of cells on a grid and of a mesh; of a box that the body fills by half."""
+    for run in (Strained(False), Strained(True)):
+        stress = 0.5 * (run.data["/material/stiffness"][0] + run.data["/material/stiffness"][1]) @ Strained.STRAIN
+        mises, normal, filled = points.mean_in_box(run, np.array([2.0, 1]), np.array([4.0, 3]), (1.5, 3))
+        assert abs(normal / stress[1] - 1) < 1e-12 and abs(filled - 1) < 1e-12, (normal, stress, filled)
+        zz = 0.2 * (stress[0] + stress[1])
+        expected = np.sqrt(0.5 * ((stress[0] - stress[1]) ** 2 + (stress[1] - zz) ** 2 + (zz - stress[0]) ** 2) + 3 * stress[2] ** 2)
+        assert abs(mises / expected - 1) < 1e-12, (mises, expected)
+        assert abs(points.mean_in_box(run, np.array([4.0, 1]), np.array([8.0, 3]), (0, 3))[2] - 0.5) < 1e-12
+        assert points.mean_in_box(run, np.array([40.0, 1]), np.array([48.0, 3]), (0, 3)) == (None, None, 0.0)
+        assert points.mean_in_box(run, np.array([2.0, 1]), np.array([4.0, 3]), (4, 5))[0] is None, "no snapshot in the window"
+
+
 def check_lengths():
     """Frictional energies of runs of different length are shown over the time of the shortest, and per second."""
     for ends, shown in (((1e-3, 1e-3), None), ((2e-3, 1e-3), 1e-3)):
@@ -152,6 +199,7 @@ def check_lengths():
 def main():
     check_colours()
     check_lengths()
+    check_points()
     found = []
     for shape in SHAPES:
         body = Body(*shape)
@@ -167,6 +215,7 @@ def main():
     seen = " ".join(problems_of(figure))
     assert "touch" in seen and "reaches" in seen, seen
 
+    assert projections.without_round_off(-5.89e-5, 6.0) == 0 and projections.without_round_off(-5.89e-3, 6.0) == -5.89e-3
     assert without_round_off({"xx": 2e9, "yy": -3e-4, "xy": 5.0}) == {"xx": 2e9, "yy": 0.0, "xy": 5.0}
     paths = {"a": ["the phases of /tmp/x/square/10-rve/rve.h5, 1/s and J/m; /etc is kept"]}
     assert without_folders(paths) == {"a": ["the phases of 10-rve/rve.h5, 1/s and J/m; /etc is kept"]}, without_folders(paths)

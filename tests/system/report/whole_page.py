@@ -27,8 +27,8 @@ from matplotlib.figure import Figure  # noqa: E402
 from report import make_report  # noqa: E402
 from report.base.common_scales import comparable  # noqa: E402
 from report.base.data import Chain  # noqa: E402
-from report.bodies import contact_surface  # noqa: E402
-from report.runs import probes  # noqa: E402
+from report.bodies import contact_surface, loads  # noqa: E402
+from report.runs import key_numbers, probes, verdict  # noqa: E402
 from synthetic_chain import add_to_summary, write, write_analyses, write_chain, write_foreign_body  # noqa: E402
 
 
@@ -73,6 +73,59 @@ def check_error_of_mean():
     """None where the direct mean is small beside its deviation, or has the other sign."""
     assert [probes.error_of_mean(*found) for found in ((1.02, 1.0, 5.0), (1.0, 0.04, 0.5), (1.0, -1.0, 0.1), (-1.1, -1.0, 0.0))] == \
         ["+2.0 %", "–", "–", "+10.0 %"]
+
+
+def verdict_of(folders):
+    """{the first words of a sentence: the whole with its mark}"""
+    text = verdict.verdict(None, Chain(folders))
+    sentences = [html.unescape(re.sub("<.*?>", "", item)) for item in re.findall("<li>(.*?)</li>", text)]
+    return {re.sub("^Care: ", "", sentence)[:15]: sentence for sentence in sentences}
+
+
+def check_verdict(root, folders):
+    """What the runs say together, of a chain as it should be, and of one with every fault; nothing of a run without results."""
+    good = verdict_of(folders)
+    assert good["Stiffness of rv"] == "Stiffness of rve: the bounds KUBC and SUBC differ by 2.0 % at most (D11).", good
+    assert "41.32 kHz and 41.32 kHz, 0 % apart." in good["Main frequencie"] and "0.2190 and 0.2140, 2.3 % apart." in good["Global interfac"], good
+    assert good["Mean stresses o"] == "Care: Mean stresses of localization differ from direct ones by 25 % (von Mises, all cells; 3.1 % in the interior).", good
+    assert [sentence[:5] for sentence in good.values()].count("Care:") == 1 and len(good) == 4, good
+    bad = [shutil.copytree(folder, os.path.join(root, "bad", os.path.basename(folder))) for folder in folders]
+    add_to_summary(bad[0], ensemble={"members": 4, "KUBC": {"mean": np.diag([3.0, 9, 2]).tolist()}, "SUBC": {"mean": np.diag([2.0, 3, 2]).tolist()}})
+    add_to_summary(bad[1], main_frequency=53717.3, limit_cycle_reached=True, warnings=["a", "b"])
+    add_to_summary(bad[2], limit_cycle_reached=False, limit_cycle="No limit cycle by t = 1 s: x (the criterion: y)")
+    found = verdict_of(bad)
+    assert "by a factor of 3 at most (D22): this piece alone" in found["Stiffness of rv"] and found["Main frequencie"].startswith("Care:"), found
+    assert "53.72 kHz and 41.32 kHz, 30 % apart; they do not vibrate alike" in found["Main frequencie"], found
+    assert found["No limit cycle "] == "Care: No limit cycle in the run heterogeneous by t = 1 s: x. Its means may still change.", found
+    assert found["Limit cycle rea"] == "Limit cycle reached: homogeneous." and found["2 warnings of t"] == "Care: 2 warnings of the programs below (homogeneous).", found
+    add_to_summary(bad[1], limit_cycle="Steady sliding from 1 s on")
+    assert verdict_of(bad)["Steady sliding,"] == "Steady sliding, without vibration: homogeneous." and "Limit cycle rea" not in verdict_of(bad)
+    add_to_summary(bad[2], pressure=1.0)
+    assert "Main frequencie" not in verdict_of(bad) and verdict_of(folders[1:2]) == {}, "runs under other loads, and a run alone"
+
+
+def check_tables(root):
+    """Steps in the order of their numbers; couplings that are not round-off but round to zero are left out; stresses of a column have one
+    unit, and boundary conditions the order of theory."""
+    names = ["20-b", "50-a", "30-c", "60-d", "40-e"]
+    for name in names:
+        write(os.path.join(root, "order", name), "dynamics.h5", {"program": "stress_localization" if name == "40-e" else "contact_dynamics"}, {})
+    assert [run.name for run in Chain([os.path.join(root, "order", name) for name in names]).runs] == sorted(names)
+    matrix = 1e9 * (np.diag([30.0] * 6) + 1e-4 * np.ones((6, 6)))
+    matrix[0, 5] = 2e7
+    entries, left_out = key_numbers.stiffness_entries({"KUBC": matrix}, (1e9, "GPa", 2))
+    assert len(entries) == 10 and entries[3][1:] == (0, 5) and abs(left_out - 1e5) < 1, (entries, left_out)
+    assert not key_numbers.apart({"KUBC": matrix}) and "0.0" not in key_numbers.apart({"KUBC, mean of 2": 2 * matrix, "SUBC, mean of 2": matrix})
+    state = {"xx": 1e3, "yy": 0.0, "xy": 0.0}
+    phase = lambda stress: {"von_mises": dict.fromkeys(("mean", "standard_deviation", "maximum"), stress) | {"maximum_at": [0, 0]},
+                            "principal_1": {"maximum": stress}}
+    entry = lambda name, condition: {"name": name, "condition": condition, "strain": state, "stress": state, "phases": {"a": phase(3e3), "b": phase(2e6)}}
+    add_to_summary(os.path.join(root, "order", "40-e"), loads=[entry(name, condition) for name in "zy" for condition in ("KUBC", "MUBC", "SUBC")])
+    run = Chain([os.path.join(root, "order", "40-e")]).runs[0]
+    assert [load["name"] + load["condition"] for load in loads.loads_of(run)] == ["zSUBC", "zMUBC", "zKUBC", "ySUBC", "yMUBC", "yKUBC"]
+    assert "<td>0.00300 MPa</td>" in loads.tables(None, run) and "kPa" not in loads.tables(None, run)
+    rows = probes.in_one_unit([["A", 2e3, "+1.0 %"], ["B", 3e6, "–"]])
+    assert rows == [["A", "0.00200 MPa", "+1.0 %"], ["B", "3 MPa", "–"]], rows
 
 
 def in_this_process(*words):
@@ -206,6 +259,8 @@ def main():
         check_localization(page)
         check_words(page, folders[1])
         check_error_of_mean()
+        check_verdict(root, folders)
+        check_tables(root)
         own = os.path.join(root, "own")
         localize_with_other_tensors(folders[3])
         write_foreign_body(os.path.dirname(folders[0]), own)

@@ -88,10 +88,11 @@ class ResultFile(Closing, Derived):
         self.hdf5.close()
 
     def __repr__(self):
-        """Format, path and all datasets with shape and unit."""
+        """Format, path, all datasets with shape and unit, and the keys of the summary."""
         if not self.hdf5:
             return f"<{self.format} {self.path}, closed>"
         lines = [f"  {name}  {list(self.hdf5[name].shape)} {self.unit(name)}".rstrip() for name in self]
+        lines += [f"  summary: {', '.join(self.summary)}"] if self.summary else []
         return "\n".join([f"<{self.format} {self.path}", *lines]) + ">"
 
     def __contains__(self, name):

@@ -207,6 +207,11 @@ class Run:
         return end - self.steady_from() if end else None
 
 
+def leading_number(name):
+    found = re.match(r"\d+", name)
+    return int(found[0]) if found else 0
+
+
 class Chain:
     """All runs of a report, by kind."""
 
@@ -221,8 +226,8 @@ class Chain:
             run.kind = run.program
             if run.program == "contact_dynamics":
                 run.kind = "heterogeneous" if run.heterogeneous else "homogeneous"
-        # In the order of the chain; sorting keeps the caller's order among equals.
-        self.runs.sort(key=lambda run: (list(HDF5_NAMES).index(run.program), run.heterogeneous))
+        # By the number that a name begins with, as in a chain, else by program; sorting keeps the caller's order among equals.
+        self.runs.sort(key=lambda run: (leading_number(run.name), list(HDF5_NAMES).index(run.program), run.heterogeneous))
         pick = lambda program: [run for run in self.runs if run.program == program]
         self.rve = pick("rve_homogenization")
         self.dynamics = pick("contact_dynamics")

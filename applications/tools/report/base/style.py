@@ -1,5 +1,5 @@
-"""The style sheet of the page: desk, phone, print. Where there is room, the figures of a row stand in two columns, and a figure alone has its
-caption beside it."""
+"""The style sheet of the page: desk, phone, print. Where there is room, the figures of a row stand in two columns, and a figure alone or the last
+one of an odd number has its caption beside it."""
 
 STYLE = """
 :root{--ink:#1d2733;--soft:#5b6773;--line:#d5dbe1;--wash:#f4f6f8;--accent:#0072b2}
@@ -13,6 +13,8 @@ h3{font-size:1.02rem;margin:1.4rem 0 .4rem;overflow-wrap:anywhere}
  grid-template-columns:repeat(auto-fill,minmax(min(100%,34rem),1fr))}
 .row>*{grid-column:1/-1;min-width:0}
 .row>figure:not(.wide):not(:only-child){grid-column:auto}
+.row>figure:nth-child(odd):last-child:not(.wide):not(:only-child){grid-column:1/-1;display:grid;column-gap:2rem;align-items:start;
+ grid-template-columns:subgrid}
 p,details{max-width:60rem}
 .lead,.note,figcaption{color:var(--soft)}
 nav ol{columns:3 16rem;padding-left:2rem;margin:.4rem 0}
@@ -44,7 +46,7 @@ details{margin:.5rem 0}pre{background:var(--wash);padding:.7rem;font-size:.75rem
  table{font-size:.8rem}figure{margin:1rem 0 1.4rem}.words{min-width:5.5rem}td small{display:block}
  .hint{display:block;font-size:.8rem;color:var(--soft);margin:.2rem 0}td:first-child{min-width:6rem}.name{white-space:normal}}
 @media print{@page{margin:16mm}body{max-width:none;padding:0;font-size:10pt}nav,details,.data,.hint{display:none}
- .row,section>figure:not(.wide),.row>figure:only-child:not(.wide){display:block}figure,table,.note{break-inside:avoid}.screen{display:none}h2,h3{break-after:avoid}.scroll{overflow:visible}
+ .row,section>figure:not(.wide),.row>figure:not(.wide){display:block}figure,table,.note{break-inside:avoid}.screen{display:none}h2,h3{break-after:avoid}.scroll{overflow:visible}
  figure img{max-height:112mm;object-fit:contain;object-position:left}
  figure.tall img{max-height:185mm}}
 """

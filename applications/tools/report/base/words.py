@@ -4,6 +4,8 @@ from report.base.page import plain
 
 PAPER = ("Peillex, Baillet and Berthier: Homogenization in non linear dynamics due to frictional contact, International Journal of Solids and "
          "Structures, 2008")
+# Boundary conditions of volumes from the softest to the stiffest; theory does not order MUBC and PBC.
+CONDITIONS = ("SUBC", "MUBC", "PBC", "KUBC")
 # What the text of the page has if the word occurs, the word, what it means.
 WORDS = [
     ("paper", "The paper", PAPER + "; equations, tables and figures with a number are its."),

@@ -54,7 +54,7 @@ def window(run, dynamics):
     begin, end = quantities(ends, "s")
     text = f" Averaged from {begin} to {end}"
     if count:
-        text += f", over {number(count)} snapshots" + (f" ({number(direct)} of the direct run)" if direct not in (None, count) else "")
+        text += f", over {number(count)} snapshots" + (f" ({number(direct)} of the direct run)" if direct not in (None, 0, count) else "")
     read = settings(run.folder)
     names = [os.path.basename(os.path.dirname(read.get(f"Input/{key} run", ""))) for key in ("Homogeneous", "Direct")]
     late = [other for other in dynamics if other.name in names and other.steady_from() >= ends[1]]

@@ -9,7 +9,8 @@ from matplotlib.ticker import MaxNLocator
 
 from report.base.data import Missing
 from report.base.figures import BLACK, DASHES, RUN_COLOURS, STRESSES, above_all, panels, scaled
-from report.base.page import escape, number, quantity, table
+from report.base.page import escape, number, quantities, table
+from report.base.words import CONDITIONS
 from report.bodies import mesh_maps
 from report.bodies.maps import whole_view
 from report.bodies.projections import Group, draw
@@ -24,10 +25,11 @@ def symbol(component, of="σ"):
 
 
 def loads_of(run):
-    """The entries of the summary that are as they should be."""
-    loads = run.summary.get("loads")
-    return [load for load in loads if isinstance(load, dict) and {"name", "condition", "strain", "stress", "phases"} <= set(load)] if isinstance(
-        loads, list) else []
+    """The entries of the summary that are as they should be, of each load the conditions from the softest to the stiffest."""
+    loads = run.summary.get("loads") if isinstance(run.summary.get("loads"), list) else []
+    loads = [load for load in loads if isinstance(load, dict) and {"name", "condition", "strain", "stress", "phases"} <= set(load)]
+    names = [load["name"] for load in loads]
+    return sorted(loads, key=lambda load: (names.index(load["name"]), CONDITIONS.index(load["condition"]) if load["condition"] in CONDITIONS else 9))
 
 
 def state(load, of, unit, factor):
@@ -49,14 +51,17 @@ def tables(page, run):
         label = [escape(load["name"]), escape(load["condition"])]
         residual = max(load.get(f"{of}_residual") or 0 for of in ("mean_strain", "mean_stress", "hill_mandel"))
         states.append(label + [state(load, "strain", "10<sup>−3</sup>", 1e-3), state(load, "stress", "MPa", 1e6), number(residual, 2)])
-        for phase, quantities in load["phases"].items():
-            mises = (quantities or {}).get("von_mises")
+        for phase, of_phase in load["phases"].items():
+            mises = (of_phase or {}).get("von_mises")
             if not mises:
                 continue
             share = ((load.get("share_beyond_limit") or {}).get("von_mises") or {}).get(phase)
             place = ", ".join(number(1e3 * x, 3) for x in mises["maximum_at"])
-            phases.append(label + [escape(phase), *(quantity(mises[key], "Pa", 3) for key in ("mean", "standard_deviation", "maximum")), place,
-                                   quantity(quantities["principal_1"]["maximum"], "Pa", 3), f"{100 * share:.2f} %" if share is not None else "–"])
+            phases.append(label + [escape(phase), *(mises[key] for key in ("mean", "standard_deviation", "maximum")), place,
+                                   of_phase["principal_1"]["maximum"], f"{100 * share:.2f} %" if share is not None else "–"])
+    for column in (3, 4, 5, 7):  # each in one unit
+        for row, shown in zip(phases, quantities([row[column] for row in phases], "Pa", 3)):
+            row[column] = shown
     text = table(["load", "condition", "macroscopic strain", "macroscopic stress", "residual"], states, (0, 1, 2, 3))
     if phases:
         text += table(["load", "condition", "phase", "von Mises: mean", "deviation", "maximum", "there (mm)", "σ<sub>1</sub>: maximum",

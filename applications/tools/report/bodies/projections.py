@@ -202,7 +202,13 @@ def _panel(axes, layout, v, g):
     axes.xaxis.label.set_visible(layout.labelled_across(row))
     axes.yaxis.label.set_visible(layout.labelled_up(column))
     if view.axis is not None:
-        axes.set_title(f"{'xyz'[view.axis]} = {view.bounds[:, view.axis].mean():.3g} mm", loc="left", fontsize=9.5, pad=3)
+        middle = without_round_off(view.bounds[:, view.axis].mean(), np.ptp(view.bounds))
+        axes.set_title(f"{'xyz'[view.axis]} = {middle:.3g} mm", loc="left", fontsize=9.5, pad=3)
+
+
+def without_round_off(place, length):
+    """0 for the middle of a body that a mesh has a little beside 0."""
+    return place if abs(place) > 1e-4 * length else 0.0
 
 
 def _arrow(axes, view, flat):
@@ -219,7 +225,7 @@ def _ticks(line, length, ends, upright=False):
     """As many as there is room for (in), so that no label touches the next."""
     if length < 1.0:
         shown = ends if length > 0.55 else ends[1:]
-        line.set_ticks(shown, [f"{end:.3g}" for end in shown])
+        line.set_ticks(shown, [f"{without_round_off(end, np.ptp(ends)):.3g}" for end in shown])
         return
     for most in range(int(np.clip(length / 0.5, 2, 7)), 0, -1):
         locator = plt.MaxNLocator(most, steps=[1, 2, 2.5, 5, 10])

@@ -5,6 +5,7 @@ import numpy as np
 from report.base.data import Missing
 from report.base.figures import STRESSES, scaled
 from report.base.page import difference, escape, number, quantities, quantity, table
+from report.base.words import CONDITIONS
 from report.runs import paper
 
 # Heading, place in summary.json, unit; shares become per cent.
@@ -119,7 +120,7 @@ def stiffness_matrices(run):
     ensemble = run.summary.get("ensemble")
     ensemble = ensemble if isinstance(ensemble, dict) else {}
     matrices = {}
-    for name in ("KUBC", "MUBC", "PBC", "SUBC", "effective"):
+    for name in (*CONDITIONS, "effective"):
         mean = ensemble[name].get("mean") if isinstance(ensemble.get(name), dict) else None
         value = mean if mean is not None else run.get(f"/stiffness/{name}")
         if value is None:
@@ -131,14 +132,15 @@ def stiffness_matrices(run):
     return matrices
 
 
-def stiffness_entries(matrices):
-    """(label, i, j) of the rows: those of an orthotropic body, and of the couplings of shears those that are not round-off."""
+def stiffness_entries(matrices, scale):
+    """(label, i, j) of the rows: those of an orthotropic body, and of the couplings of shears those that do not round to zero; and the largest
+    coupling that is left out (Pa)."""
     n = len(next(iter(matrices.values())))
     dim = 2 if n == 3 else 3
-    coupled = lambda i, j: any(abs(m[i, j]) > 1e-6 * np.sqrt(m[i, i] * m[j, j]) for m in matrices.values())
-    shown = [(i, j) for i in range(n) for j in range(i, n)]
-    plane = dim == 2 and (coupled(0, 2) or coupled(1, 2))
-    return [(f"D<sub>{i + 1}{j + 1}</sub>", i, j) for i, j in shown if i == j or j < dim or plane or (dim == 3 and coupled(i, j))]
+    largest = {(i, j): max(abs(matrix[i, j]) for matrix in matrices.values()) for i in range(n) for j in range(i, n)}
+    shown = [(i, j) for i, j in largest if i == j or j < dim or round(largest[i, j] / scale[0], scale[2])]
+    left_out = max((size for place, size in largest.items() if place not in shown), default=0.0)
+    return [(f"D<sub>{i + 1}{j + 1}</sub>", i, j) for i, j in shown], left_out
 
 
 def scale_of(matrices):
@@ -154,13 +156,20 @@ def entry(value, scale):
     return f"{round(value / factor, decimals) + 0.0:.{decimals}f}".replace("-", "−")
 
 
+def stiffness_under(condition, matrices):
+    """That of one volume or the mean of an ensemble; None where it was not computed."""
+    return next((matrix for name, matrix in matrices.items() if name.split(",")[0] == condition), None)
+
+
+def gaps(matrices):
+    """How far KUBC lies above SUBC on the diagonal, as shares; empty without both."""
+    upper, lower = (stiffness_under(condition, matrices) for condition in ("KUBC", "SUBC"))
+    return [] if upper is None or lower is None else (np.diag(upper) / np.diag(lower) - 1).tolist()
+
+
 def apart(matrices):
-    """How far KUBC lies above SUBC on the diagonal."""
-    if not {"KUBC", "SUBC"} <= set(matrices):
-        return ""
-    gaps = 100 * (np.diag(matrices["KUBC"]) / np.diag(matrices["SUBC"]) - 1)
-    listed = ", ".join(f"{number(float(gap), 2)} % in D<sub>{i}{i}</sub>" for i, gap in enumerate(gaps, 1))
-    return f"; here KUBC lies above SUBC by {listed}. The closer they are, the better this piece stands for the material"
+    listed = ", ".join(f"{number(100 * gap, 2)} % in D<sub>{i}{i}</sub>" for i, gap in enumerate(gaps(matrices), 1))
+    return listed and f"; here KUBC lies above SUBC by {listed}. The closer they are, the better this piece stands for the material"
 
 
 def stiffness_table(page, run):
@@ -169,7 +178,8 @@ def stiffness_table(page, run):
         raise Missing(f"{run.name} holds no stiffness of 3 × 3 entries")
     compared, scale = paper.is_pin(run), scale_of(matrices)
     rows = []
-    for label, i, j in stiffness_entries(matrices):
+    entries, left_out = stiffness_entries(matrices, scale)
+    for label, i, j in entries:
         reference = paper.STIFFNESS[i][j] if compared else 0.0
         cells = [entry(matrix[i, j], scale) + f" <small>({difference(matrix[i, j], reference)})</small>" * (compared and reference > 0)
                  for matrix in matrices.values()]
@@ -183,9 +193,11 @@ def stiffness_table(page, run):
         if run.number(key) is not None:
             extra.append(f"{words} {number(run.number(key), 2)}")
     order = "1 is xx, 2 is yy, 3 is the shear xy" if len(next(iter(matrices.values()))) == 3 else "1 to 6 are xx, yy, zz, yz, xz, xy"
-    ordered = [name for name in ("SUBC", "PBC", "KUBC") if name in matrices]
+    ordered = [name for name in CONDITIONS if name != "MUBC" and stiffness_under(name, matrices) is not None]
     theory = f". On the diagonal theory orders {' ≤ '.join(ordered)}{apart(matrices)}" if len(ordered) > 1 else ""
     extra.insert(0, f"{order} (engineering strain){theory}")
+    if left_out > 1e-9 * scale[0]:
+        extra.append(f"Entries that are not shown are at most {quantity(float(left_out), 'Pa', 2)}")
     if compared:
         extra.insert(0, "In brackets: difference from eq. (10)")
     return (f"<h3>{escape(run.name)}</h3>" + table([scale[1]] + ["paper, eq. (10)"] * compared + list(matrices), rows) +

@@ -14,13 +14,14 @@ NOT_SAID = " The error of the mean is – where the direct mean is nearly zero o
 def localization(page, run):
     names = run.members("/probes")
     if not names:
-        return f'<p class="note">{escape(run.name)} has no stresses over time: its .prm and those of the runs that it reads name no probes.</p>'
+        return f'<p class="note">{escape(run.name)} has no probes, at which stresses would be shown over time: its .prm and those of the runs that it reads name none.</p>'
     listed = {str(probe.get("name")): probe for probe in run.summary.get("probes") or []
               if isinstance(probe, dict)}
     rows, html = [], f"<h3>{escape(run.name)}</h3>"
     for name in names:
         rows += probe_errors(run, name)
     if rows:
+        rows = in_one_unit(rows)
         html += table(["probe", "stress", "mean, localized", "mean, direct", "error of the mean", "std, localized", "std, direct",
                        "error of the std", "error over time"], rows, (0, 1))
         html += '<p class="lead">Errors are those of the localized stress, relative to the direct one: a positive error says that the localized stress is larger, in compression and tension alike. Mean and standard deviation (std) '\
@@ -48,6 +49,7 @@ def localization(page, run):
 
 
 def probe_errors(run, name):
+    """Cells of the table; stresses are numbers (Pa)."""
     stress, direct = run.get(f"/probes/{name}/stress"), run.get(f"/probes/{name}/direct_stress")
     if stress is None or direct is None or stress.shape != direct.shape or stress.ndim != 2 or stress.shape[1] not in (3, 6):
         return []
@@ -60,10 +62,15 @@ def probe_errors(run, name):
         label = f"σ<sub>{of}</sub>"
         ours, theirs = stress[:, component], direct[:, component]
         means, deviations = (ours.mean(), theirs.mean()), (ours.std(), theirs.std())
-        shown = quantities([float(value) for value in means + deviations], "Pa", 3)
-        rows.append([escape(name), label, *shown[:2], error_of_mean(*means, deviations[1]), *shown[2:], difference(*map(float, deviations)),
+        rows.append([escape(name), label, *map(float, means), error_of_mean(*means, deviations[1]), *map(float, deviations), difference(*map(float, deviations)),
                      percent(np.linalg.norm(ours - theirs), np.linalg.norm(theirs))])
     return rows
+
+
+def in_one_unit(rows):
+    """Rows of probe_errors() with their stresses (Pa) as texts, of all rows in the same unit."""
+    texts = iter(quantities([cell for row in rows for cell in row if isinstance(cell, float)], "Pa", 3))
+    return [[next(texts) if isinstance(cell, float) else cell for cell in row] for row in rows]
 
 
 def error_of_mean(ours, theirs, deviation):

@@ -60,6 +60,8 @@ EXAMPLES = (
             ("mesh/cylinder.prm", "mesh/cylinder_modes.prm", "mesh/cylinder_static.prm"), "Static contact of", CONTACT, "cylinder_static"),
     Example("Round fibres in a pin", "A mesh that follows the edges of the fibres, its homogenized twin, and localization.", ("mesh/round_fibres",),
             "Von Mises stress averaged over time"),
+    Example("A body that is no box", "A pin with bevelled edges from scripts of Gmsh, the cell of its fibres, and stresses in the cell at two points of the pin beside "
+            "those of the direct run ([meshes](meshes.md#a-body-of-your-own)).", ("mesh/own_body",), "Von Mises stress of the last snapshot of the heterogeneous"),
     Example("A periodic cell with round fibres", "Effective stiffness and concentration tensors of a mesh.", ("mesh/fibre_cell.prm",), "Von Mises stress in", RVE),
     Example("Spheres in a periodic cube", "Tetrahedra in 3D, six load cases.", ("mesh/spheres.prm",), "Von Mises stress in", RVE),
     Example("Two crossing fibres as voxels", "A `.npy` of phases in 3D ([voxels](voxels.md)).", ("voxels/two_fibres.prm",), "Von Mises stress in", RVE),
