@@ -81,10 +81,11 @@ def observed(measured, tests):
 
 
 def convergence(series, path):
-    """Errors over refinement, a panel for each expected order; dotted: that order, through the coarsest grid of the series.
+    """Errors over refinement, a panel for each expected order and what it is of; dotted: that order, through the coarsest grid of the series.
     `series` {name: {size: error}}."""
-    figure, axes = plt.subplots(2, len(problems.ORDERS), figsize=(9.0, 8.4), width_ratios=(1.2, 1.2, 0.6), height_ratios=(2, 1), sharey="row")
-    for letter, (column, (order, names)) in zip("abc", enumerate(problems.ORDERS.items())):
+    figure, axes = plt.subplots(2, len(problems.ORDERS), figsize=(11.5, 7.2), width_ratios=(1.2, 1.2, 1.2, 0.8), height_ratios=(2, 0.8),
+                                sharey="row")
+    for letter, (column, ((order, what), names)) in zip("abcd", enumerate(problems.ORDERS.items())):
         axis, below = axes[:, column]
         shown = [name for name in series if name in names]
         for k, name in enumerate(shown):
@@ -94,7 +95,7 @@ def convergence(series, path):
             axis.loglog(times, errors, marker=mark, ls=line, color=RUN_COLOURS[k % len(RUN_COLOURS)], label=name, markersize=5)
             axis.loglog(times, errors[0] * times**-order, ":", color="black", linewidth=1.0)
         axis.set(xlabel="refinement (times)", xticks=(1, 2, 4, 8), xticklabels=("1", "2", "4", "8"), xlim=(0.9, 9))
-        axis.set_title(f"({letter}) order {order:g}", loc="left")
+        axis.set_title(f"({letter}) order {order:g}{what}", loc="left")
         axis.minorticks_off()
         below.axis("off")
         below.legend(*axis.get_legend_handles_labels(), loc="upper left", bbox_to_anchor=(-0.15, 1.0), fontsize=9.5, borderaxespad=0)
@@ -129,7 +130,7 @@ def write(measured, pin):
     rows = [[problem, claim, "<br>".join(f"`{test}`" for test in tests), observed(measured, tests)]
             for problem, claim, tests in problems.PROBLEMS]
     orders = [[series, f"{predicted:g}", f"{measured.order((test, series)):.2f}"]
-              for predicted, names in problems.ORDERS.items() for test, series in measured.series if series in names]
+              for (predicted, _), names in problems.ORDERS.items() for test, series in measured.series if series in names]
     write_page(doc, "verification.md", problems.PAGE.format(
         problems=table(["problem", "what has to come out", "test", "observed"], rows),
         orders=table(["series", "predicted order", "observed"], orders),

@@ -3,6 +3,8 @@
 follow from others are left out; a topic stands above all that it includes.
 
     architecture.py
+
+Arrows to lower floors pass between the boxes of those in between.
 """
 
 import html
@@ -12,7 +14,7 @@ import re
 from scenes import TOP
 
 PATH = os.path.join(TOP, "doc", "architecture.svg")
-COLUMN, LINE, GAP = 150, 13, 60
+LETTER, LINE, GAP = 5.7, 13, 60
 
 
 def includes(path):
@@ -61,21 +63,22 @@ class Box:
         self.topic, self.files, self.x = topic, sorted(files), x
         self.columns = 1 if len(files) < 8 else 2 if len(files) < 20 else 3
         self.rows = -(-len(files) // self.columns)
-        self.width, self.height = self.columns * COLUMN + 10, 24 + self.rows * LINE
+        self.column = 16 + round(LETTER * max(map(len, files)))
+        self.width, self.height = self.columns * self.column + 10, 24 + self.rows * LINE
         self.y = bottom - self.height
 
     def svg(self):
         lines = [f'<rect x="{self.x}" y="{self.y}" width="{self.width}" height="{self.height}" rx="5" fill="#f3f6fa" stroke="#4a6a8a"/>',
                  f'<text x="{self.x + 8}" y="{self.y + 16}" class="topic">{self.topic}</text>']
         for k, name in enumerate(self.files):
-            lines.append(f'<text x="{self.x + 8 + k // self.rows * COLUMN}" y="{self.y + 31 + k % self.rows * LINE}">{html.escape(name)}</text>')
+            lines.append(f'<text x="{self.x + 8 + k // self.rows * self.column}" y="{self.y + 31 + k % self.rows * LINE}">{html.escape(name)}</text>')
         return lines
 
 
-def draw():
-    files, uses = topics()
+def placed(files, levels):
+    """{topic: Box}, floor above floor, and the width of the drawing."""
     boxes, bottom, widest = {}, 0, 0
-    for floor in floors(files, uses):
+    for floor in levels:
         x, highest = 10, 0
         for topic in floor:
             boxes[topic] = Box(topic, files[topic], x, bottom)
@@ -83,11 +86,52 @@ def draw():
             highest = max(highest, boxes[topic].height)
         widest = max(widest, x - GAP + 10)
         bottom -= highest + GAP
-    for floor in floors(files, uses):  # in the middle
+    widest += 2 * GAP  # for arrows that pass beside the widest floor
+    for floor in levels:  # in the middle
         shift = (widest - 10 - boxes[floor[-1]].x - boxes[floor[-1]].width) // 2
         for topic in floor:
             boxes[topic].x += shift
-    top = bottom + GAP - 10
+    return boxes, widest
+
+
+class Gaps:
+    """Places between the boxes of each floor and beside them, each of which an arrow takes once."""
+
+    def __init__(self, levels, boxes):
+        self.floors, self.taken = [[boxes[topic] for topic in floor] for floor in levels], set()
+
+    def through(self, k, x):
+        """The free place on floor k that is nearest to x, and the top and the bottom of the floor."""
+        floor = self.floors[k]
+        middles = [box.x - GAP // 2 for box in floor] + [floor[-1].x + floor[-1].width + GAP // 2]
+        places = [middle + 6 * side for middle in middles for side in (0, 1, -1, 2, -2, 3, -3, 4, -4) if (k, middle + 6 * side) not in self.taken]
+        place = min(places, key=lambda place: abs(place - x))
+        self.taken.add((k, place))
+        return place, min(box.y for box in floor), max(box.y + box.height for box in floor)
+
+
+def arrow(a, b, passed, gaps):
+    """The path from box a down to box b through the floors `passed`, from above."""
+    x, y = a.x + a.width // 2, a.y + a.height
+    end_x, end_y = b.x + b.width // 2, b.y
+    path, start_x, start_y = f"M{x} {y}", x, y
+    curve = lambda x1, y1, x2, y2: f" C{x1} {y1 + (y2 - y1) // 2} {x2} {y2 - (y2 - y1) // 2} {x2} {y2}"
+    for k in passed:
+        share = (gaps.floors[k][0].y - start_y) / (end_y - start_y)
+        place, top, low = gaps.through(k, start_x + share * (end_x - start_x))
+        path += curve(x, y, place, top) + f" L{place} {low}"
+        x, y = place, low
+    top = min(box.y for floor in gaps.floors if b in floor for box in floor)  # not across taller boxes beside b
+    path += curve(x, y, end_x, top) + (f" L{end_x} {end_y}" if top < end_y else "")
+    return f'<path d="{path}" fill="none" stroke="#b06030" marker-end="url(#head)"/>'
+
+
+def draw():
+    files, uses = topics()
+    levels = floors(files, uses)
+    boxes, widest = placed(files, levels)
+    level, gaps = {topic: k for k, floor in enumerate(levels) for topic in floor}, Gaps(levels, boxes)
+    top = min(box.y for box in boxes.values()) - 10
     lines = [f'<svg xmlns="http://www.w3.org/2000/svg" width="{widest}" height="{10 - top}" viewBox="0 {top} {widest} {10 - top}">',
              "<style>text {font: 10px sans-serif} .topic {font: bold 13px sans-serif}</style>",
              '<defs><marker id="head" viewBox="0 0 8 8" refX="8" refY="4" markerWidth="7" markerHeight="7" orient="auto">'
@@ -95,9 +139,7 @@ def draw():
              f'<rect x="0" y="{top}" width="{widest}" height="{10 - top}" fill="white"/>']
     for topic, used in uses.items():
         for other in sorted(other for other in used if not any(other in below(third, uses) for third in used)):
-            a, b = boxes[topic], boxes[other]
-            x1, y1, x2, y2 = a.x + a.width // 2, a.y + a.height, b.x + b.width // 2, b.y
-            lines.append(f'<path d="M{x1} {y1} C{x1} {y1 + 40} {x2} {y2 - 40} {x2} {y2}" fill="none" stroke="#b06030" marker-end="url(#head)"/>')
+            lines.append(arrow(boxes[topic], boxes[other], range(level[topic] - 1, level[other], -1), gaps))
     for box in boxes.values():
         lines += box.svg()
     return "\n".join(lines + ["</svg>", ""])

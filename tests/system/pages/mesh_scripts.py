@@ -55,6 +55,13 @@ def check_geo(folder):
         assert os.path.getsize(folder(script + ".msh")) > 1e4
 
 
+def check_facets(script, said):
+    """What facets cut off is printed of each group, and is what the page says."""
+    lost = dict(re.findall(r"^(\S+): \S+ mm\S+ in the mesh, \S+ in the geometry, (\S+) %$", said, re.MULTILINE))
+    expected = {"spheres": ("particle", -5.8), "fibre_cell": ("fibre", -2.6), "chamfered_pin": ("steel", 0)}.get(script)
+    assert lost and (expected is None or abs(float(lost[expected[0]]) - expected[1]) < 0.3), (script, said)
+
+
 def check_vtu(folder):
     import meshio
     kept = os.path.join(EXAMPLES, "spheres.msh")
@@ -76,7 +83,8 @@ def main():
             place, name = os.path.split(script)
             os.remove(copy(script + ".msh"))
             environment = dict(os.environ, PYTHONPATH=copy(), PYTHONDONTWRITEBYTECODE="1")
-            subprocess.run([sys.executable, name + ".py"], cwd=copy(place), env=environment, check=True, capture_output=True)
+            said = subprocess.run([sys.executable, name + ".py"], cwd=copy(place), env=environment, check=True, capture_output=True, text=True).stdout
+            check_facets(script, said)
             compare(copy, script, prm, copy(script + ".msh"), os.path.join(EXAMPLES, script + ".msh"))
         check_geo(copy)
         check_vtu(copy)

@@ -23,7 +23,8 @@ def complex_modes(page, run):
     highest, missing = run.number("highest_frequency"), run.summary.get("missing_modes")
     known = {0: "The argument principle counts no others.", None: "They were not counted."}.get(
         missing, f"The argument principle counts {missing} more that the search did not find.")
-    html = f"<h3>{escape(run.name)}</h3>" + (f'<p class="lead">{len(modes)} mode{'s' * (len(modes) != 1)} up to {quantity(highest, "Hz")}. {known}</p>'
+    what = "mode" if len(modes) == 1 else "modes"
+    html = f"<h3>{escape(run.name)}</h3>" + (f'<p class="lead">{len(modes)} {what} up to {quantity(highest, "Hz")}. {known}</p>'
                                               if highest is not None else "")
     phases = list(run.summary.get("contact_phases") or {})
     rows = [[str(k + 1), quantity(mode["frequency"], "Hz"), number(mode["growth_rate"]), number(mode.get("growth_by_friction")),

@@ -78,9 +78,9 @@ def regime_maps(folder, found, starts, name):
         figure.colorbar(picture, ax=list(line), label=title, aspect=14, pad=0.01, ticks=steps)
     for axes, start in zip(grid[0], starts):
         axes.set_title(start, loc="left")
-    every = 1 if len(starts) < 3 else 2
     for axes in grid[-1]:
-        axes.set_xticks(np.arange(len(pressures))[::every] + 0.5, [f"{p / regime_map.VELOCITY / 1e6:g}" for p in pressures][::every])
+        axes.set_xticks(np.arange(len(pressures)) + 0.5, [f"{p / regime_map.VELOCITY / 1e6:g}" for p in pressures],
+                        **({} if len(starts) < 3 else {"rotation": 90, "fontsize": 9.5}))
     grid[0][0].set_yticks(np.arange(len(deltas)) + 0.5, [f"{d * 1e9:g}" for d in deltas])
     figure.supxlabel("P/V (MPa s/m)", fontsize=11.5)
     lettered(grid[0])
