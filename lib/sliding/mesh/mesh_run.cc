@@ -48,7 +48,7 @@ SlidingSetup setup_of(const ContactParameters &parameters,
 }
 
 template <int dim>
-std::string place_of(const CellExtreme &cell)
+std::string place_of_cell(const CellExtreme &cell)
 {
   std::string text = "cell " + std::to_string(cell.cell) + " around ";
   for (unsigned int d = 0; d < dim; ++d)
@@ -139,10 +139,10 @@ void MeshRun<dim>::set_initial_velocity()
 template <int dim>
 void MeshRun<dim>::judge(const Deformation &found, const std::uint64_t n)
 {
-  require_upright_cells(found, n, time, parameters, scales, place_of<dim>);
+  require_upright_cells(found, n, time, parameters, scales, place_of_cell<dim>);
   const double t            = static_cast<double>(n) * time.step.dt;
   const std::string warning = large_strain_warning(
-    found, parameters, scales, place_of<dim>,
+    found, parameters, scales, place_of_cell<dim>,
     " in step " + std::to_string(n) + " at t = " + quantity_text(t, "s"));
   if (!warning.empty() && !warned)
     context.warn(warning);
