@@ -96,16 +96,25 @@ void log_complex_modes(const ComplexCases<dim> &cases,
                 "sliding, whose changes act on a friction force that is at its target");
   if (cases.parts.differ())
     context.log(contact_text(cases.parts, cases.state));
-  context.log(std::to_string(base.modes.size()) + " " +
-              range_text(parameters.complex_modes, cases.highest_frequency) + ", from " +
-              std::to_string(found.n_shifts) + " shifts" +
-              (counted && base.n_missing == 0
-                 ? brief_text(4,
-                              "; the argument principle counts none else with growth "
-                              "rates up to ",
-                              found.fastest_counted, " 1/s")
-               : counted ? std::string()
-                         : "; not counted (Count modes = false)"));
+  context.log(
+    std::to_string(base.modes.size()) + " " +
+    range_text(parameters.complex_modes, cases.highest_frequency) + ", from " +
+    std::to_string(found.n_shifts) + " shifts" +
+    (counted && base.n_missing == 0
+       ? brief_text(4,
+                    "; the argument principle counts none else with growth "
+                    "rates up to ",
+                    base.fastest_counted, " 1/s") +
+           (base.all_counted
+              ? ""
+              : "; what grows faster, as such friction lets it, is not counted, "
+                "and missing_modes is null")
+     : counted ? std::string()
+               : "; not counted (Count modes = false)"));
+  if (const double highest = found.highest / (2. * M_PI);
+      highest < cases.highest_frequency)
+    context.log(
+      brief_text(4, "No mode of these cells is above ", 1e-3 * highest, " kHz"));
   if (std::isfinite(base.nothing_grows_above))
     context.log(brief_text(5, "No mode above ", 1e-3 * base.nothing_grows_above,
                            " kHz can grow on these cells"));
