@@ -1,5 +1,6 @@
 #include "eigenvalues/complex/complex_modes.h"
 
+#include "eigenvalues/complex/arnoldi.h"
 #include "eigenvalues/complex/disc_search.h"
 #include "eigenvalues/complex/mode_count.h"
 #include "material/plausibility.h"
@@ -7,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace mesoslip
 {
@@ -14,27 +16,52 @@ namespace
 {
 using Complex = SlidingPencil::Complex;
 
-/**
- * The decay up to which is searched: a little more than asked for, where no eigenvalue that
- * is @p found is near the border.
- */
-double
-quiet_decay(const double wanted, const double most, const std::vector<FoundMode> &found)
+/** The range that is counted, its border in gaps between all eigenvalues that are known. */
+CountedRange quiet_range(const SearchRange &range,
+                         const double wanted,
+                         const double bottom,
+                         const double top,
+                         const std::vector<FoundMode> &found,
+                         const std::vector<FoundMode> &found_still)
 {
-  double best = most, distance = 0.;
-  for (unsigned int k = 1; k <= 8; ++k)
+  std::vector<double> decay, frequency;
+  for (const auto *modes : {&found, &found_still})
+    for (const FoundMode &mode : *modes)
+      {
+        decay.push_back(-mode.s.real());
+        frequency.push_back(mode.s.imag());
+      }
+  CountedRange result;
+  result.decay = widest_gap(wanted, 0.5 * (wanted + range.decay), decay);
+  result.top   = widest_gap(top, range.top, frequency);
+  // Off the axis, on which there may be growth without vibrations.
+  result.low = bottom > 0. ? widest_gap(range.bottom, bottom, frequency)
+                           : widest_gap(0., 1e-3 * top, frequency);
+  return result;
+}
+
+/** Of which no vibration has a higher circular frequency (1/s): a little more than the highest,
+ * with friction at once or none. */
+double highest_vibration(const SlidingPencil &pencil)
+{
+  double largest = 0.;
+  for (const double share : {0., 1.})
     {
-      const double decay = wanted + (most - wanted) * (k / 8.);
-      double nearest     = most;
-      for (const FoundMode &mode : found)
-        nearest = std::min(nearest, std::fabs(mode.s.real() + decay));
-      if (nearest > distance)
-        {
-          distance = nearest;
-          best     = decay;
-        }
+      ArnoldiOptions options;
+      options.count     = 2;
+      options.tolerance = 1e-3;
+      const auto found  = arnoldi(
+         pencil.size(),
+         [&](ComplexVector &dst, const ComplexVector &src) {
+          dst = (product(pencil.stiffness, src) - share * product(pencil.friction, src))
+                  .cwiseQuotient(pencil.mass.cast<Complex>());
+        },
+         options);
+      if (!found)
+        return std::numeric_limits<double>::infinity();
+      largest = std::max(largest, std::abs(found->values[0]));
     }
-  return best;
+  return 1.05 * std::sqrt(largest);
 }
 
 /** Residual, and who feeds the mode: Re(v^H f) over v^H M v + u^H K u. */
@@ -74,29 +101,49 @@ ComplexModes find_complex_modes(const SlidingPencil &pencil,
                                 const double radius,
                                 const ComplexModesOptions &options)
 {
-  const GrowthRegion region(pencil.law, radius, feeding_drag(pencil));
+  const FeedingDrag drag = feeding_drag(pencil);
+  const GrowthRegion region(pencil.law, radius, drag);
   ComplexModes result;
   result.radius              = radius;
   result.nothing_grows_above = region.highest_frequency();
+  result.highest             = highest_vibration(pencil);
 
   const double bottom = 2. * M_PI * options.lowest_frequency,
-               top    = 2. * M_PI * options.highest_frequency;
-  const double wanted = -options.least_growth, most = wanted + 1e-3 * top;
+               top    = std::min(2. * M_PI * options.highest_frequency, result.highest);
+  // A little more than is asked for, so that the border of the count lies in a gap.
+  constexpr double more = 0.02, counted = 0.3;
+  const double wanted = -options.least_growth, most = wanted + 5e-3 * top,
+               highest = top < result.highest ? (1. + more) * top : top,
+               lowest  = (1. - more) * bottom;
   ComplexFactorization factors(pencil(Complex(1., top)));
   DiscSearch search(pencil, factors, options, result);
-  constexpr double counted = 0.3;
-  unsigned int seed        = 0;
-  result.fastest_counted =
-    SearchRange{region, bottom, top, most, counted}.right(bottom, top);
+  const SlidingPencil still = without_friction(pencil);
+  ComplexModes of_still;
+  DiscSearch vibrations(still, factors, options, of_still);
+  unsigned int seed = 0;
+  // Where there is nothing to count it costs little to look far.
+  result.fastest_counted = options.steep ? counted * top
+                                         : std::min(region.largest_width(highest),
+                                                    largest_growth(pencil, drag)) +
+                                             1e-3 * top;
   for (const double share : {0.1, 0.2, counted})
     {
-      search.cover({region, bottom, top, most, share}, ++seed);
-      if (!options.count)
+      const SearchRange range{region, lowest, highest, most, share};
+      {
+        const auto scope = optional_scope(options.timer, "Search");
+        search.cover(range, ++seed);
+      }
+      if (!options.count || !(bottom < top))
         break;
-      result.n_missing = count_missing(
-        pencil, factors,
-        {region, bottom, top, quiet_decay(wanted, most, search.found()), counted},
-        search.found(), options, result);
+      const auto scope = optional_scope(options.timer, "Count");
+      if (seed == 1)
+        vibrations.cover({GrowthRegion(still.law, 0.), lowest, highest, most, counted},
+                         seed);
+      CountedRange within =
+        quiet_range(range, wanted, bottom, top, search.found(), vibrations.found());
+      within.right     = result.fastest_counted;
+      result.n_missing = count_missing(pencil, still, factors, within, search.found(),
+                                       vibrations.found(), options, result);
       if (result.n_missing == 0)
         break;
     }

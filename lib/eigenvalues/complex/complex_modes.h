@@ -1,6 +1,7 @@
 #ifndef mesoslip_eigenvalues_complex_complex_modes_h
 #define mesoslip_eigenvalues_complex_complex_modes_h
 
+#include "base/timer.h"
 #include "eigenvalues/complex/growth_region.h"
 #include "eigenvalues/complex/sliding_pencil.h"
 
@@ -17,9 +18,13 @@ struct ComplexModesOptions
   double least_growth      = 0.;    ///< growth rate (1/s), not above 0
   double tolerance         = 1e-10; ///< relative, of the eigenvalues
   bool count               = true;  ///< check that no mode is missing
+  bool steep = false; ///< friction feeds growth that is too fast to be counted
 
-  /** Called before each factorization with what it is for; may throw to stop. */
-  std::function<void(const std::string &)> before_factorization;
+  /** Called before each factorization with what it is for and which share of that is done; may
+   * throw to stop. */
+  std::function<void(const char *activity, const double share)> before_factorization;
+
+  Timer *timer = nullptr; ///< may be none
 };
 
 /** A vibration Re(shape exp(s t)) about steady sliding. */
@@ -58,6 +63,8 @@ struct ComplexModes
 
   /** No mode of a higher circular frequency (1/s) grows; may be infinite. */
   double nothing_grows_above = 0.;
+
+  double highest = 0.; ///< no mode has a higher circular frequency (1/s)
 
   /** Largest growth rate (1/s) of the range that is counted. */
   double fastest_counted = 0.;

@@ -62,11 +62,12 @@ std::vector<double> DiscSearch::left_out(const double bottom) const
 std::optional<DiscSearch::Disc> DiscSearch::nearest(const Complex centre,
                                                     const int count,
                                                     const unsigned int seed,
+                                                    const SearchRange &range,
                                                     const double edge)
 {
   if (options.before_factorization)
-    options.before_factorization(brief_text(4, "shift ", report.n_shifts + 1, ", near ",
-                                            1e-3 * centre.imag() / (2. * M_PI), " kHz"));
+    options.before_factorization("Search",
+                                 (edge - range.bottom) / (range.top - range.bottom));
   factors.factorize(pencil(centre));
   ++report.n_factorizations;
   ++report.n_shifts;
@@ -143,6 +144,7 @@ void DiscSearch::cover(const SearchRange &range, const unsigned int seed)
 {
   const int largest = static_cast<int>(
     std::min<Eigen::Index>(most, std::max<Eigen::Index>(1, pencil.state_size() / 4)));
+  const int all = std::max(largest, static_cast<int>(pencil.state_size() / 4));
   const std::size_t n_left_out = left_out(range.bottom).size();
   const auto is_free           = [&](const Complex centre, const double radius) {
     return n_left_out > 0 ||
@@ -157,7 +159,8 @@ void DiscSearch::cover(const SearchRange &range, const unsigned int seed)
       const double middle = edge + 0.85 * reach, high = middle + reach;
       const double left = range.left(high), right = range.right(edge, high);
       const double half = 0.5 * (right - left);
-      const auto disc = nearest(Complex(0.5 * (left + right), middle), count, seed, edge);
+      const auto disc =
+        nearest(Complex(0.5 * (left + right), middle), count, seed, range, edge);
       if (!disc)
         {
           if (count <= fewest)
@@ -174,8 +177,9 @@ void DiscSearch::cover(const SearchRange &range, const unsigned int seed)
           if (!(reach > 1e-6 * range.top))
             throw NotConverged(
               brief_text(4, "too many modes near ", 1e-3 * middle / (2. * M_PI), " kHz"));
+          // A disc that is narrower than the range covers nothing, whatever its vectors cost.
           if (covered < 0.5 * reach && is_free(disc->centre, disc->radius))
-            count = std::min(largest, 2 * count);
+            count = std::min(covered > 0. ? std::max(largest, count) : all, 2 * count);
           reach = std::max(0.9 * covered, 0.5 * reach);
           continue;
         }

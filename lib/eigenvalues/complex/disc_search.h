@@ -83,6 +83,7 @@ private:
   std::optional<Disc> nearest(const SlidingPencil::Complex centre,
                               const int count,
                               const unsigned int seed,
+                              const SearchRange &range,
                               const double edge);
   void keep(const SlidingPencil::Complex s, ComplexVector u);
 

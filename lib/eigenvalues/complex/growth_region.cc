@@ -86,6 +86,15 @@ FeedingDrag feeding_drag(const SlidingPencil &pencil)
           largest_rate(pencil.late_resistance, pencil.mass)};
 }
 
+double largest_growth(const SlidingPencil &pencil, const FeedingDrag &drag)
+{
+  // |s|^2 <= |1 + beta s| stiff + |s| feeding
+  const double stiff = largest_rate(pencil.stiffness, pencil.mass) +
+                       largest_rate(pencil.friction, pencil.mass),
+               linear = pencil.law.beta * stiff + drag.at_once + drag.late;
+  return 0.5 * (linear + std::sqrt(linear * linear + 4. * stiff));
+}
+
 GrowthRegion::GrowthRegion(const SlidingLaw &law,
                            const double radius,
                            const FeedingDrag &drag)
@@ -123,6 +132,15 @@ double GrowthRegion::angle(const double omega) const
 double GrowthRegion::excess(const double omega) const
 {
   return angle(omega) - std::atan(law.beta * omega);
+}
+
+double GrowthRegion::largest_width(const double high) const
+{
+  constexpr unsigned int n = 200;
+  double largest           = 0.;
+  for (unsigned int k = 0; k < n; ++k)
+    largest = std::max(largest, width(high * k / n, high * (k + 1) / n));
+  return largest;
 }
 
 double GrowthRegion::width(const double low, const double high) const

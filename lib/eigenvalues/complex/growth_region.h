@@ -20,6 +20,10 @@ struct FeedingDrag
   double late    = 0.; ///< of |C_1|, which lags behind by tau (1/s)
 };
 
+/** No s that grows is larger than this (1/s), from the largest sums of rows of K and N over the
+ * mass. */
+double largest_growth(const SlidingPencil &pencil, const FeedingDrag &drag);
+
 /** Zeros if the drag of @p pencil only takes energy: C_0 >= 0, C_1 = 0. */
 FeedingDrag feeding_drag(const SlidingPencil &pencil);
 
@@ -56,6 +60,9 @@ public:
   /** Bound of the growth rate (1/s) of circular frequencies from @p low to @p high, or
    * @p high where there is none below. */
   double width(const double low, const double high) const;
+
+  /** The same of all frequencies up to @p high, part by part. */
+  double largest_width(const double high) const;
 
 private:
   double angle(const double omega) const;

@@ -3,8 +3,11 @@
 #include "material/plausibility.h"
 #include "statics/static_solver.h"
 
+#include <Eigen/SparseCholesky>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -14,37 +17,71 @@ namespace
 {
 using Complex = SlidingPencil::Complex;
 
-/** Phases of det [...] without its known zeros. */
+/** A pencil and eigenvalues that are divided out of its determinant. */
+struct Divided
+{
+  const SlidingPencil &pencil;
+  std::vector<Complex> zeros; ///< with their conjugates
+};
+
+/**
+ * Of as many eigenvalues as are known of both, so that far away both turn alike. To each of
+ * @p above, those that friction has moved least first, the nearest of @p below; what is left of
+ * @p below stands for eigenvalues that decay fast, which are put at a distance of @p away.
+ */
+void pair(std::vector<Complex> &above, std::vector<Complex> &below, const double away)
+{
+  double highest = 0.;
+  for (const Complex s : above)
+    highest = std::max(highest, s.imag());
+  below.erase(std::remove_if(below.begin(), below.end(),
+                             [&](const Complex s) { return s.imag() > highest; }),
+              below.end());
+  std::sort(above.begin(), above.end(), [](const Complex a, const Complex b) {
+    return std::fabs(a.real()) < std::fabs(b.real());
+  });
+  above.resize(std::min(above.size(), below.size()));
+  std::vector<Complex> left = below;
+  for (const Complex s : above)
+    left.erase(
+      std::min_element(left.begin(), left.end(), [s](const Complex a, const Complex b) {
+        return std::abs(a - s) < std::abs(b - s);
+      }));
+  for (const Complex s : left)
+    above.emplace_back(-away, s.imag());
+}
+
+/** Phases of det [...] of one pencil over that of another one, both without their known zeros. */
 class Turns
 {
 public:
-  Turns(const SlidingPencil &pencil,
+  Turns(const Divided &above,
+        const Divided &below,
         ComplexFactorization &factors,
-        const std::vector<FoundMode> &found,
         const ComplexModesOptions &options,
         ComplexModes &report)
-    : pencil(pencil)
+    : above(above)
+    , below(below)
     , factors(factors)
-    , found(found)
     , options(options)
     , report(report)
   {
   }
 
-  /** Takes away what eigenvalues far off do, about c s^2, as seen @p above a real @p s. */
-  void straighten(const double s, const double above)
-  {
-    far = std::remainder(phase({s, above}) - phase(s), 2. * M_PI) / (2. * s * above);
-  }
-
-  /** By which the phase turns from @p a to @p b (rad), in @p n steps at least. */
-  double between(const Complex a, const Complex b, const unsigned int n)
+  /** By which the phase turns from @p a to @p b (rad), in @p n steps at least. They are @p part of
+   * the border, which begins at the share @p from of it. */
+  double between(const Complex a,
+                 const Complex b,
+                 const unsigned int n,
+                 const double from,
+                 const double part)
   {
     double turned  = 0.;
     Complex begin  = a;
     double phase_0 = phase(begin);
     for (unsigned int k = 1; k <= n; ++k)
       {
+        share                = from + part * (k - 1) / n;
         const Complex end    = a + (b - a) * (static_cast<double>(k) / n);
         const double phase_1 = phase(end);
         turned += split({begin, phase_0}, {end, phase_1});
@@ -91,50 +128,137 @@ private:
   double phase(const Complex s)
   {
     if (options.before_factorization)
-      options.before_factorization("the count of eigenvalues");
-    factors.factorize(pencil(s));
+      options.before_factorization("Count", share);
+    return phase(above, s) - phase(below, s);
+  }
+
+  double phase(const Divided &of, const Complex s)
+  {
+    factors.factorize(of.pencil(s));
     ++report.n_factorizations;
-    double sum = factors.phase_of_determinant() - far * (s * s).imag();
-    for (const FoundMode &mode : found)
-      sum -= std::arg(s - mode.s) + std::arg(s - std::conj(mode.s));
+    double sum = factors.phase_of_determinant();
+    for (const Complex zero : of.zeros)
+      sum -= std::arg(s - zero) + std::arg(s - std::conj(zero));
     return sum;
   }
 
-  const SlidingPencil &pencil;
+  double share = 0.; ///< of the border that is done
+  const Divided above, below;
   ComplexFactorization &factors;
-  const std::vector<FoundMode> &found;
   const ComplexModesOptions &options;
   ComplexModes &report;
-  double far = 0.; ///< c of straighten() (s^2)
 };
+
+/** Number of eigenvalues of K u = x M u that are below @p x. */
+int below(const SlidingPencil &pencil, const double x)
+{
+  if (!(x > 0.))
+    return 0; // K has no motion without energy
+  RealMatrix shifted = pencil.stiffness;
+  shifted.diagonal() -= x * pencil.mass;
+  const Eigen::SimplicialLDLT<RealMatrix> factors(shifted);
+  if (factors.info() != Eigen::Success)
+    throw NotConverged("a pivot vanished in the count of eigenvalues");
+  return static_cast<int>((factors.vectorD().array() < 0.).count());
+}
+
+/** The x of K u = x M u whose vibration with damping, s^2 + beta x s + x = 0, has the circular
+ * frequency @p omega; infinite where none has. */
+double square_at(const double omega, const double beta)
+{
+  // Of x - (beta x / 2)^2 = omega^2 the lower one.
+  const double root = 1. - std::pow(beta * omega, 2);
+  return root < 0. ? std::numeric_limits<double>::infinity()
+                   : 2. * omega * omega / (1. + std::sqrt(root));
+}
+
+std::vector<Complex> numbers_of(const std::vector<FoundMode> &modes)
+{
+  std::vector<Complex> numbers;
+  for (const FoundMode &mode : modes)
+    numbers.push_back(mode.s);
+  return numbers;
+}
+
+/** How many of @p zeros are in @p range. */
+int count_in(const std::vector<Complex> &zeros, const CountedRange &range)
+{
+  return static_cast<int>(std::count_if(
+    zeros.begin(), zeros.end(), [&](const Complex s) { return range.contains(s); }));
+}
+
+/** Number of eigenvalues of a pencil without friction in @p range. */
+int count_still(const SlidingPencil &still, const CountedRange &range)
+{
+  const double beta = still.law.beta;
+  double highest    = square_at(range.top, beta);
+  if (beta > 0.)
+    highest = std::min({highest, 2. * range.decay / beta, 2. / (beta * beta)});
+  return std::max(0, below(still, highest) - below(still, square_at(range.low, beta)));
+}
 } // namespace
 
+double widest_gap(const double from, const double to, std::vector<double> values)
+{
+  values.insert(values.end(), {from, to});
+  std::sort(values.begin(), values.end());
+  double middle = from, width = 0.;
+  for (std::size_t k = 1; k < values.size(); ++k)
+    if (values[k - 1] >= from && values[k] <= to && values[k] - values[k - 1] > width)
+      {
+        width  = values[k] - values[k - 1];
+        middle = 0.5 * (values[k] + values[k - 1]);
+      }
+  return middle;
+}
+
+SlidingPencil without_friction(SlidingPencil pencil)
+{
+  for (RealMatrix *matrix :
+       {&pencil.targets, &pencil.drag, &pencil.late_drag, &pencil.friction,
+        &pencil.resistance, &pencil.late_resistance})
+    *matrix *= 0.;
+  pencil.law.delta = pencil.law.state_time = 0.;
+  return pencil;
+}
+
 int count_missing(const SlidingPencil &pencil,
+                  const SlidingPencil &still,
                   ComplexFactorization &factors,
-                  const SearchRange &range,
+                  const CountedRange &range,
                   const std::vector<FoundMode> &found,
+                  const std::vector<FoundMode> &found_still,
                   const ComplexModesOptions &options,
                   ComplexModes &report)
 {
-  const double low = range.bottom, top = range.top, decay = std::min(range.decay, top),
-               right = range.right(low, top);
-  Turns turns(pencil, factors, found, options, report);
-  turns.straighten(right, 0.01 * top);
+  const double low = range.low, top = range.top, decay = std::min(range.decay, top),
+               right = range.right;
+  Divided above{pencil, numbers_of(found)}, below{still, numbers_of(found_still)};
+  const int n_found = count_in(above.zeros, range);
+  pair(above.zeros, below.zeros, decay + 0.1 * top);
+  // In the range, other than those that are divided out.
+  const int unknown = count_still(still, range) - count_in(below.zeros, range) -
+                      (n_found - count_in(above.zeros, range));
+  Turns turns(above, below, factors, options, report);
+  const double near = std::min(right, 0.3 * top);
   const std::vector<std::pair<Complex, unsigned int>> corners = {
     {{0., low}, 1},
+    {{near, low}, 2},
     {{right, low}, 2},
-    {{right, top}, 16},
-    {{-decay, top}, 4},
-    {{-decay, std::max(decay, low)}, 16},
+    {{right, top}, 2},
+    {{near, top}, 2},
+    {{-decay, top}, 6},
+    {{-decay, std::max(decay, low)}, 8},
     {{-std::min(decay, low), low}, 1},
     {{0., low}, 1}};
   const auto count = [&](const unsigned int refinement) {
     double turned = 0.;
     for (std::size_t k = 1; k < corners.size(); ++k)
       if (corners[k].first != corners[k - 1].first)
-        turned += turns.between(corners[k - 1].first, corners[k].first,
-                                refinement * corners[k].second);
-    return static_cast<int>(std::lround(turned / (2. * M_PI)));
+        turned += turns.between(
+          corners[k - 1].first, corners[k].first, refinement * corners[k].second,
+          (k - 1.) / (corners.size() - 1.), 1. / (corners.size() - 1.));
+    return static_cast<int>(std::lround(turned / (2. * M_PI)) + unknown);
   };
   // A step that turns by about whole turns is taken for none; finer ones are none.
   int missing = count(1);

@@ -61,6 +61,7 @@ ComplexCase numbers_of(const SlidingPencil &pencil,
   result.n_sliding           = state.contact.nodes.size();
   result.n_separated         = state.n_separated;
   result.n_missing           = found.n_missing;
+  result.fastest_counted     = found.fastest_counted;
   result.steepest_fall       = state.steepest_fall;
   result.nothing_grows_above = found.nothing_grows_above / (2. * M_PI);
   for (const ComplexMode &mode : found.modes)
@@ -153,7 +154,14 @@ ComplexCases<dim> compute_complex_modes(const ElasticBody<dim> &body,
   options.least_growth         = keys.least_growth;
   options.tolerance            = keys.tolerance;
   options.count                = keys.count;
-  options.before_factorization = [&context](const std::string &) {
+  options.timer                = &context.timer();
+  const char *shown            = "";
+  options.before_factorization = [&](const char *activity, const double share) {
+    constexpr std::uint64_t whole = 100;
+    if (context.root() && shown != activity)
+      context.progress().start(shown = activity, whole);
+    if (context.root())
+      context.progress().update(1 + static_cast<std::uint64_t>(share * (whole - 1)));
     if (context.stop_requested_here())
       throw Interrupted("stopped on request in the search for complex modes; there is no "
                         "result yet");
@@ -173,6 +181,7 @@ ComplexCases<dim> compute_complex_modes(const ElasticBody<dim> &body,
     {
       parameters_of.push_back(k == 0 ? parameters
                                      : with_swept(parameters, keys.values[k - 1]));
+      const auto scope = context.timer().scope("Static state");
       states.push_back(
         at_rest(parameters_of.back(),
                 k == 0 ? 1. : friction_factor(parameters, keys.values[k - 1])));
@@ -206,9 +215,14 @@ ComplexCases<dim> compute_complex_modes(const ElasticBody<dim> &body,
           law.state_time            = state.state_time;
           const SlidingPencil pencil =
             make_sliding_pencil<dim>(body, all, dofs, state.contact, law);
+          const RateWeakening weakening{state.steepest_fall, shear_impedance, law.delta,
+                                        law.beta};
+          options.steep = weakening.is_too_steep();
           ComplexModes found =
             find_complex_modes(pencil, friction_radius(pencil), options);
           cases[k] = numbers_of(pencil, state, parts, found);
+          cases[k].all_counted =
+            !options.steep || weakening.fastest_growth() <= found.fastest_counted;
           if (k == 0)
             {
               result.modes = std::move(found);
@@ -237,6 +251,7 @@ ComplexCases<dim> compute_complex_modes(const ElasticBody<dim> &body,
           problem = std::current_exception();
         }
     }
+  context.progress().finish();
   agree(problem, interrupted, communicator);
   for (std::size_t k = 0; k < n_cases; ++k)
     bring_object_to_root(communicator, cases[k], static_cast<int>(k % n_ranks));

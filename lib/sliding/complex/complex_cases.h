@@ -36,21 +36,23 @@ struct ModeNumbers
 /** Modes for one value of what is swept. */
 struct ComplexCase
 {
-  double value               = 0.; ///< in its unit; 0 without a sweep
-  double delta               = 0.; ///< s
-  std::uint64_t n_sliding    = 0;  ///< contact nodes that slide
-  std::uint64_t n_separated  = 0;  ///< contact nodes that do not touch
-  std::int64_t n_missing     = 0;  ///< ComplexModes::n_missing
-  double nothing_grows_above = 0.; ///< Hz
-  double steepest_fall       = 0.; ///< SlidingState::steepest_fall (Pa s/m)
-  std::vector<ModeNumbers> modes;  ///< fastest growing first
+  double value               = 0.;   ///< in its unit; 0 without a sweep
+  double delta               = 0.;   ///< s
+  std::uint64_t n_sliding    = 0;    ///< contact nodes that slide
+  std::uint64_t n_separated  = 0;    ///< contact nodes that do not touch
+  std::int64_t n_missing     = 0;    ///< ComplexModes::n_missing
+  double fastest_counted     = 0.;   ///< ComplexModes::fastest_counted (1/s)
+  bool all_counted           = true; ///< whether nothing that vibrates grows faster
+  double nothing_grows_above = 0.;   ///< Hz
+  double steepest_fall       = 0.;   ///< SlidingState::steepest_fall (Pa s/m)
+  std::vector<ModeNumbers> modes;    ///< fastest growing first
   std::vector<std::vector<std::complex<float>>> samples; ///< of shapes, of equal length
 
   /** Of boost::serialization. */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    serialize_members<9>(archive, *this);
+    serialize_members<11>(archive, *this);
   }
 };
 
@@ -65,7 +67,6 @@ struct ComplexCases
   std::vector<ComplexCase> sweep;  ///< on rank 0
   ContactParts parts;              ///< phases of the contact
   double shear_impedance   = 0.;   ///< BodyScales::shear_impedance (Pa s/m)
-  double fastest_counted   = 0.;   ///< ComplexModes::fastest_counted (1/s)
   double highest_frequency = 0.;   ///< up to which modes were looked for (Hz)
 };
 

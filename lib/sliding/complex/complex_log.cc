@@ -109,9 +109,17 @@ void log_complex_modes(const ComplexCases<dim> &cases,
        ? brief_text(4,
                     "; the argument principle counts none else with growth "
                     "rates up to ",
-                    found.fastest_counted, " 1/s")
+                    base.fastest_counted, " 1/s") +
+           (base.all_counted
+              ? ""
+              : "; what grows faster, as such friction lets it, is not counted, "
+                "and missing_modes is null")
      : counted ? std::string()
                : "; not counted (Count modes = false)"));
+  if (const double highest = found.highest / (2. * M_PI);
+      highest < cases.highest_frequency)
+    context.log(
+      brief_text(4, "No mode of these cells is above ", 1e-3 * highest, " kHz"));
   if (std::isfinite(base.nothing_grows_above))
     context.log(brief_text(5, "No mode above ", 1e-3 * base.nothing_grows_above,
                            " kHz can grow on these cells"));

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 namespace mesoslip
@@ -19,6 +20,13 @@ namespace
 nlohmann::json finite_or_null(const double value)
 {
   return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json();
+}
+
+/** Null where not all that can vibrate and grow was counted. */
+nlohmann::json missing(const ComplexCase &of_case, const bool counted)
+{
+  return counted && of_case.all_counted ? nlohmann::json(of_case.n_missing)
+                                        : nlohmann::json();
 }
 
 nlohmann::json modes_json(const ComplexCase &of_case, const ContactParts &parts)
@@ -72,6 +80,7 @@ void write_modes_table(const ComplexCase &base,
 }
 
 void write_sweep_table(const std::vector<ComplexCase> &sweep,
+                       const bool counted,
                        const std::string &swept,
                        const std::string &path)
 {
@@ -83,11 +92,13 @@ void write_sweep_table(const std::vector<ComplexCase> &sweep,
     for (std::size_t m = 0; m < sweep[k].modes.size(); ++m)
       {
         const ModeNumbers &mode = sweep[k].modes[m];
+        const bool unknown      = missing(sweep[k], counted).is_null();
         table.add_row(std::vector<double>{
           sweep[k].value, static_cast<double>(branches[k][m]), mode.frequency,
           mode.growth_rate, mode.residual, static_cast<double>(sweep[k].n_sliding),
           static_cast<double>(sweep[k].n_separated),
-          static_cast<double>(sweep[k].n_missing)});
+          unknown ? std::numeric_limits<double>::quiet_NaN()
+                  : static_cast<double>(sweep[k].n_missing)});
       }
   table.flush();
 }
@@ -153,15 +164,14 @@ void write_complex_tables(const ComplexCases<dim> &cases,
 {
   const ComplexModesParameters &keys = parameters.complex_modes;
   write_modes_table(cases.base, cases.parts, context.file("complex_modes.csv"));
-  nlohmann::json &json  = context.summary();
-  json["complex_modes"] = modes_json(cases.base, cases.parts);
-  json["missing_modes"] =
-    keys.count ? nlohmann::json(cases.base.n_missing) : nlohmann::json();
+  nlohmann::json &json      = context.summary();
+  json["complex_modes"]     = modes_json(cases.base, cases.parts);
+  json["missing_modes"]     = missing(cases.base, keys.count);
   json["lowest_frequency"]  = keys.lowest_frequency;
   json["highest_frequency"] = cases.highest_frequency;
   json["least_growth_rate"] = keys.least_growth;
   json["largest_growth_rate_counted"] =
-    keys.count ? nlohmann::json(cases.modes.fastest_counted) : nlohmann::json();
+    keys.count ? nlohmann::json(cases.base.fastest_counted) : nlohmann::json();
   json["nothing_grows_above"]    = finite_or_null(cases.base.nothing_grows_above);
   json["regularization_time"]    = cases.base.delta;
   json["flat_velocity"]          = parameters.contact.flat_velocity.amplitude();
@@ -184,12 +194,12 @@ void write_complex_tables(const ComplexCases<dim> &cases,
   json["bytes_of_factors"] = cases.modes.factor_bytes;
   if (keys.sweep == ModeSweep::none)
     return;
-  write_sweep_table(cases.sweep, swept_column(parameters),
+  write_sweep_table(cases.sweep, keys.count, swept_column(parameters),
                     context.file("complex_modes_sweep.csv"));
   for (const ComplexCase &of_case : cases.sweep)
     json["sweep"].push_back({{"value", of_case.value},
                              {"separated_nodes", of_case.n_separated},
-                             {"missing_modes", of_case.n_missing},
+                             {"missing_modes", missing(of_case, keys.count)},
                              {"complex_modes", modes_json(of_case, cases.parts)}});
 }
 

@@ -23,11 +23,11 @@ STATE = {"Friction/Coefficient law": "rate and state", "Friction/Coefficient": 0
 PLAIN, DAMPED = {"Friction/Regularization time": 0, "Time/Rayleigh beta": 0}, {"Friction/Regularization time": 1e-6, "Time/Rayleigh beta": 4.4e-9}
 
 
-def modes(folder, settings):
+def modes(folder, settings, missing=0):
     folder.write("layer.prm", prm(settings))
     folder.run(0, "contact_dynamics", "layer.prm", "--output", "layer")
     summary = folder.summary("layer")
-    assert summary["missing_modes"] == 0, summary
+    assert summary["missing_modes"] == missing, summary
     return np.array([complex(mode["growth_rate"], 2 * math.pi * mode["frequency"]) for mode in summary["complex_modes"]])
 
 
@@ -83,10 +83,11 @@ def check_impedance(folder):
     assert abs(found.real / (SPEED / HEIGHT * math.atanh(0.9)) - 1).min() < 0.01, found
     assert abs(summary["shear_impedance"] / impedance - 1) < 1e-12 and abs(summary["steepest_friction_fall"] / (0.9 * impedance) - 1) < 1e-6
     assert not any("shear waves" in warning for warning in summary["warnings"]), summary["warnings"]
-    # What grows without vibrating would lie on the border of what is counted.
-    for settings, bound, words in ((PLAIN, None, "without a limit"), ({**PLAIN, "Time/Rayleigh beta": 1e-6}, (1.2**2 - 1) / 1e-6, None),
-                                   ({**PLAIN, "Friction/Regularization time": 1e-6}, 0.2 / 1e-6, None)):
-        modes(folder, {**law(1.2), **settings, "Complex modes/Lowest frequency": 1e4})
+    # Much of this grows without vibrating, on the real axis; what vibrates and grows faster than is counted is not said to be missing.
+    for settings, bound, words, missing in ((PLAIN, None, "without a limit", None),
+                                            ({**PLAIN, "Time/Rayleigh beta": 1e-6}, (1.2**2 - 1) / 1e-6, None, None),
+                                            ({**PLAIN, "Friction/Regularization time": 1e-6}, 0.2 / 1e-6, None, 0)):
+        modes(folder, {**law(1.2), **settings}, missing)
         said, = (warning for warning in folder.summary("layer")["warnings"] if "shear waves" in warning)
         assert f"{impedance:.3g} Pa s/m" in said and (words or f"by up to {bound:.3g} 1/s") in said, said
     run = {**law(1.2), "Analysis": "transient", "Time/End time": 1e-4}

@@ -21,8 +21,10 @@ def complex_modes(page, run):
     if not isinstance(modes, list):
         raise Missing(f"the summary of {run.name} holds no complex modes")
     highest, missing = run.number("highest_frequency"), run.summary.get("missing_modes")
-    known = {0: "The argument principle counts no others.", None: "They were not counted."}.get(
-        missing, f"The argument principle counts {missing} more that the search did not find.")
+    counted = run.summary.get("largest_growth_rate_counted")
+    known = {0: "The argument principle counts no others.",
+             None: f"What grows faster than {number(counted)} 1/s was not counted." if counted else "They were not counted."}.get(
+                 missing, f"The argument principle counts {missing} more that the search did not find.")
     what = "mode" if len(modes) == 1 else "modes"
     html = f"<h3>{escape(run.name)}</h3>" + (f'<p class="lead">{len(modes)} {what} up to {quantity(highest, "Hz")}. {known}</p>'
                                               if highest is not None else "")
