@@ -112,7 +112,7 @@ ComplexModes find_complex_modes(const SlidingPencil &pencil,
                top    = std::min(2. * M_PI * options.highest_frequency, result.highest);
   // A little more than is asked for, so that the border of the count lies in a gap.
   constexpr double more = 0.02, counted = 0.3;
-  const double wanted = -options.least_growth, most = wanted + 5e-3 * top,
+  const double wanted = -options.least_growth, most = wanted + 1e-3 * top,
                highest = top < result.highest ? (1. + more) * top : top,
                lowest  = (1. - more) * bottom;
   ComplexFactorization factors(pencil(Complex(1., top)));
