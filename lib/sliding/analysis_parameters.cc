@@ -2,9 +2,8 @@
 #include "parameters/keys.h"
 #include "sliding/contact_parameters.h"
 
-#include <deal.II/base/exceptions.h>
-
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace mesoslip
@@ -312,20 +311,19 @@ void ContactParameters::bind_analyses(Keys &keys)
 
 RunConditions ContactParameters::stated_conditions() const
 {
-  using Kind                = TopSetup::Kind;
-  const char *const kinds[] = {"pressure", "platen", "held"};
-  AssertIndexRange(static_cast<std::size_t>(top.kind), std::size(kinds));
-  const bool transient     = analysis == ContactAnalysis::transient;
-  RunConditions conditions = {
-    {"analysis", transient ? "transient" : "static contact"},
-    {"material", body.heterogeneous ? "heterogeneous" : "homogeneous"},
-    {"top", kinds[static_cast<std::size_t>(top.kind)]},
-    {"lateral_held", yes_or_no(top.kind != Kind::pressure || top.lateral_held)},
-    {"left_side", side_text(sides.left_held)},
-    {"right_side", side_text(sides.right_held)},
-    {"periodic", yes_or_no(periodic)},
-    {"acceleration_x", step.acceleration[0]},
-    {"acceleration_y", step.acceleration[1]}};
+  using Kind                              = TopSetup::Kind;
+  const std::array<const char *, 3> kinds = {{"pressure", "platen", "held"}};
+  const bool transient                    = analysis == ContactAnalysis::transient;
+  RunConditions conditions                = {
+                   {"analysis", transient ? "transient" : "static contact"},
+                   {"material", body.heterogeneous ? "heterogeneous" : "homogeneous"},
+                   {"top", kinds.at(static_cast<std::size_t>(top.kind))},
+                   {"lateral_held", yes_or_no(top.kind != Kind::pressure || top.lateral_held)},
+                   {"left_side", side_text(sides.left_held)},
+                   {"right_side", side_text(sides.right_held)},
+                   {"periodic", yes_or_no(periodic)},
+                   {"acceleration_x", step.acceleration[0]},
+                   {"acceleration_y", step.acceleration[1]}};
   add_load(conditions, "pressure", top.pressure);
   add_load(conditions, "velocity", contact.flat_velocity);
   if (contact.flat_direction[1] != 0.)
