@@ -1,6 +1,7 @@
 #include "dynamics/critical_time_step.h"
 #include "dynamics/explicit_stepper.h"
 #include "elasticity_testing.h"
+#include "material/stiffness.h"
 
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
