@@ -20,7 +20,6 @@ import tempfile
 
 sys.dont_write_bytecode = True  # leave no __pycache__ in a source tree
 HERE = os.path.dirname(os.path.abspath(__file__))
-sys.path.append(os.path.join(HERE, "python", "mesoslip"))  # for ranks.py; the module as a whole needs h5py
 
 from chain.inputs import ChainError, check_target, copy_inputs, list_inputs  # noqa: E402
 from chain.plan import Plan  # noqa: E402
@@ -113,7 +112,7 @@ def run():
         steps.append(Step(name, target, arguments.programs, steps))
     report = None if arguments.no_report else functools.partial(write_report, steps, target)
     preview = report and functools.partial(report, "Report so far")
-    status = Runner(steps, arguments.jobs, arguments.ranks, arguments.resume, preview).run()
+    status = Runner(steps, arguments.jobs, arguments.ranks, arguments.resume, preview, plan.said).run()
     if report and status != INTERRUPTED:  # of a chain that failed: what it has done until then
         said = preview() if status else report()
         return status or said

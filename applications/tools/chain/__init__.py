@@ -1,1 +1,7 @@
 """Chains of .prm files, see run_chain.py."""
+
+import os
+import sys
+
+# For ranks.py; the module as a whole needs h5py.
+sys.path.append(os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir, "python", "mesoslip")))

@@ -86,7 +86,7 @@ class Plan:
             self._check_order(step)
         self.environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
         self.to_run = [step for step in self.steps if not step.up_to_date()]
-        self.drafted = set()
+        self.drafted, self.said = set(), {}  # steps with drafts; what the programs say of the steps
 
     def _check_order(self, step):
         """A file of another step is one of an earlier step, and of a name that this step gives."""
@@ -138,7 +138,7 @@ class Plan:
             return Estimate(step.name), [f"the rest is checked when it runs, as it reads {', '.join(missing)}"]
         words = ["--validate", "--output", output]
         draft = DRAFTED & set(made_by(step))
-        said = self._ask(step, *words, *(["--draft", step.output] if draft else []), *(["--resume"] if begun else []))
+        said = self.said[step.name] = self._ask(step, *words, *(["--draft", step.output] if draft else []), *(["--resume"] if begun else []))
         if draft:
             self.drafted.add(step.name)
         lines = [line for line in said.splitlines() if line.startswith("warning: ") and "is a draft for" not in line]

@@ -7,15 +7,16 @@ import subprocess
 import threading
 import time
 
-from ranks import keep_ranks, ranks_begun_with
+from ranks import keep_ranks, ranks_begun_with, ranks_worth
 
 INTERRUPTED = 130
 STOPPING = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 
 
 class Runner:
-    def __init__(self, steps, jobs, ranks, resume, preview=None):
-        self.steps, self.jobs, self.ranks, self.preview = steps, jobs, ranks, preview
+    def __init__(self, steps, jobs, ranks, resume, preview=None, said=None):
+        """`said`: what the programs say of the steps when they check them."""
+        self.steps, self.jobs, self.ranks, self.preview, self.said = steps, jobs, ranks, preview, said or {}
         self.resume = resume
         self.lock = threading.Lock()
         self.stopping = False
@@ -54,7 +55,7 @@ class Runner:
             return self.ranks
         if resume:
             return ranks_begun_with(step.output)
-        return step.useful_ranks(self.jobs) if last and self.jobs > 1 else 1
+        return ranks_worth(self.said.get(step.name, ""), self.jobs) if last and self.jobs > 1 else 1
 
     def _start(self, step, alone, ranks):
         """The process; None when the chain is to stop."""

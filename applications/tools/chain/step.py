@@ -3,10 +3,9 @@
 import hashlib
 import json
 import os
-import subprocess
 
 from chain.inputs import ChainError, digest_of, input_files, is_unchanged, output_named, state_of, values
-from ranks import ranks_worth, start_of
+from ranks import start_of
 
 PROGRAMS = ("rve_homogenization", "contact_dynamics", "stress_localization")
 STAMP = ".up_to_date"
@@ -72,10 +71,3 @@ class Step:
     def ask_to_stop(self):
         with open(os.path.join(self.output, "terminate"), "w", encoding="utf-8"):
             pass
-
-    def useful_ranks(self, most):
-        """How many ranks on cores that are idle it is worth, at most `most`. KeyboardInterrupt when that ended the question."""
-        asked = subprocess.run([self.program, "--validate", self.prm], capture_output=True, text=True, check=False)
-        if asked.returncode < 0:
-            raise KeyboardInterrupt
-        return ranks_worth(asked.stdout, most)

@@ -197,7 +197,8 @@ def checked_before(chain):
 def installed_scripts(chain):
     """Away from a checkout the results go to the current folder, wherever the scripts are."""
     tools = chain("prefix", "share", "mesoslip", "applications", "tools")
-    shutil.copytree(os.path.join(TOOLS, "chain"), os.path.join(tools, "chain"))
+    for part in ("chain", "python"):
+        shutil.copytree(os.path.join(TOOLS, part), os.path.join(tools, part))
     shutil.copy(os.path.join(TOOLS, "run_chain.py"), tools)
     chain.write("in/10-rve_homogenization.prm", "")
     os.makedirs(chain("here"))

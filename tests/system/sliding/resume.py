@@ -242,7 +242,7 @@ def other_programs(scene):
 
 
 # The last run of a chain takes several ranks if it is long and cores are idle; here it always does.
-ON_RANKS = "import run_chain; from chain import step; step.ranks_worth = lambda said, most: most; run_chain.main()"
+ON_RANKS = "import run_chain; from chain import runner; runner.ranks_worth = lambda said, most: most; run_chain.main()"
 
 
 def chain(scene, ranks):
