@@ -4,8 +4,8 @@
 #include "base/text.h"
 #include "material/plausibility.h"
 #include "mesh/boundary.h"
-#include "mesh/cell_quality.h"
 #include "mesh/boundary/open_seams.h"
+#include "mesh/cell_quality.h"
 #include "mesh/read_gmsh.h"
 #include "parameters/keys.h"
 

@@ -1,7 +1,7 @@
 #include "base/errors.h"
 #include "mesh/boundary.h"
-#include "mesh/cell_quality.h"
 #include "mesh/boundary/open_seams.h"
+#include "mesh/cell_quality.h"
 #include "mesh/periodic_points.h"
 #include "mesh/read_gmsh.h"
 
