@@ -5,14 +5,13 @@
 
 namespace mesoslip
 {
-/** The border of what is counted, as a SearchRange has it: growth rates from -decay to right, and
- * no decay that is faster than the vibration; circular frequencies from low to top (1/s). */
+/** What is counted, as a SearchRange has it: no decay that is faster than the vibration. */
 struct CountedRange
 {
-  double low   = 0.;
-  double top   = 0.;
-  double decay = 0.;
-  double right = 0.;
+  double low   = 0.; ///< lowest circular frequency (1/s)
+  double top   = 0.; ///< highest circular frequency (1/s)
+  double decay = 0.; ///< largest decay rate (1/s)
+  double right = 0.; ///< largest growth rate (1/s)
 
   /** Whether @p s lies inside. */
   bool contains(const SlidingPencil::Complex s) const

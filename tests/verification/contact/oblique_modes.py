@@ -129,7 +129,7 @@ def check_count(folder):
     wave = (NUMBER * math.cos(math.pi / 6), NUMBER * math.sin(math.pi / 6))
     size = (2 * math.pi / wave[0], 2 * math.pi / wave[1], HEIGHT)
     folder.write("layer.prm", "set Dimension = 3\n" + prm({
-        **COMMON, "Body/Stiffness": ", ".join(map(repr, DIAGONAL)), "Body/Size": ", ".join(map(repr, size)), "Body/Cells": "7, 7, 4",
+        **COMMON, "Body/Stiffness": ", ".join(map(repr, DIAGONAL)), "Body/Size": ", ".join(map(repr, size)), "Body/Cells": "5, 5, 3",
         "Flat/Velocity": f"{VELOCITY}, 0", "Friction/Regularization time": 0, "Time/Rayleigh beta": 2e-8,
         "Complex modes/Lowest frequency": 0, "Complex modes/Highest frequency": 200e3}))
     folder.run(0, "contact_dynamics", "layer.prm", "--output", "layer")
