@@ -8,7 +8,6 @@
 
 namespace mesoslip
 {
-using Eigen::Index;
 
 template <int dim>
 CondensedContact<dim>::CondensedContact(const ElasticBody<dim> &body,
@@ -26,7 +25,7 @@ CondensedContact<dim>::CondensedContact(const ElasticBody<dim> &body,
     for (unsigned int c = 0; c < dim && held[dim * i + normal_axis] == 0.; ++c)
       if (held[dim * i + c] == 0.)
         {
-          numbers[dim * i + c] = static_cast<Index>(place.size());
+          numbers[dim * i + c] = static_cast<Eigen::Index>(place.size());
           place.push_back({i, c});
         }
 }
@@ -38,14 +37,14 @@ Eigen::VectorXd CondensedContact<dim>::internal_forces(NodalField<double> &u,
 {
   for (std::size_t k = 0; k < bottom.nodes.size(); ++k)
     for (unsigned int c = 0; c < dim; ++c)
-      if (const Index at = number(bottom.place(k), c); at >= 0)
+      if (const Eigen::Index at = number(bottom.place(k), c); at >= 0)
         u(c, bottom.nodes[k]) = d[at];
   body.copy_duplicates(u);
   solver.solve(u, force, 1e-12);
   const std::vector<double> internal =
     body.surface_values(ElasticBody<dim>::bottom, solver.internal_force());
   Eigen::VectorXd result(d.size());
-  for (Index k = 0; k < d.size(); ++k)
+  for (Eigen::Index k = 0; k < d.size(); ++k)
     result[k] = internal[dim * place[static_cast<std::size_t>(k)].i +
                          place[static_cast<std::size_t>(k)].c];
   return result;
@@ -54,7 +53,7 @@ Eigen::VectorXd CondensedContact<dim>::internal_forces(NodalField<double> &u,
 template <int dim>
 std::optional<StaticContactSolution> CondensedContact<dim>::solve(const double tolerance)
 {
-  const auto n = static_cast<Index>(place.size());
+  const auto n = static_cast<Eigen::Index>(place.size());
   DofMask held = problem.constrained;
   for (std::size_t k = 0; k < bottom.nodes.size(); ++k)
     for (unsigned int c = 0; c < dim; ++c)
@@ -65,7 +64,7 @@ std::optional<StaticContactSolution> CondensedContact<dim>::solve(const double t
   const std::vector<double> given =
     body.surface_values(ElasticBody<dim>::bottom, problem.force);
   start = loaded = Eigen::VectorXd::Zero(n);
-  for (Index k = 0; k < n; ++k)
+  for (Eigen::Index k = 0; k < n; ++k)
     {
       const auto [i, c] = place[static_cast<std::size_t>(k)];
       loaded[k]         = given[dim * i + c];
@@ -77,7 +76,7 @@ std::optional<StaticContactSolution> CondensedContact<dim>::solve(const double t
   NodalField<double> u = problem.displacement;
   F                    = internal_forces(u, start, problem.force) - loaded;
   S.resize(n, n);
-  for (Index k = 0; k < n; ++k)
+  for (Eigen::Index k = 0; k < n; ++k)
     {
       u        = body.zero_field();
       S.col(k) = internal_forces(u, Eigen::VectorXd::Unit(n, k), body.zero_field());
@@ -103,16 +102,16 @@ std::optional<StaticContactSolution> CondensedContact<dim>::solve(const double t
 template <int dim>
 typename CondensedContact<dim>::Problem CondensedContact<dim>::of_sliding_flat() const
 {
-  std::vector<Index> normal, along;
-  for (Index k = 0; k < F.size(); ++k)
+  std::vector<Eigen::Index> normal, along;
+  for (Eigen::Index k = 0; k < F.size(); ++k)
     (place[static_cast<std::size_t>(k)].c == normal_axis ? normal : along).push_back(k);
   // Forces along the flat less friction.
-  Eigen::MatrixXd excess(static_cast<Index>(along.size()), F.size());
+  Eigen::MatrixXd excess(static_cast<Eigen::Index>(along.size()), F.size());
   Eigen::VectorXd at_start(excess.rows());
-  for (Index k = 0; k < excess.rows(); ++k)
+  for (Eigen::Index k = 0; k < excess.rows(); ++k)
     {
-      const Index at    = along[static_cast<std::size_t>(k)];
-      const auto [i, c] = place[static_cast<std::size_t>(at)];
+      const Eigen::Index at = along[static_cast<std::size_t>(k)];
+      const auto [i, c]     = place[static_cast<std::size_t>(at)];
       const double mu =
         problem.friction_coefficient[i] * problem.sliding * problem.flat_direction[c];
       excess.row(k) = S.row(at) - mu * S.row(number(i, normal_axis));
@@ -123,7 +122,7 @@ typename CondensedContact<dim>::Problem CondensedContact<dim>::of_sliding_flat()
   of.M = S(normal, normal) -
          S(normal, along) * moves.solve(Eigen::MatrixXd(excess(Eigen::all, normal)));
   of.q = F(normal) - S(normal, along) * moves.solve(at_start);
-  for (const Index k : normal)
+  for (const Eigen::Index k : normal)
     of.z.emplace_back(k, 1.);
   return of;
 }
@@ -132,16 +131,16 @@ template <int dim>
 typename CondensedContact<dim>::Problem CondensedContact<dim>::of_resting_flat() const
 {
   Problem of;
-  for (Index k = 0; k < F.size(); ++k)
+  for (Eigen::Index k = 0; k < F.size(); ++k)
     {
       of.z.emplace_back(k, 1.);
       if (place[static_cast<std::size_t>(k)].c != normal_axis)
         of.z.emplace_back(k, -1.);
     }
-  const auto n = static_cast<Index>(of.z.size());
+  const auto n = static_cast<Eigen::Index>(of.z.size());
   of.M.resize(n, n);
   of.q.resize(n);
-  for (Index row = 0; row < n; ++row)
+  for (Eigen::Index row = 0; row < n; ++row)
     {
       const auto [k, sign]         = of.z[static_cast<std::size_t>(row)];
       const auto [i, c]            = place[static_cast<std::size_t>(k)];
@@ -149,13 +148,13 @@ typename CondensedContact<dim>::Problem CondensedContact<dim>::of_resting_flat()
       double at_start              = F[k];
       if (c != normal_axis)
         {
-          const double mu   = problem.friction_coefficient[i];
-          const Index press = number(i, normal_axis);
-          condition         = mu * S.row(press) + sign * condition;
-          at_start          = mu * F[press] + sign * at_start;
+          const double mu          = problem.friction_coefficient[i];
+          const Eigen::Index press = number(i, normal_axis);
+          condition                = mu * S.row(press) + sign * condition;
+          at_start                 = mu * F[press] + sign * at_start;
         }
       of.q[row] = at_start;
-      for (Index column = 0; column < n; ++column)
+      for (Eigen::Index column = 0; column < n; ++column)
         of.M(row, column) = of.z[static_cast<std::size_t>(column)].second *
                             condition[of.z[static_cast<std::size_t>(column)].first];
     }
@@ -176,7 +175,7 @@ CondensedContact<dim>::nodes_of(const Problem &of, const Eigen::VectorXd &z) con
       for (unsigned int c = 0; c + 1 < dim; ++c)
         nodes[at.i].direction[c] = problem.sliding * problem.flat_direction[c];
     }
-  for (Index k = 0; k < z.size(); ++k)
+  for (Eigen::Index k = 0; k < z.size(); ++k)
     {
       const auto [at, sign] = of.z[static_cast<std::size_t>(k)];
       const auto [i, c]     = place[static_cast<std::size_t>(at)];
@@ -194,7 +193,7 @@ template <int dim>
 Eigen::MatrixXd CondensedContact<dim>::conditions(const std::vector<Node> &nodes) const
 {
   Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(F.size(), F.size());
-  for (Index k = 0; k < F.size(); ++k)
+  for (Eigen::Index k = 0; k < F.size(); ++k)
     {
       const auto [i, c] = place[static_cast<std::size_t>(k)];
       const Node &node  = nodes[i];
@@ -213,8 +212,8 @@ std::optional<StaticContactSolution>
 CondensedContact<dim>::equilibrium(const std::vector<Node> &nodes, const double tolerance)
 {
   const Eigen::MatrixXd rows = conditions(nodes);
-  std::vector<Index> free;
-  for (Index k = 0; k < F.size(); ++k)
+  std::vector<Eigen::Index> free;
+  for (Eigen::Index k = 0; k < F.size(); ++k)
     if (rows(k, k) != 0.)
       free.push_back(k);
   const Eigen::FullPivLU<Eigen::MatrixXd> moves((rows * S)(free, free));
@@ -240,7 +239,7 @@ CondensedContact<dim>::equilibrium(const std::vector<Node> &nodes, const double 
   for (std::size_t i = 0; i < nodes.size(); ++i)
     {
       const auto &[state, direction] = nodes[i];
-      const Index at                 = number(i, normal_axis);
+      const Eigen::Index at          = number(i, normal_axis);
       const bool touches             = at >= 0 && state != ContactState::separated;
       const double normal            = touches ? f[at] : 0.;
       const double limit             = problem.friction_coefficient[i] * normal;
@@ -250,8 +249,8 @@ CondensedContact<dim>::equilibrium(const std::vector<Node> &nodes, const double 
       found.normal_force.push_back(normal);
       for (unsigned int c = 0; c + 1 < dim; ++c)
         {
-          const Index along = number(i, c);
-          double friction   = touches ? direction[c] * limit : 0.;
+          const Eigen::Index along = number(i, c);
+          double friction          = touches ? direction[c] * limit : 0.;
           if (state == ContactState::stick || (problem.sliding == 0 && along < 0))
             friction = along < 0 ? 0. : f[along];
           found.tangential_force.push_back(friction);

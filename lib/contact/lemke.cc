@@ -10,7 +10,6 @@ namespace mesoslip
 {
 namespace
 {
-using Eigen::Index;
 
 constexpr double negligible = 1e-11; // of pivots, with entries of the size of one
 
@@ -26,41 +25,42 @@ public:
     , basis(static_cast<std::size_t>(n))
   {
     rows << Eigen::MatrixXd::Identity(n, n), -M, -cover, q;
-    std::iota(basis.begin(), basis.end(), Index(0));
+    std::iota(basis.begin(), basis.end(), Eigen::Index(0));
   }
 
   /** The row that leaves when @p column grows: the least ratio; -1 on a ray. */
-  Index leaving(const Index column) const
+  Eigen::Index leaving(const Eigen::Index column) const
   {
-    Index best = -1;
-    for (Index i = 0; i < n; ++i)
+    Eigen::Index best = -1;
+    for (Eigen::Index i = 0; i < n; ++i)
       if (rows(i, column) > negligible && (best < 0 || is_before(i, best, column)))
         best = i;
     return best;
   }
 
   /** Brings @p column into the basis at @p row; the column that leaves. */
-  Index pivot(const Index row, const Index column)
+  Eigen::Index pivot(const Eigen::Index row, const Eigen::Index column)
   {
     rows.row(row) /= rows(row, column);
-    for (Index i = 0; i < n; ++i)
+    for (Eigen::Index i = 0; i < n; ++i)
       if (i != row && rows(i, column) != 0.)
         rows.row(i) -= rows(i, column) * rows.row(row);
     return std::exchange(basis[static_cast<std::size_t>(row)], column);
   }
 
-  const Index n;
+  const Eigen::Index n;
   Eigen::MatrixXd rows;
-  std::vector<Index> basis; ///< column of each row
+  std::vector<Eigen::Index> basis; ///< column of each row
 
 private:
   /** By the ratio of q and, where that ties, of the columns of w. */
-  bool is_before(const Index i, const Index j, const Index column) const
+  bool
+  is_before(const Eigen::Index i, const Eigen::Index j, const Eigen::Index column) const
   {
     const double a = rows(i, column), b = rows(j, column);
-    for (Index k = -1; k < n; ++k)
+    for (Eigen::Index k = -1; k < n; ++k)
       {
-        const Index c           = k < 0 ? 2 * n + 1 : k;
+        const Eigen::Index c    = k < 0 ? 2 * n + 1 : k;
         const double difference = rows(i, c) / a - rows(j, c) / b;
         if (std::fabs(difference) > 1e-13)
           return difference < 0.;
@@ -76,22 +76,22 @@ struct End
   Eigen::VectorXd z; ///< empty: they did not end
 };
 
-End follow(Tableau tableau, Index row)
+End follow(Tableau tableau, Eigen::Index row)
 {
-  const Index n        = tableau.n;
-  const auto part_of_z = [&](const Index from) {
+  const Eigen::Index n = tableau.n;
+  const auto part_of_z = [&](const Eigen::Index from) {
     Eigen::VectorXd z = Eigen::VectorXd::Zero(n);
-    for (Index i = 0; i < n; ++i)
-      if (const Index column = tableau.basis[static_cast<std::size_t>(i)] - n;
+    for (Eigen::Index i = 0; i < n; ++i)
+      if (const Eigen::Index column = tableau.basis[static_cast<std::size_t>(i)] - n;
           column >= 0 && column < n)
         z[column] = (from > 2 * n ? 1. : -1.) * tableau.rows(i, from);
     return z;
   };
-  Index left = tableau.pivot(row, 2 * n);
-  for (Index k = 0; k < 50 * n + 100; ++k)
+  Eigen::Index left = tableau.pivot(row, 2 * n);
+  for (Eigen::Index k = 0; k < 50 * n + 100; ++k)
     {
-      const Index entering = left < n ? left + n : left - n;
-      row                  = tableau.leaving(entering);
+      const Eigen::Index entering = left < n ? left + n : left - n;
+      row                         = tableau.leaving(entering);
       if (row < 0)
         {
           End ray{false, part_of_z(entering)};
@@ -110,7 +110,7 @@ End follow(const Eigen::MatrixXd &M,
            const Eigen::VectorXd &q,
            const Eigen::VectorXd &cover)
 {
-  Index row = 0;
+  Eigen::Index row = 0;
   (q.array() / cover.array()).minCoeff(&row);
   if (!(q[row] < 0.))
     return {true, Eigen::VectorXd::Zero(q.size())};
@@ -128,7 +128,7 @@ lemke(const Eigen::MatrixXd &M, const Eigen::VectorXd &q, const Eigen::VectorXd 
 bool is_infeasible(const Eigen::MatrixXd &M, const Eigen::VectorXd &q)
 {
   // The conditions of the linear program min 0 z, M z + q >= 0, whose matrix is skew.
-  const Index n               = q.size();
+  const Eigen::Index n        = q.size();
   Eigen::MatrixXd both        = Eigen::MatrixXd::Zero(2 * n, 2 * n);
   Eigen::VectorXd right       = Eigen::VectorXd::Zero(2 * n);
   both.topRightCorner(n, n)   = -M.transpose();
