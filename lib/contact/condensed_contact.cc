@@ -104,7 +104,10 @@ typename CondensedContact<dim>::Problem CondensedContact<dim>::of_sliding_flat()
 {
   std::vector<Eigen::Index> normal, along;
   for (Eigen::Index k = 0; k < F.size(); ++k)
-    (place[static_cast<std::size_t>(k)].c == normal_axis ? normal : along).push_back(k);
+    if (place[static_cast<std::size_t>(k)].c == normal_axis)
+      normal.push_back(k);
+    else
+      along.push_back(k);
   // Forces along the flat less friction.
   Eigen::MatrixXd excess(static_cast<Eigen::Index>(along.size()), F.size());
   Eigen::VectorXd at_start(excess.rows());

@@ -311,7 +311,6 @@ FrequencyEstimate largest_frequency_of_blocks(const UniformGrid<3> &grid,
 {
   FrequencyEstimate largest;
   BrickBox block{grid, {}};
-  auto &[x, y, z]  = block.grid.cells;
   const auto zeros = [](const CellBlock<3> &cells) {
     return std::vector<std::uint16_t>(cells.n_cells());
   };
@@ -319,7 +318,7 @@ FrequencyEstimate largest_frequency_of_blocks(const UniformGrid<3> &grid,
     for (const unsigned int ny : lengths_of_blocks(grid.cells[1]))
       for (const unsigned int nz : lengths_of_blocks(grid.cells[2]))
         {
-          x = nx, y = ny, z = nz;
+          block.grid.cells = {{nx, ny, nz}};
           const BrickOperator op(divide_box(block, zeros, 1, MPI_COMM_SELF), {phase},
                                  MPI_COMM_SELF, isa);
           const FrequencyEstimate of_block = largest_frequency(op);

@@ -188,7 +188,7 @@ std::string hard_to_solve(const std::vector<Phase<dim>> &phases, const double as
     add("cells are ", aspect, " times as long as wide");
   const auto anisotropy = [](const Phase<dim> &phase) {
     const VoigtVector<dim> values = stiffness_eigenvalues<dim>(phase.stiffness);
-    return values[n_voigt<dim> - 1] / values[0];
+    return values.maxCoeff() / values.minCoeff();
   };
   const auto worst = std::max_element(phases.begin(), phases.end(),
                                       [&](const Phase<dim> &a, const Phase<dim> &b) {

@@ -260,9 +260,10 @@ GmshContent::GmshContent(const std::string &the_file, const unsigned int dim)
     {
       const GmshLibrary library;
       const int d        = static_cast<int>(dim);
-      const bool by_tag  = merge(file, d);
+      const bool of_tags = merge(file, d);
       const auto content = [&](const int of, std::vector<std::string> &names) {
-        return cells_in_groups(of, by_tag ? groups_by_tag(of, file) : physical_groups(of),
+        return cells_in_groups(of,
+                               of_tags ? groups_by_tag(of, file) : physical_groups(of),
                                of < d, names, file);
       };
       cells = content(d, phases);
