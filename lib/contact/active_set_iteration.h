@@ -68,9 +68,10 @@ private:
    * end. */
   static constexpr double turning = dim == 3 ? 0.1 : 1.;
   static constexpr unsigned int hasty_changes =
-    10;                                           ///< of states, before friction is exact
-  static constexpr unsigned int most_returns = 2; ///< of the same states
-  using Friction                             = IncrementalFriction<dim>;
+    10; ///< of states, before friction is exact
+  static constexpr unsigned int most_returns =
+    2; ///< of states that were there, before they cycle
+  using Friction = IncrementalFriction<dim>;
 
   /** Of friction on all nodes; zero on a flat at rest. */
   typename Friction::Direction of_sliding_flat() const

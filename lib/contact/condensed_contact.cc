@@ -8,7 +8,6 @@
 
 namespace mesoslip
 {
-
 template <int dim>
 CondensedContact<dim>::CondensedContact(const ElasticBody<dim> &body,
                                         const StaticContactProblem &problem)

@@ -99,7 +99,7 @@ private:
   const ElasticBody<dim> &body;
   const StaticContactProblem &problem;
   const SurfaceNodes<dim> &bottom;
-  std::vector<Place> place; ///< of each displacement
+  std::vector<Place> place; ///< node and component of each displacement
   std::vector<Eigen::Index> numbers;
   EquilibriumSolver<dim> solver;
   Eigen::MatrixXd S;

@@ -9,11 +9,10 @@
 #include "sliding/run_plan.h"
 #include "statics/static_solver.h"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <ostream>
-
-#include <algorithm>
 
 namespace mesoslip
 {

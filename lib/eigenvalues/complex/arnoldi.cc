@@ -162,4 +162,15 @@ arnoldi(const Eigen::Index n, const ComplexOperator &apply, const ArnoldiOptions
   w.info = 0;
   return extract(w);
 }
+
+std::optional<double> largest_eigenvalue(const Eigen::Index n,
+                                         const ComplexOperator &apply,
+                                         const double tolerance)
+{
+  ArnoldiOptions options;
+  options.count     = 2;
+  options.tolerance = tolerance;
+  const auto found  = arnoldi(n, apply, options);
+  return found ? std::make_optional(std::abs(found->values[0])) : std::nullopt;
+}
 } // namespace mesoslip

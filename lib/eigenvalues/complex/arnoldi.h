@@ -37,6 +37,11 @@ using ComplexOperator =
 std::optional<Eigenpairs> arnoldi(const Eigen::Index n,
                                   const ComplexOperator &apply,
                                   const ArnoldiOptions &options);
+
+/** Size of the largest eigenvalue alone, to the relative @p tolerance; else as arnoldi(). */
+std::optional<double> largest_eigenvalue(const Eigen::Index n,
+                                         const ComplexOperator &apply,
+                                         const double tolerance);
 } // namespace mesoslip
 
 #endif

@@ -47,19 +47,16 @@ double highest_vibration(const SlidingPencil &pencil)
   double largest = 0.;
   for (const double share : {0., 1.})
     {
-      ArnoldiOptions options;
-      options.count     = 2;
-      options.tolerance = 1e-3;
-      const auto found  = arnoldi(
-         pencil.size(),
-         [&](ComplexVector &dst, const ComplexVector &src) {
+      const auto found = largest_eigenvalue(
+        pencil.size(),
+        [&](ComplexVector &dst, const ComplexVector &src) {
           dst = (product(pencil.stiffness, src) - share * product(pencil.friction, src))
                   .cwiseQuotient(pencil.mass.cast<Complex>());
         },
-         options);
+        1e-3);
       if (!found)
         return std::numeric_limits<double>::infinity();
-      largest = std::max(largest, std::abs(found->values[0]));
+      largest = std::max(largest, *found);
     }
   return 1.05 * std::sqrt(largest);
 }

@@ -28,19 +28,16 @@ double friction_radius(const SlidingPencil &pencil)
     {
       const ComplexMatrix turned = even.cast<Complex>() * Complex(std::cos(k * step)) +
                                    odd.cast<Complex>() * Complex(0., std::sin(k * step));
-      ArnoldiOptions options;
-      options.count     = 2;
-      options.tolerance = 1e-6;
-      const auto found  = arnoldi(
-         pencil.size(),
-         [&](ComplexVector &dst, const ComplexVector &src) {
+      const auto found = largest_eigenvalue(
+        pencil.size(),
+        [&](ComplexVector &dst, const ComplexVector &src) {
           factors.solve(dst, turned * src);
         },
-         options);
+        1e-6);
       if (!found)
         throw NotConverged("the strength of friction was not found: the Arnoldi "
                            "iteration did not converge");
-      largest = std::max(largest, std::abs(found->values[0]));
+      largest = std::max(largest, *found);
     }
   return 1.0001 * largest / std::cos(0.5 * step); // corners of the polygon
 }
