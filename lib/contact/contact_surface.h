@@ -176,6 +176,14 @@ public:
     return flat_increment_at(setup.flat_velocity(time));
   }
 
+  /** Whether node @p i stays on the flat if the body's @p acceleration along the normal is all that
+   * acts at the start. */
+  bool rests(const unsigned int i, const double acceleration) const
+  {
+    const unsigned int original = setup.periodic && i == n_distinct ? 0 : i;
+    return acceleration <= 0. && column(Column::gap)[original] <= 0.;
+  }
+
   /** What makes the coefficients of friction vary; null when they are constant. */
   const VariableFriction<dim> *variable_friction() const
   {

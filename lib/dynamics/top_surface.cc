@@ -91,6 +91,25 @@ void TopSurface<dim>::initialize(const SurfaceView<dim> &surface)
 }
 
 template <int dim>
+std::vector<double>
+TopSurface<dim>::start_acceleration(const std::vector<double> &mass) const
+{
+  AssertDimension(mass.size(), tributary.size());
+  const double pressure = setup.pressure(0.), g = step.acceleration[dim - 1];
+  const double moved =
+    mpi::sum(std::accumulate(mass.begin(), mass.begin() + n_distinct, 0.), ranks);
+  const double of_platen =
+    (g * moved - pressure * top_area) / (moved + setup.platen_mass);
+  std::vector<double> result(mass.size(), g);
+  for (std::size_t i = 0; i < mass.size(); ++i)
+    if (setup.kind == TopSetup::Kind::platen)
+      result[i] = of_platen;
+    else if (mass[i] > 0.)
+      result[i] -= pressure * tributary[i] / mass[i];
+  return result;
+}
+
+template <int dim>
 void TopSurface<dim>::move_node(double &u, double &w, const double acceleration) const
 {
   w += step.dt * acceleration;

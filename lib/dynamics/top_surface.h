@@ -158,6 +158,10 @@ public:
   /** One step of the surface under its load. */
   void advance(const SurfaceView<dim> &surface) override;
 
+  /** Accelerations (m/s^2) of nodes of this @p mass (kg, in 2D kg/m; 0: held) along the normal by
+   * load and weight at the start. Collective. */
+  std::vector<double> start_acceleration(const std::vector<double> &mass) const;
+
   /** Work done on the body since the start (J/m), by the load on the nodes of this rank. */
   double work() const
   {

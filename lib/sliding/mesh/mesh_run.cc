@@ -114,6 +114,7 @@ MeshRun<dim>::MeshRun(const ContactParameters &parameters,
       context.communicator());
 }
 
+// The scheme has velocities of beta2 dt before, see ExplicitStepper.
 template <int dim>
 void MeshRun<dim>::set_initial_velocity()
 {
@@ -131,9 +132,27 @@ void MeshRun<dim>::set_initial_velocity()
       if (c + 1 < dim ? transmits_tangential_force(parameters.top)
                       : parameters.top.kind == TopSetup::Kind::held)
         hold(point, c);
+  constexpr unsigned int normal = dim - 1;
+  std::vector<std::array<double, 3>> a(part.points.size(), time.step.acceleration);
+  const SharedNodes &contact = body.contact_nodes, top(description.top.points, part);
+  for (unsigned int i = 0; i < contact.size(); ++i)
+    if (contact.point(i) != SharedNodes::none &&
+        body.contact.rests(i, a[contact.point(i)][normal]))
+      a[contact.point(i)][normal] = 0.;
+  std::vector<double> mass(part.points.size()), of_top(top.size(), 0.);
+  body.stepper.mass_row(0, mass.data());
+  for (unsigned int i = 0; i < top.size(); ++i)
+    if (top.point(i) != SharedNodes::none && !held[top.point(i)][normal])
+      of_top[i] = mass[top.point(i)];
+  const std::vector<double> pushed = body.top.start_acceleration(of_top);
+  for (unsigned int i = 0; i < top.size(); ++i)
+    if (top.point(i) != SharedNodes::none)
+      a[top.point(i)][normal] = pushed[i];
+  const double back = -time.step.beta2 * time.step.dt;
   for (unsigned int c = 0; c < dim; ++c)
     for (std::size_t i = 0; i < part.points.size(); ++i)
-      body.w.row(c, 0)[i] = held[i][c] ? 0. : parameters.body.initial_velocity[c];
+      body.w.row(c, 0)[i] =
+        held[i][c] ? 0. : parameters.body.initial_velocity[c] + back * a[i][c];
 }
 
 template <int dim>

@@ -109,20 +109,41 @@ TransientRun::TransientRun(const ContactParameters &parameters,
                                               nodes, size, context.communicator());
 }
 
+// The scheme has velocities of beta2 dt before, see ExplicitStepper.
 void TransientRun::set_initial_velocity()
 {
-  const NodeRows &rows             = body.rows;
-  NodalField<double> &w            = body.w;
+  const NodeRows &rows  = body.rows;
+  NodalField<double> &w = body.w;
+  const unsigned int n = w.n_columns(), last = rows.n_global - 1;
+  const double back                = -time.step.beta2 * time.step.dt;
+  const std::array<double, 3> &v   = parameters.body.initial_velocity;
   const std::array<bool, 2> &left  = parameters.sides.left_held,
                             &right = parameters.sides.right_held;
   for (unsigned int c = 0; c < 2; ++c)
     for (unsigned int j = 0; j < rows.n_local(); ++j)
+      std::fill_n(w.row(c, j), n, v[c] + back * time.step.acceleration[c]);
+  for (unsigned int i = 0; rows.begin == 0 && i < n; ++i)
+    if (body.contact.rests(i, time.step.acceleration[1]))
+      w.row(1, rows.local(0))[i] = v[1];
+  if (rows.end == rows.n_global)
+    {
+      std::vector<double> mass(n);
+      body.stepper.mass_row(last, mass.data());
+      if (left[1])
+        mass.front() = 0.;
+      if (right[1])
+        mass.back() = 0.;
+      const std::vector<double> a = body.top.start_acceleration(mass);
+      for (unsigned int i = 0; i < n; ++i)
+        w.row(1, rows.local(last))[i] = v[1] + back * a[i];
+    }
+  for (unsigned int c = 0; c < 2; ++c)
+    for (unsigned int j = 0; j < rows.n_local(); ++j)
       {
-        std::fill_n(w.row(c, j), w.n_columns(), parameters.body.initial_velocity[c]);
         if (left[c])
           w.row(c, j)[0] = 0.;
         if (right[c])
-          w.row(c, j)[w.n_columns() - 1] = 0.;
+          w.row(c, j)[n - 1] = 0.;
       }
   // What the top holds does not move from the start.
   const bool held[] = {transmits_tangential_force(parameters.top),
@@ -130,7 +151,7 @@ void TransientRun::set_initial_velocity()
   if (rows.end == rows.n_global)
     for (unsigned int c = 0; c < 2; ++c)
       if (held[c])
-        std::fill_n(w.row(c, rows.local(rows.n_global - 1)), w.n_columns(), 0.);
+        std::fill_n(w.row(c, rows.local(last)), n, 0.);
 }
 
 void TransientRun::judge(const Deformation &found, const std::uint64_t n)
