@@ -70,6 +70,7 @@ MESOSLIP_INLINE vdouble relax(const vdouble target,
 
 /** From the slip without friction and the compliance c / m. */
 MESOSLIP_INLINE Friction<2> friction(const ContactArrays &a,
+                                     const ContactStep &,
                                      const std::size_t i,
                                      const vdouble limit,
                                      const vdouble (&slip)[1],
@@ -111,17 +112,21 @@ MESOSLIP_INLINE vdouble slip_left(const vdouble slip,
 }
 
 /** The same with two tangential components. Coulomb's force is along the slip that is left,
- * which is that of the slip without friction unless one component is held. */
+ * which is that of the slip without friction unless one component is held: of this step and the
+ * one before together, so that a slip that turns is met to second order. */
 MESOSLIP_INLINE Friction<3> friction(const ContactArrays &a,
+                                     const ContactStep &step,
                                      const std::size_t i,
                                      const vdouble limit,
                                      const vdouble (&slip)[2],
                                      const vdouble (&compliance)[2])
 {
-  using Arrays            = ContactArrays;
-  const auto at           = [&](const Arrays::Column c) { return load(a.column[c] + i); };
-  const vdouble distance  = length_of(slip[0], slip[1]);
-  const vdouble before[2] = {at(Arrays::target), at(Arrays::lateral_target)};
+  using Arrays  = ContactArrays;
+  const auto at = [&](const Arrays::Column c) { return load(a.column[c] + i); };
+  const vdouble slip_before[2] = {step.flat_increment_before[0] - at(Arrays::increment_x),
+                                  step.flat_increment_before[1] -
+                                    at(Arrays::lateral_increment)};
+  const vdouble before[2]      = {at(Arrays::target), at(Arrays::lateral_target)};
   const vdouble force_before[2] = {at(Arrays::tangential_force),
                                    at(Arrays::lateral_force)};
   Friction<3> result;
@@ -129,16 +134,24 @@ MESOSLIP_INLINE Friction<3> friction(const ContactArrays &a,
   const vint64 moves[2] = {compliance[0] > zero, compliance[1] > zero};
   const vint64 one_held =
     (moves[0] ^ moves[1]) & (absolute(slip[0]) > zero) & (absolute(slip[1]) > zero);
-  vdouble left[2] = {slip[0], slip[1]};
+  // At the instant of the force, as the rate of slip laws.
+  const vint64 goes_on = slip[0] * slip_before[0] + slip[1] * slip_before[1] > zero;
+  const double after = step.beta2, earlier = 1. - step.beta2;
+  vdouble both[2], left[2];
+  for (int k = 0; k < 2; ++k)
+    left[k] = both[k] =
+      goes_on ? after * slip[k] + earlier * slip_before[k] : after * slip[k];
   if (any(one_held)) // of few bodies; takes ten times as long as all else
     for (int k = 0; k < 2; ++k)
       {
-        const vdouble found = slip_left(slip[k], slip[1 - k], compliance[k] * limit);
-        left[k]             = one_held & moves[k] ? found : slip[k];
+        const vdouble found =
+          slip_left(both[k], both[1 - k], after * compliance[k] * limit);
+        left[k] = one_held & moves[k] ? found : both[k];
       }
   const vdouble distance_left = length_of(left[0], left[1]);
   vdouble to_stick[2], direction[2], pull[2];
-  vdouble moved = {}, softness = {}; // along the slip, by friction and by a unit force
+  // Along the force: by friction, by a unit force, and of the slip.
+  vdouble moved = {}, softness = {}, distance = {};
   for (int k = 0; k < 2; ++k)
     {
       to_stick[k]      = slip[k] / at_least_smallest(compliance[k]);
@@ -149,6 +162,7 @@ MESOSLIP_INLINE Friction<3> friction(const ContactArrays &a,
                                at(Arrays::decay), at(Arrays::lag));
       moved += pull[k] * result.force[k];
       softness += pull[k] * direction[k];
+      distance += slip[k] * direction[k];
     }
   result.sticks        = length_of(to_stick[0], to_stick[1]) <= limit;
   const vdouble excess = (moved - distance) / at_least_smallest(softness);
@@ -158,8 +172,8 @@ MESOSLIP_INLINE Friction<3> friction(const ContactArrays &a,
       const vint64 beyond = moves[k] & (force * to_stick[k] > zero) &
                             (absolute(force) > absolute(to_stick[k]));
       const vdouble alone   = beyond ? to_stick[k] : force;
-      const vdouble both    = moved > distance ? along : force;
-      const vdouble sliding = one_held ? alone : both;
+      const vdouble limited = moved > distance ? along : force;
+      const vdouble sliding = one_held ? alone : limited;
       result.force[k]       = result.sticks ? to_stick[k] : sliding;
     }
   return result;
@@ -205,7 +219,7 @@ MESOSLIP_INLINE void advance_vector(const ContactArrays &a,
       compliance[k]       = c * minv[component];
     }
   const vdouble limit   = load(at(Arrays::friction_coefficient)) * normal;
-  const Friction<dim> f = friction(a, i, limit, slip, compliance);
+  const Friction<dim> f = friction(a, step, i, limit, slip, compliance);
   const vint64 sticks   = touches & f.sticks;
 
   // Time step.

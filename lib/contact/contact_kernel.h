@@ -67,6 +67,7 @@ struct ContactStep
   double dt;                           ///< s
   double beta2;                        ///< of the time scheme, 0.5 to 1
   double flat_increment[2];            ///< of the flat during the step, along x and y (m)
+  double flat_increment_before[2];     ///< of the flat during the step before (m)
   double flat_direction[2] = {1., 0.}; ///< along which it moves, of length one
 };
 
@@ -86,10 +87,10 @@ struct ContactSums
  * increment Lagrange multipliers, which on a rigid flat with lumped mass is a problem of
  * its own at every node (eqs 2, 4 and 7), and steps the row in time.
  *
- * In 3D friction is a vector: Coulomb's force is along the slip that there would be without
- * friction, the vector relaxes towards it, and as much of it is left away as would move
- * the node along this slip further than the flat. Where one component is held it is along
- * the slip that friction leaves.
+ * In 3D friction is a vector: Coulomb's force is along the slip that it leaves, that of the step
+ * before and of this one weighted with 1 - beta2 and beta2, as the force acts between them. Where the
+ * two point away from each other, it is along that of this step. The vector relaxes towards it, and as much of it is left away
+ * as would move the node along it further than the flat.
  *
  * Work is formed with the central increment (u_(n+1) - u_(n-1)) / 2, for which the
  * discrete energy balance is exact.

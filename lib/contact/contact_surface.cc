@@ -67,10 +67,16 @@ void ContactSurface<dim>::advance_all(const SurfaceView<dim> &surface,
 {
   const std::array<double, 2> &along = setup.flat_direction;
   const std::array<double, 2> moved  = flat_increment_at(flat_velocity);
-  const ContactStep constants        = {
-           step.dt, step.beta2, {moved[0], moved[1]}, {along[0], along[1]}};
-  const unsigned int n_own  = setup.n_owned.value_or(n_nodes),
-                     copies = whole_vectors<double>(n_own);
+  std::array<double, 2> before       = moved;
+  if (dim == 3)
+    before = flat_increment_at(setup.flat_velocity(std::max(0., surface.time - step.dt)));
+  const ContactStep constants = {step.dt,
+                                 step.beta2,
+                                 {moved[0], moved[1]},
+                                 {before[0], before[1]},
+                                 {along[0], along[1]}};
+  const unsigned int n_own    = setup.n_owned.value_or(n_nodes),
+                     copies   = whole_vectors<double>(n_own);
   advance_nodes(arrays(surface, 0, n_own), constants, last);
   ContactSums elsewhere;
   if (copies < n_nodes)

@@ -152,7 +152,7 @@ void contact_kernel()
   ContactSums sums;
   for (unsigned int step = 0; step < 5; ++step)
     {
-      const ContactStep constants = {1e-1, 0.7, {1e-3, -4e-4}, {0.6, 0.8}};
+      const ContactStep constants = {1e-1, 0.7, {1e-3, -4e-4}, {9e-4, -5e-4}, {0.6, 0.8}};
       contact_kernels::baseline::advance(a, constants, sums);
       contact_kernels::baseline::advance_in_space(a, constants, sums);
     }

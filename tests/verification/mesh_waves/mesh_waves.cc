@@ -19,9 +19,9 @@ struct LateralLayer : Layer
   Complex across(const Complex s) const
   {
     const double k2 = k() * k();
-    // Friction is along the slip in the step that it begins; damping acts a step late.
+    // Friction is along the slip around its instant; damping acts a step late.
     const bool steps   = scheme_dt > 0.;
-    const Complex rate = steps ? (std::exp(s * scheme_dt) - 1.) / scheme_dt : s,
+    const Complex rate = steps ? std::sinh(s * scheme_dt) / scheme_dt : s,
                   flow = steps ? (1. - std::exp(-s * scheme_dt)) / scheme_dt : s;
     const Complex a = decay(s, c_L()), b = decay(s, c_T);
     const Complex eta = mu * P / (1900. * c_T * c_T * flat_velocity);
@@ -143,7 +143,7 @@ TEST(MeshWaves, AcrossTheMotionOfTheFlat)
         EXPECT_LT(s.real(), -0.02 * std::abs(s));
         EXPECT_LT(errors.back(), 1e-3);
         EXPECT_NEAR(orders(errors).back(), 2., 0.5);
-        // The law itself, to which that of the steps is of order one.
+        // The law itself.
         LayerRun<3> fine(lateral_case(layer, 20), 0.2);
         LateralLayer discrete = layer;
         discrete.scheme_dt    = fine.setup.step.dt;
