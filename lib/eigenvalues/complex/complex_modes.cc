@@ -16,7 +16,8 @@ namespace
 {
 using Complex = SlidingPencil::Complex;
 
-/** The range that is counted, its border in gaps between all eigenvalues that are known. */
+/** The range that is counted, its border in gaps between all eigenvalues that are known: those of
+ * @p range, from @p bottom to @p top those that are asked for. */
 CountedRange quiet_range(const SearchRange &range,
                          const double wanted,
                          const double bottom,
@@ -32,12 +33,54 @@ CountedRange quiet_range(const SearchRange &range,
         frequency.push_back(mode.s.imag());
       }
   CountedRange result;
-  result.decay = widest_gap(wanted, 0.5 * (wanted + range.decay), decay);
+  result.steep = range.steep;
+  result.decay = widest_gap(wanted, range.decay, decay);
   result.top   = widest_gap(top, range.top, frequency);
   // Off the axis, on which there may be growth without vibrations.
   result.low = bottom > 0. ? widest_gap(range.bottom, bottom, frequency)
                            : widest_gap(0., 1e-3 * top, frequency);
   return result;
+}
+
+/** How many of @p modes are in @p range. */
+std::ptrdiff_t count_in(const SearchRange &range, const std::vector<FoundMode> &modes)
+{
+  return std::count_if(modes.begin(), modes.end(), [&](const FoundMode &mode) {
+    return mode.s.imag() < range.top && -mode.s.real() < range.steep * mode.s.imag();
+  });
+}
+
+/** The modes of @p range without friction and, where with friction fewer of them were found so far, those
+ * that decay faster. The border of the count then lies beyond the crowd of modes, where the phase turns
+ * slowly. @return the largest decay rate up to which all are known (1/s) */
+double search_for_count(const SearchRange &range,
+                        const SlidingLaw &law,
+                        DiscSearch &search,
+                        DiscSearch &vibrations)
+{
+  const GrowthRegion nothing(law, 0.);
+  vibrations.cover(
+    {nothing, range.bottom, range.top, range.decay, range.share, range.steep}, 1);
+  if (count_in(range, search.found()) + 5 > count_in(range, vibrations.found()))
+    return range.decay;
+  SearchRange rest = range;
+  rest.most        = -0.9 * range.decay;
+  rest.bottom      = range.top; // below the lowest vibration there is next to nothing
+  for (const FoundMode &mode : vibrations.found())
+    rest.bottom = std::min(rest.bottom, 0.9 * mode.s.imag());
+  rest.bottom = std::max({rest.bottom, range.bottom, range.decay / range.steep});
+  for (const FoundMode &mode : search.found())
+    if (mode.s.imag() < range.top && -mode.s.real() < range.steep * mode.s.imag())
+      rest.decay = std::max(rest.decay, -1.15 * mode.s.real());
+  try
+    {
+      search.cover(rest, 1);
+    }
+  catch (const NotConverged &)
+    {
+      return range.decay; // it only takes longer
+    }
+  return rest.decay;
 }
 
 /** Of which no vibration has a higher circular frequency (1/s): a little more than the highest,
@@ -123,9 +166,11 @@ ComplexModes find_complex_modes(const SlidingPencil &pencil,
                                          : std::min(region.largest_width(highest),
                                                     largest_growth(pencil, drag)) +
                                              1e-3 * top;
+  // Modes that decay faster than they vibrate are not looked for, nor heavily damped ones for the count.
+  double decay = most, steep = wanted > 0. ? 1. : 0.3;
   for (const double share : {0.1, 0.2, counted})
     {
-      const SearchRange range{region, lowest, highest, most, share};
+      const SearchRange range{region, lowest, highest, decay, share, steep};
       {
         const auto scope = optional_scope(options.timer, "Search");
         search.cover(range, ++seed);
@@ -134,10 +179,10 @@ ComplexModes find_complex_modes(const SlidingPencil &pencil,
         break;
       const auto scope = optional_scope(options.timer, "Count");
       if (seed == 1)
-        vibrations.cover({GrowthRegion(still.law, 0.), lowest, highest, most, counted},
-                         seed);
+        decay = search_for_count(range, still.law, search, vibrations);
+      const SearchRange known{region, lowest, highest, decay, share, steep};
       CountedRange within =
-        quiet_range(range, wanted, bottom, top, search.found(), vibrations.found());
+        quiet_range(known, wanted, bottom, top, search.found(), vibrations.found());
       within.right     = result.fastest_counted;
       result.n_missing = count_missing(pencil, still, factors, within, search.found(),
                                        vibrations.found(), options, result);

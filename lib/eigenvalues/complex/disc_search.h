@@ -4,6 +4,7 @@
 #include "eigenvalues/complex/complex_modes.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,19 +20,20 @@ struct SearchRange
   double top    = 0.;         ///< 1/s
   double decay  = 0.;         ///< of the fastest decaying ones (1/s), positive
   double share  = 1.;         ///< of the frequency, in which growth is looked for
+  double steep  = 1.;         ///< no decay is faster than this share of the frequency
+  double most   = std::numeric_limits<double>::infinity(); ///< growth rate (1/s)
 
-  /** Least growth rate of circular frequencies up to @p high: modes decay no faster than
-   * they vibrate. */
+  /** Least growth rate of circular frequencies up to @p high. */
   double left(const double high) const
   {
-    return -std::min(decay, high);
+    return -std::min(decay, steep * high);
   }
 
   /** Largest growth rate (1/s) of circular frequencies from @p low to @p high, and a little
    * more, so that neutral modes are in the range. */
   double right(const double low, const double high) const
   {
-    return std::min(region.width(low, high) + 1e-3 * top, share * high);
+    return std::min({region.width(low, high) + 1e-3 * top, share * high, most});
   }
 };
 

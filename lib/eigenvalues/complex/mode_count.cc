@@ -26,8 +26,8 @@ struct Divided
 
 /**
  * Of as many eigenvalues as are known of both, so that far away both turn alike. To each of
- * @p above, those that friction has moved least first, the nearest of @p below; what is left of
- * @p below stands for eigenvalues that decay fast, which are put at a distance of @p away.
+ * @p above, those that friction has moved least first, the nearest of @p below. What is left of either
+ * stands for eigenvalues of the other that decay fast, which are put at a distance of @p away.
  */
 void pair(std::vector<Complex> &above, std::vector<Complex> &below, const double away)
 {
@@ -40,13 +40,15 @@ void pair(std::vector<Complex> &above, std::vector<Complex> &below, const double
   std::sort(above.begin(), above.end(), [](const Complex a, const Complex b) {
     return std::fabs(a.real()) < std::fabs(b.real());
   });
-  above.resize(std::min(above.size(), below.size()));
   std::vector<Complex> left = below;
   for (const Complex s : above)
-    left.erase(
-      std::min_element(left.begin(), left.end(), [s](const Complex a, const Complex b) {
-        return std::abs(a - s) < std::abs(b - s);
-      }));
+    if (left.empty())
+      below.emplace_back(-away, s.imag());
+    else
+      left.erase(
+        std::min_element(left.begin(), left.end(), [s](const Complex a, const Complex b) {
+          return std::abs(a - s) < std::abs(b - s);
+        }));
   for (const Complex s : left)
     above.emplace_back(-away, s.imag());
 }
@@ -76,17 +78,14 @@ public:
                  const double from,
                  const double part)
   {
-    double turned  = 0.;
-    Complex begin  = a;
-    double phase_0 = phase(begin);
+    double turned = 0.;
+    Point begin   = at(a);
     for (unsigned int k = 1; k <= n; ++k)
       {
-        share                = from + part * (k - 1) / n;
-        const Complex end    = a + (b - a) * (static_cast<double>(k) / n);
-        const double phase_1 = phase(end);
-        turned += split({begin, phase_0}, {end, phase_1});
-        begin   = end;
-        phase_0 = phase_1;
+        share           = from + part * (k - 1) / n;
+        const Point end = at(a + (b - a) * (static_cast<double>(k) / n));
+        turned += split(begin, end);
+        begin = end;
       }
     return turned;
   }
@@ -115,8 +114,7 @@ private:
                    "counted, near ",
                    a.s.real(), " 1/s and ", a.s.imag() / (2. * M_PI),
                    " Hz; it moves with Fastest decay, Lowest and Highest frequency"));
-    const Complex s = a.s + golden * (b.s - a.s);
-    const Point middle{s, phase(s)};
+    const Point middle = at(a.s + golden * (b.s - a.s));
     const double first = turn(a, middle), second = turn(middle, b);
     const double bend = first - golden * (first + second);
     if (std::max(std::fabs(first), std::fabs(second)) < largest &&
@@ -125,11 +123,16 @@ private:
     return split(a, middle) + split(middle, b);
   }
 
-  double phase(const Complex s)
+  /** The corners of the border come twice. */
+  Point at(const Complex s)
   {
-    if (options.before_factorization)
-      options.before_factorization("Count", share);
-    return phase(above, s) - phase(below, s);
+    if (s != latest.s)
+      {
+        if (options.before_factorization)
+          options.before_factorization("Count", share);
+        latest = {s, phase(above, s) - phase(below, s)};
+      }
+    return latest;
   }
 
   double phase(const Divided &of, const Complex s)
@@ -143,6 +146,7 @@ private:
   }
 
   double share = 0.; ///< of the border that is done
+  Point latest = {std::numeric_limits<double>::quiet_NaN(), 0.};
   const Divided above, below;
   ComplexFactorization &factors;
   const ComplexModesOptions &options;
@@ -231,8 +235,9 @@ int count_missing(const SlidingPencil &pencil,
                   const ComplexModesOptions &options,
                   ComplexModes &report)
 {
-  const double low = range.low, top = range.top, decay = std::min(range.decay, top),
-               right = range.right;
+  const double low = range.low, top = range.top,
+               decay = std::min(range.decay, range.steep * top), right = range.right,
+               corner = decay / range.steep;
   Divided above{pencil, numbers_of(found)}, below{still, numbers_of(found_still)};
   const int n_found = count_in(above.zeros, range);
   pair(above.zeros, below.zeros, decay + 0.1 * top);
@@ -240,16 +245,18 @@ int count_missing(const SlidingPencil &pencil,
   const int unknown = count_still(still, range) - count_in(below.zeros, range) -
                       (n_found - count_in(above.zeros, range));
   Turns turns(above, below, factors, options, report);
-  const double near = std::min(right, 0.3 * top);
+  const double near = std::min(right, 0.3 * top), far = std::sqrt(near * right);
   const std::vector<std::pair<Complex, unsigned int>> corners = {
     {{0., low}, 1},
-    {{near, low}, 2},
-    {{right, low}, 2},
-    {{right, top}, 2},
-    {{near, top}, 2},
-    {{-decay, top}, 6},
-    {{-decay, std::max(decay, low)}, 8},
-    {{-std::min(decay, low), low}, 1},
+    {{near, low}, 1},
+    {{far, low}, 1},
+    {{right, low}, 1},
+    {{right, top}, 1},
+    {{far, top}, 1},
+    {{near, top}, 1},
+    {{-decay, top}, 4},
+    {{-decay, std::max(corner, low)}, 8},
+    {{-std::min(decay, range.steep * low), low}, 1},
     {{0., low}, 1}};
   const auto count = [&](const unsigned int refinement) {
     double turned = 0.;

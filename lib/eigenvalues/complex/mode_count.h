@@ -5,19 +5,20 @@
 
 namespace mesoslip
 {
-/** What is counted, as a SearchRange has it: no decay that is faster than the vibration. */
+/** What is counted, as a SearchRange has it. */
 struct CountedRange
 {
   double low   = 0.; ///< lowest circular frequency (1/s)
   double top   = 0.; ///< highest circular frequency (1/s)
   double decay = 0.; ///< largest decay rate (1/s)
   double right = 0.; ///< largest growth rate (1/s)
+  double steep = 1.; ///< largest decay rate over the circular frequency
 
   /** Whether @p s lies inside. */
   bool contains(const SlidingPencil::Complex s) const
   {
     return s.imag() > low && s.imag() < top && s.real() < right &&
-           s.real() > -std::min(decay, s.imag());
+           s.real() > -std::min(decay, steep * s.imag());
   }
 };
 
