@@ -111,9 +111,9 @@ MESOSLIP_INLINE vdouble slip_left(const vdouble slip,
   return slip < zero ? -y : y;
 }
 
-/** The same with two tangential components. Coulomb's force is along the slip that is left,
- * which is that of the slip without friction unless one component is held: of this step and the
- * one before together, so that a slip that turns is met to second order. */
+/** The same with two tangential components. Coulomb's force is along the slip at its instant: of
+ * the step before, and of this one as friction leaves it. The weight of the latter is beta2, and
+ * more where the slip across the force would turn back by more than it was (doc/theory.md). */
 MESOSLIP_INLINE Friction<3> friction(const ContactArrays &a,
                                      const ContactStep &step,
                                      const std::size_t i,
@@ -129,24 +129,37 @@ MESOSLIP_INLINE Friction<3> friction(const ContactArrays &a,
   const vdouble before[2]      = {at(Arrays::target), at(Arrays::lateral_target)};
   const vdouble force_before[2] = {at(Arrays::tangential_force),
                                    at(Arrays::lateral_force)};
+  const vdouble decay = at(Arrays::decay), lag = at(Arrays::lag);
   Friction<3> result;
   const vdouble zero    = {};
   const vint64 moves[2] = {compliance[0] > zero, compliance[1] > zero};
   const vint64 one_held =
     (moves[0] ^ moves[1]) & (absolute(slip[0]) > zero) & (absolute(slip[1]) > zero);
-  // At the instant of the force, as the rate of slip laws.
-  const vint64 goes_on = slip[0] * slip_before[0] + slip[1] * slip_before[1] > zero;
-  const double after = step.beta2, earlier = 1. - step.beta2;
-  vdouble both[2], left[2];
+
+  // With what friction remembers, without what the new target adds: K (1 - lag) limit along e.
+  vdouble free[2], added[2], both[2], left[2];
   for (int k = 0; k < 2; ++k)
-    left[k] = both[k] =
-      goes_on ? after * slip[k] + earlier * slip_before[k] : after * slip[k];
+    {
+      free[k] =
+        slip[k] - compliance[k] * (decay * force_before[k] + (lag - decay) * before[k]);
+      added[k] = compliance[k] * (1. - lag) * limit;
+    }
+  const vdouble distance_free = at_least_smallest(length_of(free[0], free[1])),
+                most = at_least_smallest(added[0] > added[1] ? added[0] : added[1]),
+                slow = 1. - length_of(free[0] * (1. - added[0] / distance_free),
+                                      free[1] * (1. - added[1] / distance_free)) /
+                              most,
+                least = splat(step.beta2), after = slow > least ? slow : least;
+  for (int k = 0; k < 2; ++k)
+    both[k] = after * free[k] + (1. - after) * slip_before[k];
+  const vint64 goes_on = both[0] * slip[0] + both[1] * slip[1] > zero;
+  for (int k = 0; k < 2; ++k)
+    left[k] = both[k] = goes_on ? both[k] : after * slip[k];
   if (any(one_held)) // of few bodies; takes ten times as long as all else
     for (int k = 0; k < 2; ++k)
       {
-        const vdouble found =
-          slip_left(both[k], both[1 - k], after * compliance[k] * limit);
-        left[k] = one_held & moves[k] ? found : both[k];
+        const vdouble found = slip_left(both[k], both[1 - k], after * added[k]);
+        left[k]             = one_held & moves[k] ? found : both[k];
       }
   const vdouble distance_left = length_of(left[0], left[1]);
   vdouble to_stick[2], direction[2], pull[2];
@@ -158,8 +171,7 @@ MESOSLIP_INLINE Friction<3> friction(const ContactArrays &a,
       direction[k]     = left[k] / at_least_smallest(distance_left);
       pull[k]          = direction[k] * compliance[k];
       result.target[k] = limit * direction[k];
-      result.force[k]  = relax(result.target[k], before[k], force_before[k],
-                               at(Arrays::decay), at(Arrays::lag));
+      result.force[k]  = relax(result.target[k], before[k], force_before[k], decay, lag);
       moved += pull[k] * result.force[k];
       softness += pull[k] * direction[k];
       distance += slip[k] * direction[k];
@@ -168,12 +180,8 @@ MESOSLIP_INLINE Friction<3> friction(const ContactArrays &a,
   const vdouble excess = (moved - distance) / at_least_smallest(softness);
   for (int k = 0; k < 2; ++k)
     {
-      const vdouble force = result.force[k], along = force - excess * direction[k];
-      const vint64 beyond = moves[k] & (force * to_stick[k] > zero) &
-                            (absolute(force) > absolute(to_stick[k]));
-      const vdouble alone   = beyond ? to_stick[k] : force;
-      const vdouble limited = moved > distance ? along : force;
-      const vdouble sliding = one_held ? alone : limited;
+      const vdouble force = result.force[k], along = force - excess * direction[k],
+                    sliding = moved > distance ? along : force;
       result.force[k]       = result.sticks ? to_stick[k] : sliding;
     }
   return result;

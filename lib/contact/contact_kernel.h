@@ -87,9 +87,9 @@ struct ContactSums
  * increment Lagrange multipliers, which on a rigid flat with lumped mass is a problem of
  * its own at every node (eqs 2, 4 and 7), and steps the row in time.
  *
- * In 3D friction is a vector: Coulomb's force is along the slip that it leaves, that of the step
- * before and of this one weighted with 1 - beta2 and beta2, as the force acts between them. Where the
- * two point away from each other, it is along that of this step. The vector relaxes towards it, and as much of it is left away
+ * In 3D friction is a vector: Coulomb's force is along the slip at its instant, a mean of those
+ * of the step before and of this one as friction leaves it, or along that without friction where
+ * both point away from each other. The vector relaxes towards it, and as much of it is left away
  * as would move the node along it further than the flat.
  *
  * Work is formed with the central increment (u_(n+1) - u_(n-1)) / 2, for which the

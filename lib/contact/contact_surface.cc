@@ -63,20 +63,19 @@ ContactArrays ContactSurface<dim>::arrays(const SurfaceView<dim> &surface,
 // What copies of nodes of other ranks contribute is counted there.
 template <int dim>
 void ContactSurface<dim>::advance_all(const SurfaceView<dim> &surface,
-                                      const double flat_velocity)
+                                      const double flat_velocity,
+                                      const double velocity_before)
 {
-  const std::array<double, 2> &along = setup.flat_direction;
-  const std::array<double, 2> moved  = flat_increment_at(flat_velocity);
-  std::array<double, 2> before       = moved;
-  if (dim == 3)
-    before = flat_increment_at(setup.flat_velocity(std::max(0., surface.time - step.dt)));
-  const ContactStep constants = {step.dt,
-                                 step.beta2,
-                                 {moved[0], moved[1]},
-                                 {before[0], before[1]},
-                                 {along[0], along[1]}};
-  const unsigned int n_own    = setup.n_owned.value_or(n_nodes),
-                     copies   = whole_vectors<double>(n_own);
+  const std::array<double, 2> &along = setup.flat_direction,
+                              moved  = flat_increment_at(flat_velocity),
+                              before = flat_increment_at(velocity_before);
+  const ContactStep constants        = {step.dt,
+                                        step.beta2,
+                                        {moved[0], moved[1]},
+                                        {before[0], before[1]},
+                                        {along[0], along[1]}};
+  const unsigned int n_own           = setup.n_owned.value_or(n_nodes),
+                     copies          = whole_vectors<double>(n_own);
   advance_nodes(arrays(surface, 0, n_own), constants, last);
   ContactSums elsewhere;
   if (copies < n_nodes)
@@ -87,7 +86,8 @@ template <int dim>
 void ContactSurface<dim>::advance(const SurfaceView<dim> &surface)
 {
   AssertDimension(surface.n, n_nodes);
-  const double flat_velocity = setup.flat_velocity(surface.time);
+  const double flat_velocity = setup.flat_velocity(surface.time),
+               before        = setup.flat_velocity(std::max(0., surface.time - step.dt));
   if (!started)
     initialize_increments(surface);
   if (setup.law.node_law)
@@ -98,8 +98,7 @@ void ContactSurface<dim>::advance(const SurfaceView<dim> &surface)
       {column(Column::friction_coefficient), column(Column::decay), column(Column::lag)});
   if (variable)
     {
-      const double before = setup.flat_velocity(std::max(0., surface.time - step.dt));
-      const auto along    = [&](const double velocity) {
+      const auto along = [&](const double velocity) {
         return std::array<double, 2>{
           {velocity * setup.flat_direction[0], velocity * setup.flat_direction[1]}};
       };
@@ -111,7 +110,7 @@ void ContactSurface<dim>::advance(const SurfaceView<dim> &surface)
     if (observer->wants(surface.step))
       observer->before(surface);
 
-  advance_all(surface, flat_velocity);
+  advance_all(surface, flat_velocity, before);
 
   if (setup.periodic)
     for (unsigned int c = 0; c < dim; ++c)

@@ -224,7 +224,9 @@ private:
   ContactArrays arrays(const SurfaceView<dim> &surface,
                        const unsigned int first,
                        const unsigned int end);
-  void advance_all(const SurfaceView<dim> &surface, const double flat_velocity);
+  void advance_all(const SurfaceView<dim> &surface,
+                   const double flat_velocity,
+                   const double velocity_before);
 
   std::array<double, 2> flat_increment_at(const double flat_velocity) const
   {

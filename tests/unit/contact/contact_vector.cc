@@ -60,12 +60,13 @@ public:
     view.n = 1;
   }
 
-  /** Pulls along the flat, besides its weight. */
-  void advance(const double pull_x = 0., const double pull_y = 0.)
+  /** Pulls along the flat, besides this share of its weight. */
+  void
+  advance(const double pull_x = 0., const double pull_y = 0., const double share = 1.)
   {
     force.row(0, 0)[0] = -pull_x;
     force.row(1, 0)[0] = -pull_y;
-    force.row(2, 0)[0] = weight;
+    force.row(2, 0)[0] = share * weight;
     contact.advance(view);
     ++view.step;
   }
@@ -214,7 +215,8 @@ TEST(FrictionVector, RelaxesTowardsTheNewDirection)
   EXPECT_NEAR(p.contact.tangential_force()[0], -point_mu * weight, 1e-10);
   p.w.row(0, 0)[0] = 0.;
   p.w.row(1, 0)[0] = v;
-  p.advance(); // the target turns during this step
+  for (unsigned int n = 0; n < 2; ++n)
+    p.advance(); // the target turns by half where the velocity jumps, then by the rest
   const double first[] = {p.contact.tangential_force()[0], p.contact.lateral_force()[0]};
   for (unsigned int n = 1; n <= 1000; ++n)
     {
@@ -224,5 +226,35 @@ TEST(FrictionVector, RelaxesTowardsTheNewDirection)
       ASSERT_NEAR(p.contact.lateral_force()[0],
                   -point_mu * weight + (first[1] + point_mu * weight) * left, 1e-4)
         << n;
+    }
+}
+
+namespace
+{
+/** Where the point is after 0.4 s of a slip that turns, in so many steps. Its weight grows. */
+Vector turned_in(const unsigned int n_steps, const double delta)
+{
+  const double dt   = 0.4 / n_steps;
+  const Vector pull = {{0.4, 1.9}};
+  // A velocity is that half a step before.
+  Point p(
+    dt, relaxing_in(delta), 0.5,
+    {{0.1 - 0.5 * dt * pull[0] / point_mass, 0.6 - 0.5 * dt * pull[1] / point_mass}});
+  for (unsigned int n = 0; n < n_steps; ++n)
+    p.advance(pull[0], pull[1], double(n) / n_steps);
+  EXPECT_EQ(p.contact.sums().sticking, 0.);
+  return {{p.u.row(0, 0)[0], p.u.row(1, 0)[0]}};
+}
+} // namespace
+
+TEST(FrictionVector, TurnsToSecondOrder)
+{
+  for (const double delta : {0., 0.03})
+    {
+      const Vector coarse = turned_in(100, delta), middle = turned_in(200, delta),
+                   fine = turned_in(400, delta);
+      for (unsigned int k = 0; k < 2; ++k)
+        EXPECT_NEAR((middle[k] - coarse[k]) / (fine[k] - middle[k]), 4., 0.2)
+          << "delta " << delta << ", component " << k;
     }
 }
