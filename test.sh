@@ -50,7 +50,7 @@ release() {
   phase "build of programs and tests"
   build build all
   phase "tests"
-  ctest --test-dir build --output-on-failure -j "$(nproc)" "$@"
+  ctest --test-dir build --output-on-failure -j "$(n_cores)" "$@"
 }
 
 # One build for both kinds of checks: deal.II's Debug library and our assertions, and the sanitizers.
@@ -66,7 +66,7 @@ sanitize() {
   ASAN_OPTIONS+=:fast_unwind_on_malloc=0
   export LSAN_OPTIONS=suppressions=$PWD/tests/lint/leaks.txt:print_suppressions=0
   export UBSAN_OPTIONS=print_stacktrace=1
-  ctest --test-dir build-sanitize --output-on-failure -j "$(nproc)" --label-regex '^sanitize$' "$@"
+  ctest --test-dir build-sanitize --output-on-failure -j "$(n_cores)" --label-regex '^sanitize$' "$@"
 }
 
 # What clang-tidy's verdict depends on, as a name for a file: our sources, its settings, and the versions of compiler and libraries.

@@ -3,15 +3,23 @@
 
 # Debian packages of the programs and their scripts, and those that only the tests need.
 program_packages=(
-  build-essential ccache cmake ninja-build libdeal.ii-dev libboost-program-options-dev libeigen3-dev nlohmann-json3-dev libpng-dev libtiff-dev libxxhash-dev libgmsh-dev
+  build-essential ccache cmake ninja-build libdeal.ii-dev libboost-program-options-dev libeigen3-dev nlohmann-json3-dev libpng-dev libtiff-dev libxxhash-dev libgmsh-dev mold
   python3 python3-numpy python3-scipy python3-h5py python3-matplotlib)
 test_packages=(
   libgtest-dev python3-pil python3-pip python3-gmsh python3-meshio python3-xarray doxygen python3-sphinx python3-myst-parser furo cppcheck g++-aarch64-linux-gnu qemu-user)
 mesoslip_packages=("${program_packages[@]}" "${test_packages[@]}")
 
-# Debian's python has numpy, h5py and matplotlib; another one in PATH may not.
-python=/usr/bin/python3
-[ -x "$python" ] || python=python3
+# choose_python: sets python to the first of $MESOSLIP_PYTHON, python3 and /usr/bin/python3 that has numpy, scipy, h5py and matplotlib.
+# Debian's has them where a python3 that comes first in PATH may not.
+choose_python() {
+  local candidate
+  for candidate in "${MESOSLIP_PYTHON:-}" python3 /usr/bin/python3; do
+    "${candidate:-false}" -c 'import sys, importlib.util as u; sys.exit(not all(map(u.find_spec, ("numpy", "scipy", "h5py", "matplotlib"))))' 2>/dev/null &&
+      python=$candidate && return
+  done
+  python=python3
+}
+choose_python
 
 say() { printf '%s\n' "$*"; }
 fail() { printf '%s: %s\n' "${0##*/}" "$*" >&2; exit 2; }
@@ -28,7 +36,7 @@ missing_packages() {
 
 install_packages() {
   command -v dpkg-query >/dev/null || {
-    say "Not a Debian system: expecting deal.II 9.4, Gmsh, Eigen, nlohmann-json, libpng, libtiff, xxhash, GoogleTest to be there."
+    say "Neither Debian nor Ubuntu: expecting deal.II 9.4 or newer with MPI, Trilinos, HDF5, ARPACK, METIS, muParser and UMFPACK; Gmsh, Eigen, Boost, nlohmann-json, libpng, libtiff and xxHash; CMake 3.25 and Ninja; numpy, scipy, h5py and matplotlib for python3 or \$MESOSLIP_PYTHON; for the tests GoogleTest. cmake says what it does not find"
     return
   }
   local missing as_root=()
@@ -40,14 +48,18 @@ install_packages() {
   fi
   say "Installing $missing"
   # shellcheck disable=SC2086
-  { "${as_root[@]}" apt-get update -qq &&
-    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $missing
+  { ${as_root[@]+"${as_root[@]}"} apt-get update -qq &&
+    ${as_root[@]+"${as_root[@]}"} env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $missing
   } >"${TMPDIR:-/tmp}/mesoslip-apt.$$.log" 2>&1 || {
     tail -n 5 "${TMPDIR:-/tmp}/mesoslip-apt.$$.log" >&2
     fail "apt could not install: $missing"
   }
   rm -f "${TMPDIR:-/tmp}/mesoslip-apt.$$.log"
+  choose_python
 }
+
+# How many cores there are.
+n_cores() { nproc 2>/dev/null || sysctl -n hw.ncpu 2>/dev/null || echo 1; }
 
 # configured_for <folder>: the sources that a build folder is of; those of another place are built in vain.
 configured_for() { [ ! -f "$1/CMakeCache.txt" ] || sed -n 's/^CMAKE_HOME_DIRECTORY:INTERNAL=//p' "$1/CMakeCache.txt"; }
@@ -68,14 +80,14 @@ configure() {
   [ ! -f "$folder/build.ninja" ] || return 0
   mkdir -p "$folder"
   say "Configuring in $folder"
-  cmake -S . -B "$folder" -G Ninja -DMESOSLIP_UNITY=ON "${cmake_options[@]}" >"$log" 2>&1 || { tail -n 30 "$log" >&2; fail "cmake failed, see $log"; }
+  cmake -S . -B "$folder" -G Ninja -DMESOSLIP_UNITY=ON ${cmake_options[@]+"${cmake_options[@]}"} >"$log" 2>&1 || { tail -n 30 "$log" >&2; fail "cmake failed, see $log"; }
 }
 
 # say_how_long <folder> <program>... : what the first build of the programs takes, before it begins.
 say_how_long() {
   is_built "$@" && return 0
   local cores
-  cores=$(nproc 2>/dev/null || echo 1)
+  cores=$(n_cores)
   say "The programs are built first: about 16 minutes of one core, so some $(((16 + cores - 1) / cores)) minutes on the $cores of this machine if they are idle"
 }
 

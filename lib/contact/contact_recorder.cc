@@ -35,9 +35,8 @@ void turn_along_flat(ContactHistory &samples, const std::array<double, 2> &direc
     return;
   for (MonitoredNode &node : samples.nodes)
     for (auto [along, across] :
-         {std::make_pair(&node.ux, &node.across.u),
-          std::make_pair(&node.vx, &node.across.v),
-          std::make_pair(&node.tangential_force, &node.across.force)})
+         {std::pair(&node.ux, &node.across.u), std::pair(&node.vx, &node.across.v),
+          std::pair(&node.tangential_force, &node.across.force)})
       for (std::size_t k = 0; k < along->size(); ++k)
         {
           const double x = (*along)[k], y = (*across)[k];

@@ -1,7 +1,7 @@
 #include "dynamics/deformation.h"
 
 #include "base/object_exchange.h"
-#include "mesh/linear_shape.h"
+#include "mesh/linear_cell.h"
 
 #include <deal.II/base/tensor.h>
 
@@ -198,14 +198,14 @@ std::array<double, 3> evaluate_cell(const std::vector<dealii::Point<dim>> &point
                                     const std::vector<unsigned int> &vertices,
                                     const NodalField<double> &u)
 {
-  using Gradient   = dealii::Tensor<2, dim>;
-  const auto shape = reference_cell<dim>(vertices.size());
+  using Gradient = dealii::Tensor<2, dim>;
+  const LinearCell<dim> shape(vertices.size());
   // dx/dxi and du/dxi
   const auto gradients = [&](const dealii::Point<dim> &xi) {
     std::array<Gradient, 2> sum;
     for (unsigned int v = 0; v < vertices.size(); ++v)
       {
-        const auto shape_gradient = linear_shape_gradient<dim>(shape, xi, v);
+        const auto shape_gradient = shape.gradient(xi, v);
         dealii::Tensor<1, dim> displacement;
         for (unsigned int c = 0; c < dim; ++c)
           displacement[c] = u.row(c, 0)[vertices[v]];
@@ -214,13 +214,13 @@ std::array<double, 3> evaluate_cell(const std::vector<dealii::Point<dim>> &point
       }
     return sum;
   };
-  const auto middle    = gradients(shape.template barycenter<dim>());
+  const auto middle    = gradients(shape.barycenter());
   const Gradient grad  = middle[1] * invert(middle[0]);
   const Gradient skew  = 0.5 * (grad - transpose(grad));
   double most_inverted = -std::numeric_limits<double>::infinity();
   for (unsigned int v = 0; v < vertices.size(); ++v)
     {
-      const auto corner  = gradients(shape.template vertex<dim>(v));
+      const auto corner  = gradients(shape.corner(v));
       const double ratio = determinant(corner[0] + corner[1]) / determinant(corner[0]);
       most_inverted      = std::isnan(ratio) ? ratio : std::max(most_inverted, -ratio);
       if (std::isnan(ratio))
@@ -306,7 +306,8 @@ Deformation largest_deformation(const MeshPart<dim> &part,
         middle += part.points[v] / static_cast<double>(vertices.size());
       for (std::size_t q = 0; q < found.size(); ++q)
         if (take_larger(found[q], values[q], part.cell_in_mesh[k]))
-          std::copy_n(middle.begin_raw(), dim, found[q].middle.begin());
+          for (unsigned int d = 0; d < dim; ++d)
+            found[q].middle[d] = middle[d];
     }
   return over_ranks(found, communicator);
 }

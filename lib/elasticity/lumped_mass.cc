@@ -1,8 +1,6 @@
 #include "elasticity/element_operator.h"
 
-#include "mesh/linear_shape.h"
-
-#include <deal.II/base/quadrature.h>
+#include "mesh/linear_cell.h"
 
 #include <map>
 
@@ -16,14 +14,14 @@ struct ShapeTable
 {
   explicit ShapeTable(const std::size_t n_corners)
   {
-    const dealii::ReferenceCell shape = reference_cell<dim>(n_corners);
-    const auto quadrature             = shape.template get_gauss_type_quadrature<dim>(2);
-    weights                           = quadrature.get_weights();
+    const LinearCell<dim> shape(n_corners);
+    const auto quadrature = shape.quadrature();
+    weights               = quadrature.get_weights();
     for (const auto &point : quadrature.get_points())
       for (unsigned int v = 0; v < n_corners; ++v)
         {
-          value.push_back(shape.template d_linear_shape_function<dim>(point, v));
-          gradient.push_back(linear_shape_gradient<dim>(shape, point, v));
+          value.push_back(shape.shape(point, v));
+          gradient.push_back(shape.gradient(point, v));
         }
   }
 

@@ -54,7 +54,11 @@ constexpr std::size_t row_bytes_per_node = 4 * sizeof(double);
 
 std::size_t second_level_cache()
 {
+#ifdef _SC_LEVEL2_CACHE_SIZE
   const long size = sysconf(_SC_LEVEL2_CACHE_SIZE);
+#else // of glibc alone
+  const long size = 0;
+#endif
   return size > 0 ? size : 1 << 20;
 }
 

@@ -108,8 +108,7 @@ MeshVolume<dim>::MeshVolume(const Mesh<dim> &given,
 template <int dim>
 void MeshVolume<dim>::set_constraints(const unsigned int k)
 {
-  constraints.clear();
-  constraints.reinit(mesh.relevant());
+  mesh.begin(constraints);
   std::vector<Index> fixed;
   if (condition == BoundaryCondition::PBC)
     {

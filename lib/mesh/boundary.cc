@@ -1,9 +1,7 @@
 #include "mesh/boundary.h"
 
 #include "base/errors.h"
-
-#include <deal.II/base/quadrature.h>
-#include <deal.II/grid/reference_cell.h>
+#include "mesh/linear_cell.h"
 
 #include <boost/pending/disjoint_sets.hpp>
 
@@ -47,19 +45,18 @@ BoundaryFace<dim>
 face_of_cell(const Mesh<dim> &mesh, const unsigned int k, const unsigned int number)
 {
   const auto &vertices = mesh.cells[k].vertices;
-  const auto cell      = dealii::ReferenceCell::n_vertices_to_type(dim, vertices.size());
   BoundaryFace<dim> face;
   face.cell     = k;
-  face.n_points = cell.face_reference_cell(number).n_vertices();
-  for (unsigned int v = 0; v < face.n_points; ++v)
-    face.points[v] = vertices[cell.face_to_cell_vertices(number, v, 1)];
+  face.n_points = 0;
+  for (const unsigned int v : LinearCell<dim>(vertices.size()).corners_of_face(number))
+    face.points[face.n_points++] = vertices[v];
   return face;
 }
 
 template <int dim>
 unsigned int n_faces(const Cell &cell)
 {
-  return dealii::ReferenceCell::n_vertices_to_type(dim, cell.vertices.size()).n_faces();
+  return LinearCell<dim>(cell.vertices.size()).n_faces();
 }
 
 /** For each point the cells with a face of which it is the smallest, as often as they have
@@ -160,8 +157,8 @@ template <int dim>
 std::vector<dealii::Tensor<1, dim>> tributary_areas(const Mesh<dim> &mesh,
                                                     const BoundaryFace<dim> &face)
 {
-  const auto cell = dealii::ReferenceCell::n_vertices_to_type(dim - 1, face.n_points);
-  const auto quadrature = cell.template get_gauss_type_quadrature<dim - 1>(2);
+  const LinearCell<dim - 1> cell(face.n_points);
+  const auto quadrature = cell.quadrature();
   std::vector<dealii::Tensor<1, dim>> areas(face.n_points);
   for (unsigned int q = 0; q < quadrature.size(); ++q)
     {
@@ -169,12 +166,9 @@ std::vector<dealii::Tensor<1, dim>> tributary_areas(const Mesh<dim> &mesh,
       std::array<dealii::Tensor<1, dim>, dim - 1> tangent;
       for (unsigned int v = 0; v < face.n_points; ++v)
         for (unsigned int d = 0; d + 1 < dim; ++d)
-          tangent[d] += mesh.points[face.points[v]] *
-                        cell.template d_linear_shape_function_gradient<dim - 1>(xi, v)[d];
+          tangent[d] += mesh.points[face.points[v]] * cell.gradient(xi, v)[d];
       for (unsigned int v = 0; v < face.n_points; ++v)
-        areas[v] += quadrature.weight(q) *
-                    cell.template d_linear_shape_function<dim - 1>(xi, v) *
-                    normal(tangent);
+        areas[v] += quadrature.weight(q) * cell.shape(xi, v) * normal(tangent);
     }
   return areas;
 }

@@ -1,8 +1,6 @@
 #include "mesh/cell_gradients.h"
 
-#include "mesh/linear_shape.h"
-
-#include <deal.II/base/quadrature.h>
+#include "mesh/linear_cell.h"
 
 namespace mesoslip
 {
@@ -10,24 +8,22 @@ namespace
 {
 /**
  * Calls @p action with the inverse of the transposed Jacobian, the weight (m^dim) and the
- * point in the reference cell of each quadrature point. Two Gauss points along each axis
- * are exact for gradients and volumes of bi- and trilinear cells.
+ * point in the reference cell of each quadrature point.
  */
 template <int dim, typename Action>
 void for_each_quadrature_point(const Mesh<dim> &mesh,
                                const std::vector<unsigned int> &corners,
                                const Action &action)
 {
-  const dealii::ReferenceCell cell = reference_cell<dim>(corners.size());
-  const auto quadrature            = cell.template get_gauss_type_quadrature<dim>(2);
+  const LinearCell<dim> cell(corners.size());
+  const auto quadrature = cell.quadrature();
   for (unsigned int q = 0; q < quadrature.size(); ++q)
     {
       dealii::Tensor<2, dim> jacobian; // dx_i / dxi_j
       // From the first corner, so that no digits are lost far from the origin.
       for (unsigned int v = 0; v < corners.size(); ++v)
-        jacobian +=
-          outer_product(mesh.points[corners[v]] - mesh.points[corners[0]],
-                        linear_shape_gradient<dim>(cell, quadrature.point(q), v));
+        jacobian += outer_product(mesh.points[corners[v]] - mesh.points[corners[0]],
+                                  cell.gradient(quadrature.point(q), v));
       action(transpose(invert(jacobian)), quadrature.weight(q) * determinant(jacobian),
              quadrature.point(q));
     }
@@ -38,13 +34,13 @@ template <int dim>
 std::vector<dealii::Tensor<1, dim>>
 integrated_gradients(const Mesh<dim> &mesh, const std::vector<unsigned int> &corners)
 {
-  const dealii::ReferenceCell cell = reference_cell<dim>(corners.size());
+  const LinearCell<dim> cell(corners.size());
   std::vector<dealii::Tensor<1, dim>> result(corners.size());
   for_each_quadrature_point(
     mesh, corners,
     [&](const dealii::Tensor<2, dim> &inverse, const double weight, const auto &xi) {
       for (unsigned int v = 0; v < corners.size(); ++v)
-        result[v] += weight * (inverse * linear_shape_gradient<dim>(cell, xi, v));
+        result[v] += weight * (inverse * cell.gradient(xi, v));
     });
   return result;
 }
@@ -53,7 +49,7 @@ template <int dim>
 CellMeasure<dim> cell_measure(const Mesh<dim> &mesh,
                               const std::vector<unsigned int> &corners)
 {
-  const dealii::ReferenceCell cell = reference_cell<dim>(corners.size());
+  const LinearCell<dim> cell(corners.size());
   CellMeasure<dim> result;
   dealii::Tensor<1, dim> moment;
   for_each_quadrature_point(
@@ -61,7 +57,7 @@ CellMeasure<dim> cell_measure(const Mesh<dim> &mesh,
     [&](const dealii::Tensor<2, dim> &, const double weight, const auto &xi) {
       result.volume += weight;
       for (unsigned int v = 0; v < corners.size(); ++v)
-        moment += weight * cell.template d_linear_shape_function<dim>(xi, v) *
+        moment += weight * cell.shape(xi, v) *
                   (mesh.points[corners[v]] - mesh.points[corners[0]]);
     });
   result.centroid = mesh.points[corners[0]] + moment / result.volume;

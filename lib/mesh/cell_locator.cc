@@ -1,6 +1,6 @@
 #include "mesh/cell_locator.h"
 
-#include "mesh/linear_shape.h"
+#include "mesh/linear_cell.h"
 
 #include <algorithm>
 #include <limits>
@@ -88,18 +88,18 @@ template <int dim>
 double CellLocator<dim>::depth(const unsigned int cell,
                                const dealii::Point<dim> &point) const
 {
-  const auto &corners                   = mesh.cells[cell].vertices;
-  const dealii::ReferenceCell reference = reference_cell<dim>(corners.size());
+  const auto &corners = mesh.cells[cell].vertices;
+  const LinearCell<dim> reference(corners.size());
   std::vector<dealii::Point<dim>> all;
   for (const unsigned int v : corners)
     all.push_back(mesh.points[v]);
   const dealii::Point<dim> middle = mean_of(all);
   double least                    = std::numeric_limits<double>::max();
-  for (const unsigned int f : reference.face_indices())
+  for (unsigned int f = 0; f < reference.n_faces(); ++f)
     {
       std::vector<dealii::Point<dim>> face;
-      for (unsigned int v = 0; v < reference.face_reference_cell(f).n_vertices(); ++v)
-        face.push_back(all[reference.face_to_cell_vertices(f, v, 1)]);
+      for (const unsigned int v : reference.corners_of_face(f))
+        face.push_back(all[v]);
       const dealii::Tensor<1, dim> normal = normal_of(face);
       const dealii::Point<dim> on_plane   = mean_of(face);
       const double inward                 = (middle - on_plane) * normal > 0. ? 1. : -1.;

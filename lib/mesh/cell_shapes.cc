@@ -1,29 +1,9 @@
 #include "mesh/cell_shapes.h"
 
-#include "mesh/linear_shape.h"
+#include "mesh/linear_cell.h"
 
 namespace mesoslip
 {
-namespace
-{
-template <int dim>
-double linear_shape(const dealii::ReferenceCell &cell,
-                    const dealii::Point<dim> &xi,
-                    const unsigned int v)
-{
-  double value = 1.;
-  if (cell.is_hyper_cube())
-    for (unsigned int d = 0; d < dim; ++d)
-      value *= (v >> d & 1U) != 0 ? xi[d] : 1. - xi[d];
-  else if (v > 0)
-    value = xi[v - 1];
-  else
-    for (unsigned int d = 0; d < dim; ++d)
-      value -= xi[d];
-  return value;
-}
-} // namespace
-
 // Newton's method from the middle, which triangles and tetrahedra need one step of.
 template <int dim>
 CellShapes<dim> shapes_at(const Mesh<dim> &mesh,
@@ -32,8 +12,8 @@ CellShapes<dim> shapes_at(const Mesh<dim> &mesh,
 {
   constexpr unsigned int most_steps = 50;
   constexpr double round_off        = 1e-14;
-  const dealii::ReferenceCell cell  = reference_cell<dim>(corners.size());
-  dealii::Point<dim> xi             = cell.template barycenter<dim>();
+  const LinearCell<dim> cell(corners.size());
+  dealii::Point<dim> xi = cell.barycenter();
   dealii::Tensor<2, dim> inverse; // d xi_i / d x_j
   for (unsigned int k = 0; k < most_steps; ++k)
     {
@@ -43,8 +23,8 @@ CellShapes<dim> shapes_at(const Mesh<dim> &mesh,
         {
           const dealii::Tensor<1, dim> x =
             mesh.points[corners[v]] - mesh.points[corners[0]];
-          left -= linear_shape<dim>(cell, xi, v) * x;
-          jacobian += outer_product(x, linear_shape_gradient<dim>(cell, xi, v));
+          left -= cell.shape(xi, v) * x;
+          jacobian += outer_product(x, cell.gradient(xi, v));
         }
       inverse                           = invert(jacobian);
       const dealii::Tensor<1, dim> step = inverse * left;
@@ -55,9 +35,8 @@ CellShapes<dim> shapes_at(const Mesh<dim> &mesh,
   CellShapes<dim> shapes;
   for (unsigned int v = 0; v < corners.size(); ++v)
     {
-      shapes.values.push_back(linear_shape<dim>(cell, xi, v));
-      shapes.gradients.push_back(transpose(inverse) *
-                                 linear_shape_gradient<dim>(cell, xi, v));
+      shapes.values.push_back(cell.shape(xi, v));
+      shapes.gradients.push_back(transpose(inverse) * cell.gradient(xi, v));
     }
   return shapes;
 }

@@ -274,9 +274,17 @@ GmshContent::GmshContent(const std::string &the_file, const unsigned int dim)
       gmsh::model::mesh::getNodes(point_tags, coordinates, parametric, -1, -1, false,
                                   false);
     }
-  catch (const std::string &message)
+  catch (const UserError &)
+    {
+      throw;
+    }
+  catch (const std::string &message) // Gmsh 4.8
     {
       throw UserError(file + " cannot be read by Gmsh: " + message);
+    }
+  catch (const std::runtime_error &error)
+    {
+      throw UserError(file + " cannot be read by Gmsh: " + error.what());
     }
   by_tag.resize(point_tags.size());
   std::iota(by_tag.begin(), by_tag.end(), 0U);

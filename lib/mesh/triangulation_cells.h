@@ -5,6 +5,8 @@
 
 #include <deal.II/grid/tria_description.h>
 
+#include <algorithm>
+
 namespace mesoslip
 {
 /** The @p cells as deal.II's triangulations and grid tools take them. */
@@ -16,7 +18,8 @@ std::vector<dealii::CellData<dim>> to_dealii(const std::vector<Cell> &cells)
   for (const Cell &cell : cells)
     {
       result.emplace_back(cell.vertices.size());
-      result.back().vertices    = cell.vertices;
+      std::copy(cell.vertices.begin(), cell.vertices.end(),
+                result.back().vertices.begin());
       result.back().material_id = cell.material_id;
     }
   return result;
@@ -24,12 +27,12 @@ std::vector<dealii::CellData<dim>> to_dealii(const std::vector<Cell> &cells)
 
 /** The cells that deal.II gave. */
 template <int dim>
-std::vector<Cell> from_dealii(std::vector<dealii::CellData<dim>> cells)
+std::vector<Cell> from_dealii(const std::vector<dealii::CellData<dim>> &cells)
 {
   std::vector<Cell> result(cells.size());
   for (std::size_t k = 0; k < cells.size(); ++k)
     {
-      result[k].vertices    = std::move(cells[k].vertices);
+      result[k].vertices.assign(cells[k].vertices.begin(), cells[k].vertices.end());
       result[k].material_id = cells[k].material_id;
     }
   return result;

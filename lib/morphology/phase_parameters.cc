@@ -33,8 +33,8 @@ void bind_orientation(Keys &keys, PhaseParameters &phase)
                  which + "with Axis 1, a vector along axis 2, perpendicular to it [-]", 0,
                  3);
   for (const auto &[key, list] :
-       {std::make_pair("Euler angles", &phase.euler_angles),
-        std::make_pair("Axis 1", &phase.axis_1), std::make_pair("Axis 2", &phase.axis_2)})
+       {std::pair("Euler angles", &phase.euler_angles),
+        std::pair("Axis 1", &phase.axis_1), std::pair("Axis 2", &phase.axis_2)})
     keys.require(list->size() % 3 == 0, key,
                  "there are " + std::to_string(list->size()) + " numbers; give three");
 }
@@ -170,9 +170,9 @@ void PhaseParameters::check() const
       "ratios and Shear moduli) or Type = stiffness (with Stiffness); a void needs a "
       "small modulus, 1e-6 to 1e-4 of that of the stiffest phase");
   if (type == Type::orthotropic)
-    for (const auto &[key, list] : {std::make_pair("Young moduli", &young_moduli),
-                                    std::make_pair("Poisson ratios", &poisson_ratios),
-                                    std::make_pair("Shear moduli", &shear_moduli)})
+    for (const auto &[key, list] : {std::pair("Young moduli", &young_moduli),
+                                    std::pair("Poisson ratios", &poisson_ratios),
+                                    std::pair("Shear moduli", &shear_moduli)})
       if (list->size() != 3)
         throw UserError(section + "/" + key + "': there are " +
                         std::to_string(list->size()) +

@@ -61,7 +61,7 @@ void VoxelReading::bind(Keys &keys, const std::string &path)
   bind_raw(keys, *this, path);
   keys.only_with("Type", {"voxels"}, {"Crop from", "Crop size", "Coarsening"});
   for (const auto &[key, list] :
-       {std::make_pair("Crop from", &crop_from), std::make_pair("Crop size", &crop_size)})
+       {std::pair("Crop from", &crop_from), std::pair("Crop size", &crop_size)})
     keys.require(list->size() % 3 == 0, key,
                  "there are " + std::to_string(list->size()) +
                    " numbers; give three, along x, y and z");

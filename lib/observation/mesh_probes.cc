@@ -49,7 +49,8 @@ MeshPlace place_in(const Mesh<dim> &mesh,
   for (unsigned int &corner : place.corners)
     corner = mesh.original(corner);
   for (const auto &gradient : shapes.gradients)
-    place.gradient.insert(place.gradient.end(), gradient.begin_raw(), gradient.end_raw());
+    for (unsigned int d = 0; d < dim; ++d)
+      place.gradient.push_back(gradient[d]);
   return place;
 }
 

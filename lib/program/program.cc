@@ -258,8 +258,10 @@ int run_program(int argc, char **argv, const Application &program)
       Timer timer;
       std::optional<Timer::Scope> starting = timer.scope("Start of MPI");
       prepare_mpi_of_one_process();
-      // Its destructor gives up when it sees an exception: none passes this line.
-      dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+      // Without the words of the command line, as PETSc would tell of those that it does not know. Its destructor gives up when it
+      // sees an exception: none passes this line.
+      int one = 1;
+      dealii::Utilities::MPI::MPI_InitFinalize mpi(one, argv, 1);
       dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();
       // Of its own, so that concluding meets no message of ranks still at work.
       MPI_Comm concluding =

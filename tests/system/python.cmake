@@ -1,13 +1,14 @@
 # The programs as a user runs them, and the scripts around them: <label>/<name>.py <folder with the programs>.
-find_program(MESOSLIP_PYTHON NAMES python3 PATHS /usr/bin NO_DEFAULT_PATH)
 find_program(MESOSLIP_DOXYGEN doxygen)
+foreach(candidate $ENV{MESOSLIP_PYTHON} python3 /usr/bin/python3)
+  execute_process(COMMAND ${candidate} -c "import h5py, matplotlib, numpy, scipy" RESULT_VARIABLE missing ERROR_QUIET OUTPUT_QUIET)
+  if(missing STREQUAL 0)
+    set(MESOSLIP_PYTHON ${candidate})
+    break()
+  endif()
+endforeach()
 if(NOT MESOSLIP_PYTHON)
-  return()
-endif()
-execute_process(COMMAND ${MESOSLIP_PYTHON} -c "import h5py, matplotlib, numpy, scipy"
-                RESULT_VARIABLE missing ERROR_QUIET OUTPUT_QUIET)
-if(missing)
-  message(STATUS "mesoslip: python3 lacks h5py, matplotlib, numpy or scipy; the tests of the programs are left out")
+  message(STATUS "mesoslip: neither $MESOSLIP_PYTHON nor python3 has h5py, matplotlib, numpy and scipy; the tests of the programs are left out")
   return()
 endif()
 

@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/env python3
 """One report.html, with its pictures and their data in it, from the result folders of a chain.
 
     make_report.py [--output report.html] [--surface-times 1e-3,2e-3] folder...

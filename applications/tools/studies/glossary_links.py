@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/env python3
 """Links to doc/glossary.md where a page uses a term first: in the prose, not in headings, tables, code or other links.
 
     glossary_links.py page.md...    adds those that are missing to pages written by hand

@@ -47,7 +47,8 @@ find_corners(const Mesh<dim> &mesh, const std::vector<unsigned int> &points)
 
 template <int dim>
 DistributedMesh<dim>::DistributedMesh(const Mesh<dim> &mesh, const MPI_Comm communicator)
-  : triangulation(communicator)
+  : ranks(communicator)
+  , triangulation(communicator)
   , elements(dealii::FESystem<dim>(dealii::FE_Q<dim>(1), dim),
              dealii::FESystem<dim>(dealii::FE_SimplexP<dim>(1), dim))
   , mappings(dealii::MappingQ<dim>(1),
@@ -71,7 +72,7 @@ DistributedMesh<dim>::DistributedMesh(const Mesh<dim> &mesh, const MPI_Comm comm
     if (cell->is_locally_owned())
       cell->set_active_fe_index(cell->reference_cell().is_simplex() ? 1 : 0);
   dof_handler.distribute_dofs(elements);
-  DoFTools::extract_locally_relevant_dofs(dof_handler, relevant_dofs);
+  relevant_dofs = DoFTools::extract_locally_relevant_dofs(dof_handler);
 }
 
 template <int dim>
@@ -97,6 +98,17 @@ DistributedMesh<dim>::dofs_of_points(const Mesh<dim> &mesh,
       }
   dealii::Utilities::MPI::max(known, communicator(), result);
   return result;
+}
+
+template <int dim>
+void DistributedMesh<dim>::begin(dealii::AffineConstraints<double> &constraints) const
+{
+  constraints.clear();
+#if DEAL_II_VERSION_GTE(9, 6, 0)
+  constraints.reinit(dof_handler.locally_owned_dofs(), relevant_dofs);
+#else
+  constraints.reinit(relevant_dofs);
+#endif
 }
 
 template <int dim>

@@ -62,7 +62,7 @@ public:
   /** The ranks that share the mesh. */
   MPI_Comm communicator() const
   {
-    return triangulation.get_communicator();
+    return ranks;
   }
 
   /**
@@ -72,7 +72,11 @@ public:
   std::vector<Index> dofs_of_points(const Mesh<dim> &mesh,
                                     const std::vector<unsigned int> &points) const;
 
+  /** Begins @p constraints of its degrees of freedom. */
+  void begin(dealii::AffineConstraints<double> &constraints) const;
+
 private:
+  MPI_Comm ranks;
   dealii::parallel::fullydistributed::Triangulation<dim> triangulation;
   dealii::hp::FECollection<dim> elements;
   dealii::hp::MappingCollection<dim> mappings;

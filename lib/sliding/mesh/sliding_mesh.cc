@@ -60,8 +60,10 @@ MeshBoundary mesh_boundary(const Mesh<dim> &mesh,
   for (const auto &[point, of_point] : area)
     boundary.points.push_back(point);
   const auto coordinates = [&](const unsigned int point) {
-    const dealii::Point<dim> &p = mesh.points[point];
-    return std::vector<double>(p.begin_raw(), p.end_raw());
+    std::array<double, dim> result;
+    for (unsigned int d = 0; d < dim; ++d)
+      result[d] = mesh.points[point][d];
+    return result;
   };
   std::sort(boundary.points.begin(), boundary.points.end(),
             [&](const unsigned int a, const unsigned int b) {

@@ -45,7 +45,9 @@ def progress(path):
     folder.write("CMakeLists.txt", STEPS)
     folder.write("cmake/setup.sh", Folder(TOP).read("cmake", "setup.sh").decode())
     status, said = build(path)
-    assert status == 0 and re.findall(r"^  (\d+) %: \d+ of 20 steps$", said, re.M) == [str(k) for k in range(10, 101, 10)], said
+    # Ninja 1.12 counts the target itself, too, without a line for it.
+    told = re.findall(r"^  (\d+) %: \d+ of 2[01] steps$", said, re.M)
+    assert status == 0 and told in ([str(k) for k in range(10, 101, 10)], [str(k) for k in range(10, 91, 10)]), said
     assert folder.read("build", "build.log").count(b"\n") >= 20
     assert "\nBuilding" in said, said
     status, said = build(path)

@@ -28,7 +28,7 @@ SEND = {"base/exchange.cc", "elasticity/brick/plane_exchange.cc", "statics/voxel
 # Headers of lib/ that may include what takes GCC seconds, as all who include them read it again; everywhere else it belongs into sources.
 # deal.II's base (point.h, tensor.h and the like) is in mesh/mesh.h and precompiled.
 HEAVY = {
-    "deal.II/": {"mesh/cell_locator.h", "mesh/linear_shape.h", "mesh/mesh.h", "mesh/point_blocks.h", "mesh/triangulation_cells.h", "body/mesh/cell_values.h",
+    "deal.II/": {"mesh/cell_locator.h", "mesh/linear_cell.h", "mesh/mesh.h", "mesh/point_blocks.h", "mesh/triangulation_cells.h", "body/mesh/cell_values.h",
                  "body/mesh/condensed_cells.h", "body/mesh/distributed_mesh.h", "body/mesh/mesh_discretization.h", "body/mesh/ml_preconditioner.h",
                  "eigenvalues/free_dofs.h", "homogenization/mesh_volume.h", "localization/strain/cell_set.h"},
     "boost/": {"base/archives.h", "base/object_exchange.h"},
@@ -43,6 +43,18 @@ def heavy(name, path):
     return [header for header in included for start, allowed in HEAVY.items() if header.startswith(start) and name not in allowed]
 
 
+# The only files that know which release of deal.II there is, and Trilinos without deal.II around it: a port begins there.
+ONLY_IN = {r"DEAL_II_VERSION\w*": {"body/mesh/distributed_mesh.cc"},
+           r"#include <(?:Epetra|ml_|ML_|Teuchos|MueLu|Amesos)\w*[./]": {"body/mesh/ml_preconditioner.cc"}}
+
+
+def only_in(name, path):
+    """What the file `name` asks or includes although another one does so for all."""
+    with open(path, encoding="utf-8") as file:
+        text = file.read()
+    return [found[0] for words, allowed in ONLY_IN.items() if name not in allowed and (found := re.findall(words, text))]
+
+
 def sends(path):
     with open(path, encoding="utf-8") as file:
         return re.findall(r"\bMPI_(?:I?[bsr]?send|I?recv|Sendrecv|I?bcast|I?gatherv?|I?scatterv?|I?allgatherv?)\b", file.read(), re.IGNORECASE)
@@ -53,6 +65,7 @@ def of_file(topic, path, lib):
     name = os.path.relpath(path, lib)
     forbidden = set(ORDER[ORDER.index(topic) + 1:]) | NEVER.get(topic, set())
     problems = [f"lib/{name} includes {used}/" for used in includes(path) if used in forbidden]
+    problems += [f"lib/{name} has {words}: see ONLY_IN in dependencies.py" for words in only_in(name, path)]
     if name not in SEND:
         problems += [f"lib/{name} calls {call}: use base/exchange.h" for call in sends(path)]
     if name.endswith(".h"):

@@ -37,7 +37,8 @@ Mesh<dim> brick(const std::array<unsigned int, dim> &n,
 {
   dealii::Triangulation<dim> tria, simplex;
   dealii::Point<dim> corner;
-  std::copy(size.begin(), size.end(), corner.begin_raw());
+  for (unsigned int d = 0; d < dim; ++d)
+    corner[d] = size[d];
   dealii::GridGenerator::subdivided_hyper_rectangle(
     tria, std::vector<unsigned int>(n.begin(), n.end()), dealii::Point<dim>(), corner);
   if (kind.simplices)

@@ -107,7 +107,8 @@ void expect_turned(const MeshRun<3> &straight,
     {
       const dealii::Point<3> u =
         turned_by(angle, {expected[k], expected[k + 1], expected[k + 2]});
-      std::copy(u.begin_raw(), u.end_raw(), expected.begin() + k);
+      for (unsigned int d = 0; d < 3; ++d)
+        expected[k + d] = u[d];
     }
   const double found = relative_difference(expected, askew.whole(askew.body.u));
   std::cout << "turned by " << angle << ": displacements differ by " << found << '\n';
