@@ -4,6 +4,7 @@
 #include "base/files.h"
 
 #include <boost/crc.hpp>
+#include <boost/version.hpp>
 
 #include <cstdint>
 #include <filesystem>
@@ -14,13 +15,14 @@ namespace mesoslip
 {
 namespace
 {
-/** What the first line of a file says of the state behind it, but for size and CRC. */
+/** What the first line of a file says of the state behind it, but for size and CRC. Archives of one
+ * release of Boost are not those of another. */
 std::string heading(const std::string &kind)
 {
   const std::uint16_t one = 1;
   const bool little       = *reinterpret_cast<const unsigned char *>(&one) == 1;
-  return "mesoslip-checkpoint of " + kind + ", " + (little ? "little" : "big") +
-         " endian";
+  return "mesoslip-checkpoint of " + kind + ", Boost " + BOOST_LIB_VERSION + ", " +
+         (little ? "little" : "big") + " endian";
 }
 
 /** Size and CRC of the state, as the first line ends. */
