@@ -20,6 +20,25 @@ template <int dim>
 CellShapes<dim> shapes_at(const Mesh<dim> &mesh,
                           const std::vector<unsigned int> &corners,
                           const dealii::Point<dim> &point);
+
+/** Integrals of the gradients of the shape functions of a cell with these corners
+ * (m^(dim-1)). */
+template <int dim>
+std::vector<dealii::Tensor<1, dim>>
+integrated_gradients(const Mesh<dim> &mesh, const std::vector<unsigned int> &corners);
+
+/** Middle and size of a cell. */
+template <int dim>
+struct CellMeasure
+{
+  dealii::Point<dim> centroid; ///< centre of gravity (m)
+  double volume = 0.;          ///< area (2D, m^2) or volume (m^3)
+};
+
+/** The same by the quadrature of integrated_gradients(). */
+template <int dim>
+CellMeasure<dim> cell_measure(const Mesh<dim> &mesh,
+                              const std::vector<unsigned int> &corners);
 } // namespace mesoslip
 
 #endif

@@ -4,7 +4,7 @@
 #include "body/mesh/mesh_discretization.h"
 #include "body/mesh/mesh_share.h"
 #include "body/mesh/ml_solver.h"
-#include "mesh/cell_gradients.h"
+#include "mesh/cell_shapes.h"
 
 #include <deal.II/grid/grid_tools.h>
 

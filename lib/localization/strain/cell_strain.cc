@@ -1,7 +1,7 @@
 #include "localization/strain/cell_strain.h"
 
 #include "localization/strain/slope_fits.h"
-#include "mesh/cell_gradients.h"
+#include "mesh/cell_shapes.h"
 
 #include <map>
 

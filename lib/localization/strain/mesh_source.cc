@@ -2,7 +2,7 @@
 #include "localization/strain/cell_strain.h"
 #include "localization/strain/read_ahead.h"
 #include "localization/strain/strain_source.h"
-#include "mesh/cell_gradients.h"
+#include "mesh/cell_shapes.h"
 #include "mesh/point_blocks.h"
 
 #include <deal.II/base/mpi.h>

@@ -1,6 +1,6 @@
 #include "localization/strain/slope_fits.h"
 
-#include "mesh/cell_gradients.h"
+#include "mesh/cell_shapes.h"
 
 #include <Eigen/Dense>
 

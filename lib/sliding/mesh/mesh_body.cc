@@ -170,8 +170,7 @@ ReferenceNode reference_node(const MeshMorphology<dim> &morphology,
       nearest     = away.norm();
       node.number = static_cast<unsigned int>(i);
     }
-  for (unsigned int d = 0; d < dim; ++d)
-    node.position[d] = points[node.number][d];
+  std::copy_n(&points[node.number][0], dim, node.position.begin());
   node.area        = -contact.area[node.number];
   const auto place = places_of(morphology, {{"the reference node", node.position}});
   node.phase       = morphology.phase_of(place[0].material);
@@ -330,10 +329,8 @@ MeshBodyDescription describe_body(const MeshMorphology<dim> &morphology,
   const auto [lower, upper] = dealii::BoundingBox<dim>(mesh.points).get_boundary_points();
   const dealii::Tensor<1, dim> sides = upper - lower;
   body.scales = scales_of(morphology, sides, body.top, given.contact.flat_direction);
-  body.shortest_side = sides[0];
-  for (unsigned int d = 1; d < dim; ++d)
-    body.shortest_side = std::min(body.shortest_side, sides[d]);
-  body.probes = places_of(morphology, given.observation.probes);
+  body.shortest_side = std::min({sides[0], sides[1], sides[dim - 1]});
+  body.probes        = places_of(morphology, given.observation.probes);
   number_in_whole_body(body, morphology);
   return body;
 }

@@ -45,7 +45,7 @@ def heavy(name, path):
 
 # The only files that know which release of deal.II there is, and Trilinos without deal.II around it: a port begins there.
 ONLY_IN = {r"DEAL_II_VERSION\w*": {"body/mesh/distributed_mesh.cc"},
-           r"#include <(?:Epetra|ml_|ML_|Teuchos|MueLu|Amesos)\w*[./]": {"body/mesh/ml_preconditioner.cc"}}
+           r"#include <(?:Epetra|ml_|ML_|Teuchos|MueLu|Amesos)\w*[./]": {"body/mesh/ml_preconditioner.cc", "body/mesh/ml_solver.cc"}}
 
 
 def only_in(name, path):

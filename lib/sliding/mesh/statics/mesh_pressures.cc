@@ -2,7 +2,7 @@
 
 #include "base/object_exchange.h"
 #include "mesh/boundary.h"
-#include "mesh/cell_gradients.h"
+#include "mesh/cell_shapes.h"
 
 #include <algorithm>
 #include <array>
