@@ -52,6 +52,20 @@ foreach(library "GMSH;gmsh.h;gmsh;Gmsh with its library;libgmsh-dev" "MUPARSER;m
   mesoslip_need(${found} "${words}" ${package})
 endforeach()
 
+# Algebraic multigrid for meshes: ML, which deal.II's Trilinos had until Trilinos 17, or GAMG of the PETSc that deal.II was built with.
+find_path(ML_INCLUDE_DIR ml_MultiLevelPreconditioner.h PATH_SUFFIXES trilinos HINTS ${DEAL_II_INCLUDE_DIRS})
+if(ML_INCLUDE_DIR)
+  set(MESOSLIP_MULTIGRID ml CACHE STRING "ml (Trilinos) or gamg (PETSc)")
+else()
+  set(MESOSLIP_MULTIGRID gamg CACHE STRING "ml (Trilinos) or gamg (PETSc)")
+endif()
+if(MESOSLIP_MULTIGRID STREQUAL "gamg")
+  if(NOT DEAL_II_WITH_PETSC)
+    string(APPEND missing "\n  deal.II in ${DEAL_II_PATH} was built without PETSC, and there is no ML: build it with -DDEAL_II_WITH_PETSC=ON")
+  endif()
+  add_compile_definitions(MESOSLIP_GAMG)
+endif()
+
 if(missing)
   message(FATAL_ERROR "mesoslip needs what was not found:${missing}")
 endif()

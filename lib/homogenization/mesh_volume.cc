@@ -186,7 +186,8 @@ SolverReport MeshVolume<dim>::solve_case(const unsigned int k, const double tole
   const dealii::IndexSet &owned = mesh.dofs().locally_owned_dofs();
   const double reference        = loads[k].l2_norm();
   const std::string of          = to_string(condition) + " " + voigt_names<dim>[k];
-  const std::string beginning   = of + ": conjugate gradients with ML ";
+  const std::string beginning =
+    of + ": conjugate gradients with " + AlgebraicMultigrid::name() + " ";
   SolverReport report;
   Vector x(owned, mesh.communicator());
   if (!std::isfinite(reference))

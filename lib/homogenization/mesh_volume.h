@@ -1,8 +1,8 @@
 #ifndef mesoslip_homogenization_mesh_volume_h
 #define mesoslip_homogenization_mesh_volume_h
 
+#include "body/mesh/algebraic_multigrid.h"
 #include "body/mesh/distributed_mesh.h"
-#include "body/mesh/ml_preconditioner.h"
 #include "elasticity/uniform_material.h"
 #include "homogenization/loads/volume_element_cells.h"
 #include "homogenization/response.h"
@@ -68,7 +68,7 @@ public:
 
 private:
   using Index                           = typename DistributedMesh<dim>::Index;
-  using Vector                          = MlPreconditioner::Vector;
+  using Vector                          = AlgebraicMultigrid::Vector;
   static constexpr unsigned int n_loads = dim * (dim + 1) / 2;
 
   void set_constraints(const unsigned int k);
@@ -103,7 +103,7 @@ private:
 
   dealii::AffineConstraints<double> constraints;
   dealii::TrilinosWrappers::SparseMatrix matrix;
-  MlPreconditioner preconditioner;
+  AlgebraicMultigrid preconditioner;
   std::vector<Vector> loads;
   std::array<double, n_loads> gross_loads; ///< norms of the loads before they cancel
 

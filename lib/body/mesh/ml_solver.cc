@@ -234,7 +234,8 @@ SolverReport MlSolver<dim>::solve(NodalField<double> &u,
   };
   const double reference = residual(prescribed);
   if (!std::isfinite(reference))
-    throw NotConverged("conjugate gradients with ML met numbers that are not finite",
+    throw NotConverged(std::string("conjugate gradients with ") +
+                         AlgebraicMultigrid::name() + " met numbers that are not finite",
                        NotConverged::Reason::not_finite);
   // A first guess would move the supports of a floating body.
   Vector x = motions.empty() ? discretization.to_vector(u) : prescribed;
@@ -264,9 +265,9 @@ SolverReport MlSolver<dim>::solve_free(Vector &x,
   catch (const dealii::SolverControl::NoConvergence &e)
     {
       std::ostringstream text;
-      text << "conjugate gradients with ML stopped after " << e.last_step
-           << " iterations at a relative residual of " << e.last_residual / reference
-           << ", wanted " << tolerance;
+      text << "conjugate gradients with " << AlgebraicMultigrid::name()
+           << " stopped after " << e.last_step << " iterations at a relative residual of "
+           << e.last_residual / reference << ", wanted " << tolerance;
       throw NotConverged(text.str(), NotConverged::Reason::iterations,
                          e.last_residual / reference);
     }

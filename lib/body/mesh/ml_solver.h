@@ -1,8 +1,8 @@
 #ifndef mesoslip_body_mesh_ml_solver_h
 #define mesoslip_body_mesh_ml_solver_h
 
+#include "body/mesh/algebraic_multigrid.h"
 #include "body/mesh/mesh_discretization.h"
-#include "body/mesh/ml_preconditioner.h"
 
 namespace mesoslip
 {
@@ -53,7 +53,7 @@ private:
 
   /** Rows and columns of fixed degrees of freedom have only their diagonal. */
   typename MeshDiscretization<dim>::Matrix constrained;
-  MlPreconditioner preconditioner;
+  AlgebraicMultigrid preconditioner;
 };
 } // namespace mesoslip
 

@@ -1,8 +1,12 @@
-#include "body/mesh/ml_preconditioner.h"
+#ifndef MESOSLIP_GAMG
 
-#include <Teuchos_ParameterList.hpp>
-#include <ml_MultiLevelPreconditioner.h>
-#include <ml_utils.h>
+#  include "body/mesh/algebraic_multigrid.h"
+
+#  include <deal.II/lac/trilinos_precondition.h>
+
+#  include <Teuchos_ParameterList.hpp>
+#  include <ml_MultiLevelPreconditioner.h>
+#  include <ml_utils.h>
 
 namespace mesoslip
 {
@@ -13,10 +17,34 @@ namespace
 constexpr int seed = 1073741823;
 } // namespace
 
-void MlPreconditioner::initialize(const dealii::TrilinosWrappers::SparseMatrix &matrix,
-                                  const unsigned int dim,
-                                  const std::vector<Vector> &near_null_space)
+struct AlgebraicMultigrid::Library
 {
+  std::vector<double> null_space; ///< vector after vector, as ML wants them
+  dealii::TrilinosWrappers::PreconditionAMG ml;
+};
+
+AlgebraicMultigrid::AlgebraicMultigrid()
+  : library(std::make_unique<Library>())
+{
+}
+
+AlgebraicMultigrid::~AlgebraicMultigrid() = default;
+
+const char *AlgebraicMultigrid::name()
+{
+  return "ML";
+}
+
+void AlgebraicMultigrid::vmult(Vector &y, const Vector &x) const
+{
+  library->ml.vmult(y, x);
+}
+
+void AlgebraicMultigrid::initialize(const dealii::TrilinosWrappers::SparseMatrix &matrix,
+                                    const unsigned int dim,
+                                    const std::vector<Vector> &near_null_space)
+{
+  std::vector<double> &null_space = library->null_space;
   null_space.clear();
   for (const Vector &motion : near_null_space)
     null_space.insert(null_space.end(), motion.begin(), motion.end());
@@ -36,6 +64,7 @@ void MlPreconditioner::initialize(const dealii::TrilinosWrappers::SparseMatrix &
   parameters.set("null space: vectors", null_space.data());
   parameters.set("null space: add default vectors", false);
   ML_set_random_seed(seed);
-  ml.initialize(matrix, parameters);
+  library->ml.initialize(matrix, parameters);
 }
 } // namespace mesoslip
+#endif
