@@ -66,6 +66,7 @@ def check_localization(folder, rve):
         assert localization["mean_stress"].to("MPa").max() < 1e3
         assert localization["mean_stress"].unit == "Pa"
         expect(KeyError, "localization.h5 has no group 'history'; there is: ", lambda: localization.history)
+    assert callable(mesoslip.participation.participation)
     expect(FileNotFoundError, "no file or folder", lambda: mesoslip.open(os.path.join(folder, "nothing")))
     expect(mesoslip.FormatError, "HDF5", lambda: mesoslip.open(os.path.join(folder, "summary.json")))
     foreign = os.path.join(folder, "foreign.h5")

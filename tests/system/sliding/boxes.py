@@ -146,6 +146,20 @@ def check_other_analyses(folder):
             assert field.shape[1:] == (*(n + 1 for n in CELLS[::-1]), 3) and np.isfinite(field[()]).all(), field.shape
 
 
+def check_automatic_step(folder):
+    """Time step = auto is the same number on any number of ranks, and so is all that follows from it."""
+    folder.write("auto.prm", BOX + prm({"Top/Kind": "pressure", "Sides/Left": "u_x u_z", "Sides/Back": "u_y"}) + PROBES)
+    runs = []
+    for ranks in (1, 2, 3):
+        folder.run(0, "contact_dynamics", "auto.prm", "--output", "auto", "--set=Time/Time step=auto", "--set=Time/End time=2e-6", ranks=ranks)
+        probed = group(folder, "auto", "probes")
+        runs.append((folder.summary("auto")["time_step"], {key: value for key, value in probed.items() if "displacement" in key or "velocity" in key}))
+    for step, values in runs[1:]:
+        assert step == runs[0][0] and len(values) > 1, (step, runs[0][0])
+        assert all((value == runs[0][1][key]).all() for key, value in values.items()), {
+            key: np.abs(value - runs[0][1][key]).max() / np.abs(value).max() for key, value in values.items()}
+
+
 def check_refused(folder):
     def refused(words, *settings, prm_file="platen.prm", ranks=1):
         said = folder.run(2, "contact_dynamics", prm_file, "--output", "none", *("--set=" + setting for setting in settings), ranks=ranks)
@@ -181,6 +195,7 @@ def main():
         check_resumed(folder)
         check_localized(folder)
         check_other_analyses(folder)
+        check_automatic_step(folder)
         check_refused(folder)
     print("contact_dynamics on boxes of voxels: as on meshes and plane grids, on several ranks, continued, localized")
 

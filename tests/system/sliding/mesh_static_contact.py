@@ -132,6 +132,33 @@ def check_layer(folder):
         assert states == others[side::2]
 
 
+def check_along_the_motion(folder):
+    """The force of a body that slides all over is along the motion of the flat; its components are along x and y."""
+    box = Box([6, 6, 2], [4, 4, 2], lambda x: "body")
+    box.name_side("Contact", 2, False).name_side("Top", 2, True).write(folder("mesh.msh"))
+    for direction in ((1, 0), (0, -1), (0.6, 0.8)):
+        folder.write("askew.prm", "set Dimension = 3\n" + prm({**LOADS, **MESH, "Flat/Velocity": "%g, %g" % direction}))
+        folder.run(0, "contact_dynamics", "askew.prm", "--output", "askew")
+        found = folder.summary("askew")
+        force = np.array([found["tangential_force"], found["tangential_force_y"]]) / found["normal_force"]
+        assert np.abs(force - 0.2 * np.array(direction)).max() < 1e-7, (direction, force)
+
+
+def check_standing_faces(folder):
+    """Faces of the contact that stand on the flat are told."""
+    folder.write("edge.prm", prm({**MESH, "Top/Kind": "pressure", "Top/Pressure": 1e6}))
+    for standing in (False, True):
+        box = Box([6, 4], [6, 4], lambda x: "body")
+        box.name_side("Contact", 1, False)
+        if standing:
+            box.name_side("Contact", 0, False)
+            box.faces = [(corners, name) for corners, name in box.faces if box.points[corners][:, 1].max() < 4]  # below the top
+        box.name_side("Top", 1, True)
+        box.write(folder("mesh.msh"))
+        said = folder.run(0, "contact_dynamics", "edge.prm", "--validate")
+        assert ("3 of 10 nodes of 'Contact' have no area" in said) == standing, said
+
+
 def check_refused(folder):
     for key, value, said in (("Top/Kind", "held", "Top/Kind"), ("Top/Pressure", 0, "Top/Pressure"), ("Flat/Gap", 1e-6, "Flat/Gap"),
                              ("Top/Lateral held", "false", "Nothing holds the body")):
@@ -151,6 +178,8 @@ def main():
         check_steps(scenes)
         check_layer(scenes)
         check_refused(scenes)
+        check_along_the_motion(scenes)
+        check_standing_faces(scenes)
         check_two_phases(scenes)
 
 
