@@ -271,9 +271,17 @@ def check_refused(folder):
         assert all(word in said for word in words), (settings, said)
 
 
+def check_above_all_modes(folder):
+    """A search beyond the highest mode of the cells ends there."""
+    folder.write("high.prm", prm({**COMMON, **BODY, "Body/Cells": "10, 5", "Complex modes/Highest frequency": 1e9, "Complex modes/Fastest decay": 0}))
+    folder.run(0, "contact_dynamics", "high.prm", "--output", "high")
+    assert folder.summary("high")["missing_modes"] == 0
+
+
 with tempfile.TemporaryDirectory() as path:
     scene = Folder(path)
     check_refused(scene)
+    check_above_all_modes(scene)
     check_heterogeneous(scene)
     check_meshes(scene)
     check_sweep(scene)

@@ -290,6 +290,7 @@ def check_refused(folder):
             (grains.astype(float), heading + "1, 0, 0, 0\n", table, ["grains are whole numbers"]),
             (grains, heading + "2, 0, 0, 0\n", table, ["voxel [0][0][0] is of grain 1, which has no line in"]),
             (grains, heading + "1, 0, 0, 0\n1, 0, 0, 0\n", table, ["bad.csv:3", "grain 1 stands in two lines"]),
+            (grains, heading + "2.5, 0, 0, 0\n", table, ["bad.csv:2", "grain 2.5 is no whole number"]),
             (grains, "grain,phi1\n1,2\n", table, ["no column 'phi1 [degrees]'"]),
             (good + 721, "", {}, ["voxel [0][0][0] has the angle 721 degrees", "two turns are 720"]),
             (grains, heading + "1, 0, 0, 1e30\n", table, ["bad.csv:2", "beyond two turns"]),
