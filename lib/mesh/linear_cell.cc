@@ -90,10 +90,10 @@ LinearCell<dim>::corners_of_face(const unsigned int f) const
                                                                        {{0, 1, 2, 3}},
                                                                        {{4, 5, 6, 7}}}};
   if (dim == 2)
-    return is_simplex ? dealii::make_array_view(triangle[f])
-                      : dealii::make_array_view(square[f]);
-  return is_simplex ? dealii::make_array_view(tetrahedron[f])
-                    : dealii::make_array_view(cube[f]);
+    return {is_simplex ? triangle[f].data() : square[f].data(), 2};
+  if (is_simplex)
+    return {tetrahedron[f].data(), 3};
+  return {cube[f].data(), 4};
 }
 
 template class LinearCell<1>;
