@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Builds and runs the tests: ./test.sh [option] [ctest options]
 #   without one      what CI runs: all tests but the long ones, then --lint and --sanitize
-#   --quick          unit, system and regression tests only
+#   --quick          unit and regression tests, and those of the system that take less than a quarter of a minute
 #   --label NAME     unit, verification, system, regression, lint or long
 #   --sanitize       unit tests, and those of programs and verification that are quick enough, with AddressSanitizer,
 #                    UndefinedBehaviorSanitizer, LeakSanitizer and the assertions of deal.II's Debug library, in build-sanitize
@@ -117,7 +117,7 @@ case ${1:-} in
   --fuzz) fuzz "${2:?--fuzz needs a number of seconds}" ;;
   --sanitize) sanitize "${@:2}" ;;
   --lint) lint "${@:2}" ;;
-  --quick) release --label-exclude 'long|verification' "${@:2}" ;;
+  --quick) release --label-exclude 'long|slow|verification' "${@:2}" ;;
   --label) release --label-regex "${2:?--label needs a name}" "${@:3}" ;;
   "") trap report_times EXIT && release --label-exclude long && tidy && sanitize ;;
   *) release --label-exclude long "$@" ;;

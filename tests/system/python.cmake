@@ -64,6 +64,12 @@ mesoslip_python_tests(verification 2 contact/large_strains contact/mesh_ranks co
                       voxels/voxel_random voxels/voxels)
 mesoslip_python_tests(regression 1 stored_runs)
 set_property(TEST system/chains/chain APPEND PROPERTY LABELS regression) # its numbers are stored, too
+# Above a quarter of a minute each; ./test.sh --quick leaves them out.
+foreach(name chains/chain_validation chains/package chains/python_runs pages/guide pages/tomogram programs/other_processors programs/ranks
+             report/whole_page sliding/boxes sliding/complex_modes sliding/complex_modes_laws sliding/contact_map sliding/mesh_flat sliding/mesh_modes
+             sliding/mesh_periodic sliding/oriented_boxes sliding/resume)
+  set_property(TEST system/${name} APPEND PROPERTY LABELS slow)
+endforeach()
 mesoslip_long_test(system/sliding/resume 2 --long)
 # Meshes in 3D whose static contact takes most of a minute.
 set_property(TEST verification/contact/hertz_sphere verification/contact/incremental_sphere APPEND PROPERTY LABELS long)

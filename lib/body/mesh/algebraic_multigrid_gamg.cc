@@ -1,13 +1,11 @@
-#ifdef MESOSLIP_GAMG
+#include "body/mesh/algebraic_multigrid.h"
 
-#  include "body/mesh/algebraic_multigrid.h"
+#include <petscpc.h>
 
-#  include <petscpc.h>
-
-#  include <algorithm>
-#  include <stdexcept>
-#  include <string>
-#  include <type_traits>
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
 
 namespace mesoslip
 {
@@ -129,5 +127,3 @@ void AlgebraicMultigrid::vmult(Vector &y, const Vector &x) const
   require(VecResetArray(library->y));
 }
 } // namespace mesoslip
-
-#endif

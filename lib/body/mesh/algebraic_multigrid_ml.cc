@@ -1,12 +1,10 @@
-#ifndef MESOSLIP_GAMG
+#include "body/mesh/algebraic_multigrid.h"
 
-#  include "body/mesh/algebraic_multigrid.h"
+#include <deal.II/lac/trilinos_precondition.h>
 
-#  include <deal.II/lac/trilinos_precondition.h>
-
-#  include <Teuchos_ParameterList.hpp>
-#  include <ml_MultiLevelPreconditioner.h>
-#  include <ml_utils.h>
+#include <Teuchos_ParameterList.hpp>
+#include <ml_MultiLevelPreconditioner.h>
+#include <ml_utils.h>
 
 namespace mesoslip
 {
@@ -67,4 +65,3 @@ void AlgebraicMultigrid::initialize(const dealii::TrilinosWrappers::SparseMatrix
   library->ml.initialize(matrix, parameters);
 }
 } // namespace mesoslip
-#endif
