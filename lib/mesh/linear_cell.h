@@ -15,21 +15,27 @@ template <int dim>
 class LinearCell
 {
 public:
+  /** That with so many corners. */
   explicit LinearCell(const std::size_t n_corners);
 
   /** Exact for gradients and volumes of bi- and trilinear cells: two Gauss points along each
    * axis, on simplices as deal.II has it. */
   dealii::Quadrature<dim> quadrature() const;
 
+  /** Corner @p v. */
   dealii::Point<dim> corner(const unsigned int v) const;
+
+  /** The mean of the corners. */
   dealii::Point<dim> barycenter() const;
 
   /** Shape function of corner @p v at @p xi. */
   double shape(const dealii::Point<dim> &xi, const unsigned int v) const;
 
+  /** Its gradient. */
   dealii::Tensor<1, dim> gradient(const dealii::Point<dim> &xi,
                                   const unsigned int v) const;
 
+  /** In 2D of edges. */
   unsigned int n_faces() const
   {
     return is_simplex ? dim + 1 : 2 * dim;
