@@ -20,7 +20,8 @@ PROGRAMS = ("rve_homogenization", "contact_dynamics", "stress_localization")
 # Heading of the menu: pages, in the order of a first reading.
 MENU = {
     "Start": ("doc/gallery", "doc/guide", "doc/first_steps", "doc/guide/tomogram", "doc/guide/squeal", "doc/glossary"),
-    "Use": ("doc/voxels", "doc/meshes", "doc/loads", "doc/complex_modes/README", "doc/contact_maps", "doc/chains", "doc/python"),
+    "Use": ("doc/voxels", "doc/meshes", "doc/loads", "doc/complex_modes/README", "doc/contact_maps", "doc/chains", "doc/python",
+            "doc/platforms"),
     "Reference": ("doc/parameters/README", *(f"doc/parameters/{name}" for name in PROGRAMS), "doc/file_formats", "doc/theory", "doc/limits"),
     "Evidence": ("doc/verification", "doc/performance", "doc/performance/work_precision", "doc/stability/README", "doc/paper/README",
                  "doc/paper/reading", "doc/paper/regimes", "doc/paper/prediction", "doc/paper/thickness"),
