@@ -107,6 +107,10 @@ void AlgebraicMultigrid::initialize(const dealii::TrilinosWrappers::SparseMatrix
                                     const unsigned int dim,
                                     const std::vector<Vector> &near_null_space)
 {
+  PetscBool is_started = PETSC_FALSE;
+  require(PetscInitialized(&is_started));
+  if (is_started == PETSC_FALSE) // not by deal.II's MPI_InitFinalize
+    require(PetscInitializeNoArguments());
   library = std::make_unique<Library>();
   library->copy(matrix, dim);
   library->set_near_null_space(near_null_space);
