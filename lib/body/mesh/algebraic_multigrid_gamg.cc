@@ -117,9 +117,9 @@ void AlgebraicMultigrid::initialize(const dealii::TrilinosWrappers::SparseMatrix
   require(PCCreate(matrix.get_mpi_communicator(), &library->gamg));
   require(PCSetOperators(library->gamg, library->matrix, library->matrix));
   require(PCSetType(library->gamg, PCGAMG));
+  require(PCSetUp(library->gamg));
   // W cycles, as with ML.
   require(PCMGSetCycleType(library->gamg, PC_MG_CYCLE_W));
-  require(PCSetUp(library->gamg));
 }
 
 void AlgebraicMultigrid::vmult(Vector &y, const Vector &x) const
