@@ -59,12 +59,29 @@ bool parse_whole(const std::string &word, int &value)
   return true;
 }
 
+/** Throws if nothing stands before a comma of the line; the last one may end it. */
+void require_no_gaps(const std::string &line, const std::string &where)
+{
+  bool is_empty = true;
+  for (const char c : line)
+    {
+      const bool separates = c == ',' || c == ';';
+      if (separates && is_empty)
+        throw UserError(where + "a value is missing before '" + c +
+                        "'; write the number of its phase");
+      if (separates || std::isspace(static_cast<unsigned char>(c)) == 0)
+        is_empty = separates;
+    }
+}
+
 /** Whole numbers of one line; commas count as blanks. */
 std::vector<int> parse_line(std::string line, const std::string &where)
 {
+  line = line.substr(0, line.find('#'));
+  require_no_gaps(line, where);
   std::replace(line.begin(), line.end(), ',', ' ');
   std::replace(line.begin(), line.end(), ';', ' ');
-  std::istringstream words(line.substr(0, line.find('#')));
+  std::istringstream words(line);
   std::vector<int> values;
   std::string word;
   while (words >> word)

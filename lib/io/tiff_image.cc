@@ -38,9 +38,27 @@ TiffFile open_tiff(const std::string &path)
   return file;
 }
 
+/** Throws if programs show the page otherwise than it is stored, or if it has lost its numbers. */
+void require_as_stored(TIFF *file, const std::string &path)
+{
+  std::uint16_t orientation = ORIENTATION_TOPLEFT, compression = COMPRESSION_NONE;
+  TIFFGetFieldDefaulted(file, TIFFTAG_ORIENTATION, &orientation);
+  TIFFGetFieldDefaulted(file, TIFFTAG_COMPRESSION, &compression);
+  if (orientation != ORIENTATION_TOPLEFT)
+    throw UserError(
+      path + " is marked as turned or mirrored (its Orientation is " +
+      std::to_string(orientation) +
+      "), which some programs follow and others do not; save it as it has to "
+      "be seen, with Orientation 1");
+  if (compression == COMPRESSION_JPEG || compression == COMPRESSION_OJPEG)
+    throw UserError(path + " is compressed as a JPEG, which blurs the edges of phases; "
+                           "save the original without loss, as LZW does");
+}
+
 /** The type of the numbers of a page with one of them a pixel. */
 NumberType type_of_page(TIFF *file, const std::string &path)
 {
+  require_as_stored(file, path);
   std::uint16_t samples = 1, bits = 1, format = SAMPLEFORMAT_UINT;
   TIFFGetFieldDefaulted(file, TIFFTAG_SAMPLESPERPIXEL, &samples);
   TIFFGetFieldDefaulted(file, TIFFTAG_BITSPERSAMPLE, &bits);

@@ -170,6 +170,9 @@ bool merge(const std::string &file, const int d)
   std::ifstream in(file);
   std::string first, version;
   in >> first >> version;
+  if (first.rfind("\xEF\xBB\xBF", 0) == 0)
+    throw UserError(file + " begins with a mark of its encoding (UTF-8 with BOM), which "
+                           "Gmsh does not read; save it without");
   if (first.empty() || first[0] != '$')
     throw UserError(file +
                     (first.empty() ? " is empty" : " does not begin with $MeshFormat") +
@@ -256,6 +259,7 @@ std::vector<GmshCells> cells_in_groups(const int d,
 GmshContent::GmshContent(const std::string &the_file, const unsigned int dim)
   : file(the_file)
 {
+  const char *const advice = "; if it is whole, save the mesh again in Gmsh's format";
   try
     {
       const GmshLibrary library;
@@ -280,11 +284,11 @@ GmshContent::GmshContent(const std::string &the_file, const unsigned int dim)
     }
   catch (const std::string &message) // Gmsh 4.8
     {
-      throw UserError(file + " cannot be read by Gmsh: " + message);
+      throw UserError(file + " cannot be read by Gmsh: " + message + advice);
     }
   catch (const std::runtime_error &error)
     {
-      throw UserError(file + " cannot be read by Gmsh: " + error.what());
+      throw UserError(file + " cannot be read by Gmsh: " + error.what() + advice);
     }
   by_tag.resize(point_tags.size());
   std::iota(by_tag.begin(), by_tag.end(), 0U);

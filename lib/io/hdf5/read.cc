@@ -37,6 +37,20 @@ std::string reading_failure(const hid_t object)
     }
   return "cannot be read: the file is truncated or damaged";
 }
+/** Ends the conversion of a number that the type in memory cannot hold, which HDF5 would
+ * replace by the nearest that it can. */
+H5T_conv_ret_t refuse(const H5T_conv_except_t what,
+                      const hid_t /*from*/,
+                      const hid_t /*to*/,
+                      void * /*source*/,
+                      void * /*destination*/,
+                      void *refused)
+{
+  if (what != H5T_CONV_EXCEPT_RANGE_HI && what != H5T_CONV_EXCEPT_RANGE_LOW)
+    return H5T_CONV_UNHANDLED;
+  *static_cast<bool *>(refused) = true;
+  return H5T_CONV_ABORT;
+}
 } // namespace
 
 Hdf5Handle Hdf5File::open_dataset(const std::string &name, const std::string &hint) const
@@ -91,11 +105,19 @@ std::vector<T> Hdf5File::read_values(const Hdf5Handle &object,
   // The space in memory is of the same rank as the selection: otherwise HDF5 maps every
   // number by itself.
   const Hdf5Handle memory = hdf5::make_space(shape);
-  const auto read_as      = [&](const hid_t memory_type, void *values) {
+  bool beyond             = false;
+  const Hdf5Handle transfer(H5Pcreate(H5P_DATASET_XFER));
+  H5Pset_type_conv_cb(transfer, refuse, &beyond);
+  const auto read_as = [&](const hid_t memory_type, void *values) {
     const hid_t space = selection == nullptr ? H5S_ALL : static_cast<hid_t>(*selection);
-    if (n > 0 && (is_attribute ? H5Aread(object, memory_type, values)
-                                    : H5Dread(object, memory_type, memory, space, H5P_DEFAULT,
-                                              values)) < 0)
+    const bool failed = n > 0 && (is_attribute ? H5Aread(object, memory_type, values)
+                                               : H5Dread(object, memory_type, memory,
+                                                         space, transfer, values)) < 0;
+    if (beyond)
+      fail(text +
+           " holds a number that it cannot, negative or too large: another program "
+           "wrote it, or it is damaged");
+    if (failed)
       fail(text + " " + reading_failure(object));
   };
   std::vector<T> values(n);
