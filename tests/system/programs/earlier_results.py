@@ -106,6 +106,20 @@ def check_revision(folder):
     assert "rve.h5 is up to date" in folder.run(0, "rve_homogenization", "rve")
 
 
+def check_numbers_that_do_not_fit(folder):
+    """Phases of an edited rve.h5 that are no phases are refused, not replaced by the nearest number that HDF5 can hold."""
+    before = folder.read("rve", "rve.h5")
+    for changed in (-1, 2**20):
+        with h5py.File(folder("rve", "rve.h5"), "r+") as file:
+            phases = file["phase/id"][...].astype(np.int32)
+            del file["phase/id"]
+            phases[phases == 1] = changed
+            file["phase/id"] = phases
+        said = folder.run(2, "contact_dynamics", "none", "--set", "Body/Material=heterogeneous")
+        assert "/phase/id" in said and "negative or too large" in said, said
+        folder.restore(folder("rve", "rve.h5"), before)
+
+
 def check_output_that_fails(folder):
     """What was computed is in the checkpoint: --resume writes it, the same as without the failure."""
     os.mkdir(folder("late"))
@@ -295,8 +309,8 @@ def check_inputs_in_output(folder):
 def main():
     with tempfile.TemporaryDirectory() as path:
         folder = Folder(path, {"rve_homogenization": RVE, "contact_dynamics": CONTACT, "stress_localization": LOCALIZATION})
-        for check in (check_failed_run, check_reuse, check_revision, check_output_that_fails, check_changed_files, check_foreign_files,
-                      check_damage, check_other_loads, check_inputs_in_output):
+        for check in (check_failed_run, check_reuse, check_revision, check_numbers_that_do_not_fit, check_output_that_fails, check_changed_files,
+                      check_foreign_files, check_damage, check_other_loads, check_inputs_in_output):
             check(folder)
 
 

@@ -298,6 +298,9 @@ TEST(ImageMap, DigitsWithoutBlanks)
   expect_contains(
     error("1100\n1100\n1111\n1111\n", 4),
     "every row is one number of 4 digits, and the grid has 4 cells along x");
+  expect_contains(error("1,,2,1\n1,1,2,1\n", 3),
+                  "a.txt:1: a value is missing before ','");
+  EXPECT_NO_THROW(read("1, 2, 2, 1,\n1, 2, 2, 1,\n", 4)); // as some programs end lines
   // Layers: numbers of one digit, or of different ones, or no such number of cells.
   EXPECT_NO_THROW(read("1\n2\n2\n1\n", 4));
   EXPECT_NO_THROW(read("9\n10\n10\n9\n", 4));

@@ -176,6 +176,8 @@ def check_refusals(folder):
     with open(folder("damaged", "slice_001.tif"), "r+b") as file:
         file.truncate(20)
     Image.fromarray(np.zeros((3, 2, 3), np.uint8)).save(folder("colour.tif"))
+    for name, more in (("turned", {"tiffinfo": {274: 3}}), ("blurred", {"compression": "jpeg"})):
+        Image.fromarray(good[0]).save(folder(name + ".tif"), **more)
     os.makedirs(folder("empty"), exist_ok=True)
     for name in ("x.vti", "text.npy"):
         folder.write(name, "<VTKFile/>")
@@ -215,6 +217,8 @@ def check_refusals(folder):
             ({"File": "mixed"}, ["slice_009.tif", "another kind"]),
             ({"File": "order"}, ["slice_10.png comes before slice_9.png"]),
             ({"File": "damaged"}, ["slice_001.tif"]),
+            ({"File": "turned.tif"}, ["turned.tif", "Orientation is 3", "with Orientation 1"]),
+            ({"File": "blurred.tif"}, ["blurred.tif", "JPEG", "without loss"]),
             ({"File": "colour.tif"}, ["3 numbers of 8 bits"])):
         folder.write("bad.prm", prm(settings_of((2, 3, 4), **more)))
         said = folder.run(2, "rve_homogenization", "bad.prm", "--output", "bad", "--quiet")
