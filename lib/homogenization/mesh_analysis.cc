@@ -181,8 +181,12 @@ private:
         member.warnings  = morphology.warnings;
         member.fractions = morphology.fractions;
         if (m == 0)
-          for (const std::string &line : morphology.description)
-            context.log(line);
+          {
+            for (const std::string &line : morphology.description)
+              context.log(line);
+            context.log(std::string("Solver: conjugate gradients with the multigrid ") +
+                        AlgebraicMultigrid::name());
+          }
         if (parameters.n_members == 1)
           for (const std::string &warning : morphology.warnings)
             context.warn(warning);
