@@ -62,16 +62,11 @@ bool parse_whole(const std::string &word, int &value)
 /** Throws if nothing stands before a comma of the line; the last one may end it. */
 void require_no_gaps(const std::string &line, const std::string &where)
 {
-  bool is_empty = true;
-  for (const char c : line)
-    {
-      const bool separates = c == ',' || c == ';';
-      if (separates && is_empty)
-        throw UserError(where + "a value is missing before '" + c +
-                        "'; write the number of its phase");
-      if (separates || std::isspace(static_cast<unsigned char>(c)) == 0)
-        is_empty = separates;
-    }
+  std::size_t begin = 0, end = 0;
+  for (; (end = line.find_first_of(",;", begin)) != std::string::npos; begin = end + 1)
+    if (line.find_first_not_of(" \t", begin) == end)
+      throw UserError(where + "a value is missing before '" + line[end] +
+                      "'; write the number of its phase");
 }
 
 /** Whole numbers of one line; commas count as blanks. */
