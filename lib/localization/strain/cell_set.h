@@ -4,8 +4,8 @@
 #include "exchange/body_snapshots.h"
 #include "exchange/rve_file.h"
 #include "grid/cell_block.h"
-#include "mesh/cell_shapes.h"
 #include "mesh/cell_locator.h"
+#include "mesh/cell_shapes.h"
 
 #include <deal.II/base/bounding_box.h>
 

@@ -3,8 +3,8 @@
 #include "localization/strain/cell_set.h"
 #include "localization/strain/cell_strain.h"
 #include "localization/strain/grid_strain.h"
-#include "mesh/cell_shapes.h"
 #include "mesh/cell_locator.h"
+#include "mesh/cell_shapes.h"
 
 #include <gtest/gtest.h>
 
