@@ -8,6 +8,8 @@
 #include "sliding/body_analysis.h"
 #include "sliding/friction/rate_weakening.h"
 
+#include <boost/serialization/complex.hpp>
+
 #include <cmath>
 #include <exception>
 
