@@ -54,12 +54,12 @@ constexpr std::size_t row_bytes_per_node = 4 * sizeof(double);
 
 std::size_t second_level_cache()
 {
-#ifdef _SC_LEVEL2_CACHE_SIZE
+#ifdef _SC_LEVEL2_CACHE_SIZE // of glibc alone
   const long size = sysconf(_SC_LEVEL2_CACHE_SIZE);
-#else // of glibc alone
-  const long size = 0;
+  if (size > 0)
+    return size;
 #endif
-  return size > 0 ? size : 1 << 20;
+  return 1 << 20;
 }
 
 std::size_t

@@ -72,7 +72,7 @@ void require_no_gaps(const std::string &line, const std::string &where)
 /** Whole numbers of one line; commas count as blanks. */
 std::vector<int> parse_line(std::string line, const std::string &where)
 {
-  line = line.substr(0, line.find('#'));
+  line.resize(std::min(line.size(), line.find('#')));
   require_no_gaps(line, where);
   std::replace(line.begin(), line.end(), ',', ' ');
   std::replace(line.begin(), line.end(), ';', ' ');
