@@ -112,10 +112,11 @@ template <int dim>
 void orient(Mesh<dim> &mesh)
 {
   mesh.n_turned = turn_cells(mesh);
-  auto cells    = to_dealii<dim>(std::exchange(mesh.cells, {}));
-  if (std::all_of(cells.begin(), cells.end(),
-                  [](const auto &cell) { return cell.vertices.size() == 1U << dim; }))
-    dealii::GridTools::consistently_order_cells(cells);
+  if (!std::all_of(mesh.cells.begin(), mesh.cells.end(),
+                   [](const Cell &cell) { return cell.vertices.size() == 1U << dim; }))
+    return;
+  auto cells = to_dealii<dim>(std::exchange(mesh.cells, {}));
+  dealii::GridTools::consistently_order_cells(cells);
   mesh.cells = from_dealii<dim>(cells);
 }
 

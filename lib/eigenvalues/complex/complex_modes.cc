@@ -42,14 +42,6 @@ CountedRange quiet_range(const SearchRange &range,
   return result;
 }
 
-/** How many of @p modes are in @p range. */
-std::ptrdiff_t count_in(const SearchRange &range, const std::vector<FoundMode> &modes)
-{
-  return std::count_if(modes.begin(), modes.end(), [&](const FoundMode &mode) {
-    return mode.s.imag() < range.top && -mode.s.real() < range.steep * mode.s.imag();
-  });
-}
-
 /** The modes of @p range without friction and, where with friction fewer of them were found so far, those
  * that decay faster. The border of the count then lies beyond the crowd of modes, where the phase turns
  * slowly. @return the largest decay rate up to which all are known (1/s) */
@@ -61,7 +53,11 @@ double search_for_count(const SearchRange &range,
   const GrowthRegion nothing(law, 0.);
   vibrations.cover(
     {nothing, range.bottom, range.top, range.decay, range.share, range.steep}, 1);
-  if (count_in(range, search.found()) + 5 > count_in(range, vibrations.found()))
+  const auto n_light = [&range](const std::vector<FoundMode> &modes) {
+    return std::count_if(modes.begin(), modes.end(),
+                         [&](const FoundMode &mode) { return range.is_light(mode.s); });
+  };
+  if (n_light(search.found()) + 5 > n_light(vibrations.found()))
     return range.decay;
   SearchRange rest = range;
   rest.most        = -0.9 * range.decay;
@@ -70,7 +66,7 @@ double search_for_count(const SearchRange &range,
     rest.bottom = std::min(rest.bottom, 0.9 * mode.s.imag());
   rest.bottom = std::max({rest.bottom, range.bottom, range.decay / range.steep});
   for (const FoundMode &mode : search.found())
-    if (mode.s.imag() < range.top && -mode.s.real() < range.steep * mode.s.imag())
+    if (range.is_light(mode.s))
       rest.decay = std::max(rest.decay, -1.15 * mode.s.real());
   try
     {
@@ -167,10 +163,10 @@ ComplexModes find_complex_modes(const SlidingPencil &pencil,
                                                     largest_growth(pencil, drag)) +
                                              1e-3 * top;
   // Modes that decay faster than they vibrate are not looked for, nor heavily damped ones for the count.
-  double decay = most, steep = wanted > 0. ? 1. : 0.3;
+  SearchRange range{region, lowest, highest, most, 0., wanted > 0. ? 1. : 0.3};
   for (const double share : {0.1, 0.2, counted})
     {
-      const SearchRange range{region, lowest, highest, decay, share, steep};
+      range.share = share;
       {
         const auto scope = optional_scope(options.timer, "Search");
         search.cover(range, ++seed);
@@ -179,10 +175,9 @@ ComplexModes find_complex_modes(const SlidingPencil &pencil,
         break;
       const auto scope = optional_scope(options.timer, "Count");
       if (seed == 1)
-        decay = search_for_count(range, still.law, search, vibrations);
-      const SearchRange known{region, lowest, highest, decay, share, steep};
+        range.decay = search_for_count(range, still.law, search, vibrations);
       CountedRange within =
-        quiet_range(known, wanted, bottom, top, search.found(), vibrations.found());
+        quiet_range(range, wanted, bottom, top, search.found(), vibrations.found());
       within.right     = result.fastest_counted;
       result.n_missing = count_missing(pencil, still, factors, within, search.found(),
                                        vibrations.found(), options, result);

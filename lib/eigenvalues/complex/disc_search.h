@@ -23,6 +23,12 @@ struct SearchRange
   double steep  = 1.;         ///< no decay is faster than this share of the frequency
   double most   = std::numeric_limits<double>::infinity(); ///< growth rate (1/s)
 
+  /** Whether @p s vibrates below the top, and decays slowly for its frequency. */
+  bool is_light(const SlidingPencil::Complex s) const
+  {
+    return s.imag() < top && -s.real() < steep * s.imag();
+  }
+
   /** Least growth rate of circular frequencies up to @p high. */
   double left(const double high) const
   {
