@@ -207,7 +207,7 @@ void Keys::apply()
           for (const std::string &input : inputs)
             key.value +=
               (key.value.empty() ? "" : ", ") +
-              fs::absolute((entry.line == 0 ? "." : raw.folder()) / fs::path(input))
+              fs::absolute(RawParameters::folder(entry) / fs::path(input))
                 .lexically_normal()
                 .string();
         }

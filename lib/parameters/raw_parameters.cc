@@ -11,11 +11,21 @@
 #include <map>
 #include <set>
 #include <sstream>
+#include <utility>
 
 namespace mesoslip
 {
 namespace
 {
+namespace fs = std::filesystem;
+
+/** Of a file; "." where its name says none. */
+std::string folder_of(const std::string &file)
+{
+  const std::string parent = fs::path(file).parent_path().string();
+  return parent.empty() ? "." : parent;
+}
+
 /** Up to the first #; one behind a backslash belongs to the text, without the backslash.
  */
 std::string without_comment(const std::string &line)
@@ -38,67 +48,89 @@ std::string cleaned(const std::string &line)
                                           std::locale::classic());
 }
 
-/** Reads the lines of a .prm one by one and collects what they set. */
+/** Reads the lines of a .prm, and of those that it includes, and collects what they set. */
 class Parser
 {
 public:
-  Parser(const std::string &file, const std::string &text)
-    : file_name(file)
-    , lines(text)
+  explicit Parser(const RawParameters::Reader &reader)
+    : text_of(reader)
   {
   }
 
   std::vector<RawParameters::Entry> entries, sections;
 
-  void run()
+  void read(const std::string &text, const std::string &name)
   {
+    if (text.find('\0') != std::string::npos)
+      throw UserError(name +
+                      " is not a text file, but a parameter file (.prm) is needed");
+    Source source{name, std::istringstream(plain_lines(text))};
+    Source *const outer      = std::exchange(here, &source);
+    const std::size_t n_open = open.size();
+    files_open.push_back(name);
     std::string raw;
     while (next_line(raw))
-      {
-        const std::string line = cleaned(raw);
-        if (line.empty())
-          continue;
-        if (!is_utf8(line))
-          fail("the line is not UTF-8; save the file in that encoding");
-        const std::string word = line.substr(0, line.find(' '));
-        const std::string rest =
-          line.size() > word.size() ? line.substr(word.size() + 1) : "";
-        if (word == "subsection" || word == "SUBSECTION")
-          enter(rest);
-        else if (word == "end" || word == "END")
-          leave(rest);
-        else if (word == "set" || word == "SET")
-          set(without_comment(raw));
-        else if (word == "include" || word == "INCLUDE")
-          fail("'include' is not supported; a parameter file is complete in itself");
-        else
-          fail(
-            "'" + line.substr(0, 60) +
-            "' is not understood; lines are 'set Key = value', 'subsection Name', 'end' "
-            "or '# comment'");
-      }
-    if (!open.empty())
-      throw UserError(file_name + ":" + std::to_string(open.back().second) +
-                      ": the subsection '" + open.back().first + "' has no 'end'");
+      if (const std::string line = cleaned(raw); !line.empty())
+        read_line(line, raw, n_open);
+    if (open.size() > n_open)
+      throw UserError(open.back().second + ": the subsection '" + open.back().first +
+                      "' has no 'end'");
+    files_open.pop_back();
+    here = outer;
   }
 
 private:
+  struct Source
+  {
+    std::string file;
+    std::istringstream lines;
+    unsigned int first_line = 0;
+    unsigned int last_line  = 0;
+  };
+
+  void
+  read_line(const std::string &line, const std::string &raw, const std::size_t n_open)
+  {
+    if (!is_utf8(line))
+      fail("the line is not UTF-8; save the file in that encoding");
+    const std::string word = line.substr(0, line.find(' '));
+    const std::string rest =
+      line.size() > word.size() ? line.substr(word.size() + 1) : "";
+    if (word == "subsection" || word == "SUBSECTION")
+      enter(rest);
+    else if (word == "end" || word == "END")
+      leave(rest, n_open);
+    else if (word == "set" || word == "SET")
+      set(without_comment(raw));
+    else if (word == "include" || word == "INCLUDE")
+      include(rest);
+    else
+      fail("'" + line.substr(0, 60) +
+           "' is not understood; lines are 'set Key = value', 'subsection Name', 'end', "
+           "'include file' or '# comment'");
+  }
+
+  std::string position() const
+  {
+    return here->file + ":" + std::to_string(here->first_line);
+  }
+
   [[noreturn]] void fail(const std::string &what) const
   {
-    throw UserError(file_name + ":" + std::to_string(first_line) + ": " + what);
+    throw UserError(position() + ": " + what);
   }
 
   /** One logical line: a backslash at the end continues it. */
   bool next_line(std::string &line)
   {
     line.clear();
-    first_line = last_line + 1;
+    here->first_line = here->last_line + 1;
     std::string piece;
     bool any = false;
-    while (std::getline(lines, piece))
+    while (std::getline(here->lines, piece))
       {
         any = true;
-        ++last_line;
+        ++here->last_line;
         while (!piece.empty() && piece.back() == ' ')
           piece.pop_back();
         if (piece.empty() || piece.back() != '\\')
@@ -133,17 +165,38 @@ private:
     check_name(name, "subsection");
     const std::string path = prefix() + name;
     if (known_sections.insert(path).second)
-      sections.push_back({path, "", first_line});
-    open.emplace_back(name, first_line);
+      sections.push_back({path, "", here->first_line, here->file});
+    open.emplace_back(name, position());
   }
 
-  void leave(const std::string &rest)
+  void leave(const std::string &rest, const std::size_t n_open)
   {
     if (!rest.empty())
       fail("nothing may follow 'end', found '" + rest + "'");
-    if (open.empty())
+    if (open.size() == n_open)
       fail("'end' without an open subsection");
     open.pop_back();
+  }
+
+  void include(const std::string &name)
+  {
+    if (name.empty())
+      fail("'include' names no file");
+    const std::string file =
+      (fs::path(folder_of(here->file)) / name).lexically_normal().string();
+    for (const std::string &known : files_open)
+      if (fs::path(known).lexically_normal() == file)
+        fail(file + " includes itself");
+    std::string text;
+    try
+      {
+        text = text_of(file);
+      }
+    catch (const UserError &error)
+      {
+        fail(std::string("'include': ") + error.what());
+      }
+    read(text, file);
   }
 
   void set(const std::string &raw)
@@ -154,33 +207,36 @@ private:
     const std::string left = cleaned(raw.substr(0, equals));
     const std::string key  = left.size() > 4 ? left.substr(4) : "";
     check_name(key, "key");
-    const std::string path     = prefix() + key;
-    const auto [first, is_new] = lines_of_keys.emplace(path, first_line);
+    const std::string path = prefix() + key;
+    const auto [first, is_new] =
+      first_set.emplace(path, std::pair(here->file, here->first_line));
+    const auto &[file, line] = first->second;
     if (!is_new)
-      fail(path + " is set again; line " + std::to_string(first->second) +
+      fail(path + " is set again; " +
+           (file == here->file ? "line " + std::to_string(line)
+                               : file + ":" + std::to_string(line)) +
            " has set it already");
-    entries.push_back({path, trimmed(raw.substr(equals + 1)), first_line});
+    entries.push_back(
+      {path, trimmed(raw.substr(equals + 1)), here->first_line, here->file});
   }
 
-  std::string file_name;
-  std::istringstream lines;
-  unsigned int first_line = 0;
-  unsigned int last_line  = 0;
-  std::vector<std::pair<std::string, unsigned int>> open;
-  std::map<std::string, unsigned int> lines_of_keys;
+  const RawParameters::Reader &text_of;
+  Source *here = nullptr;
+  std::vector<std::string> files_open;
+  std::vector<std::pair<std::string, std::string>> open; ///< names and where they begin
+  std::map<std::string, std::pair<std::string, unsigned int>> first_set;
   std::set<std::string> known_sections;
 };
 } // namespace
 
-RawParameters RawParameters::parse(const std::string &text, const std::string &file)
+RawParameters RawParameters::parse(const std::string &text,
+                                   const std::string &file,
+                                   const Reader &reader)
 {
-  if (text.find('\0') != std::string::npos)
-    throw UserError(file + " is not a text file, but a parameter file (.prm) is needed");
-  Parser parser(file, plain_lines(text));
-  parser.run();
+  Parser parser(reader);
+  parser.read(text, file);
 
   RawParameters raw;
-  raw.file_name   = file;
   raw.all_entries = parser.entries;
   raw.sections    = parser.sections;
   return raw;
@@ -192,7 +248,7 @@ void RawParameters::override_with(const std::string &assignment)
   const std::string path = trimmed(assignment.substr(0, equals));
   if (equals == std::string::npos || path.empty())
     throw UserError("--set '" + assignment + "': write --set 'Section/Key=value'");
-  const Entry entry = {path, trimmed(assignment.substr(equals + 1)), 0};
+  const Entry entry = {path, trimmed(assignment.substr(equals + 1)), 0, ""};
   const auto old    = std::find_if(all_entries.begin(), all_entries.end(),
                                    [&](const Entry &e) { return e.path == path; });
   if (old != all_entries.end())
@@ -209,16 +265,15 @@ const RawParameters::Entry *RawParameters::find(const std::string &path) const
   return nullptr;
 }
 
-std::string RawParameters::origin(const Entry &entry) const
+std::string RawParameters::origin(const Entry &entry)
 {
   return entry.line == 0 ? "--set '" + entry.path + "=" + entry.value + "'"
-                         : file_name + ":" + std::to_string(entry.line);
+                         : entry.file + ":" + std::to_string(entry.line);
 }
 
-std::string RawParameters::folder() const
+std::string RawParameters::folder(const Entry &entry)
 {
-  const std::string parent = std::filesystem::path(file_name).parent_path().string();
-  return parent.empty() ? "." : parent;
+  return folder_of(entry.file);
 }
 
 bool Range::contains(const double x) const

@@ -1,6 +1,9 @@
 #ifndef mesoslip_parameters_raw_parameters_h
 #define mesoslip_parameters_raw_parameters_h
 
+#include "base/files.h"
+
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,17 +22,25 @@ public:
     std::string path;      ///< "Section/Sub section/Key"
     std::string value;     ///< text as typed; empty for a subsection
     unsigned int line = 0; ///< from 1, where it begins; 0 for a --set option
+    std::string file;      ///< the .prm, or one that it includes
   };
 
   /** Nothing set: what --print-parameters without a file sees. */
   RawParameters() = default;
 
+  /** Text of the file of a name. @throws UserError where there is none. */
+  using Reader = std::function<std::string(const std::string &)>;
+
   /**
-   * Parses the text of a .prm. @throws UserError "<file>:<line>: ..." for anything that
-   * is not `set`, `subsection`, `end`, a comment or blank, for unbalanced subsections
-   * and for a key that is set twice.
+   * Parses the text of a .prm. `include other` stands for the lines of another file, whose
+   * name is relative to the folder of the .prm, and of which @p reader gives the text.
+   * @throws UserError "<file>:<line>: ..." for anything that is not `set`, `subsection`,
+   * `end`, `include`, a comment or blank, for unbalanced subsections and for a key that is
+   * set twice.
    */
-  static RawParameters parse(const std::string &text, const std::string &file);
+  static RawParameters parse(const std::string &text,
+                             const std::string &file,
+                             const Reader &reader = read_file);
 
   /** Applies 'Section/Key=value'. @throws UserError when there is no '='. */
   void override_with(const std::string &assignment);
@@ -49,14 +60,13 @@ public:
     return all_entries;
   }
 
-  /** The folder of the .prm: where its relative paths start. */
-  std::string folder() const;
+  /** Where relative paths of an entry start: that of its file; "." for --set. */
+  static std::string folder(const Entry &entry);
 
   /** "file.prm:12" or "--set 'Section/Key=value'". */
-  std::string origin(const Entry &entry) const;
+  static std::string origin(const Entry &entry);
 
 private:
-  std::string file_name;
   std::vector<Entry> all_entries, sections;
 };
 } // namespace mesoslip

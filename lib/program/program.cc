@@ -40,14 +40,19 @@ RawParameters read_parameter_file(const CommandLine &line,
   RawParameters raw;
   if (!line.prm_file.empty())
     {
-      on_root(communicator, [&]() {
-        text = read_file(line.prm_file);
-        if (trimmed(text).empty())
-          throw UserError(line.prm_file +
-                          " is empty; --print-parameters shows what it may contain");
-      });
-      broadcast(communicator, text);
-      raw = RawParameters::parse(text, line.prm_file);
+      const auto read = [&](const std::string &file) {
+        std::string found;
+        on_root(communicator, [&]() {
+          found = read_file(file);
+          if (trimmed(found).empty())
+            throw UserError(file +
+                            " is empty; --print-parameters shows what it may contain");
+        });
+        broadcast(communicator, found);
+        return found;
+      };
+      text = read(line.prm_file);
+      raw  = RawParameters::parse(text, line.prm_file, read);
     }
   for (const std::string &assignment : line.assignments)
     raw.override_with(assignment);

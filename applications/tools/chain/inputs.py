@@ -8,6 +8,7 @@ import re
 import shutil
 
 SETTING = re.compile(r"\s*set\s([^=]*)=(.*)", re.IGNORECASE)
+INCLUDE = re.compile(r"\s*include\s+(.*)", re.IGNORECASE)
 RECORD = ".chain"  # in the results folder: where its files come from, and as what they were copied
 
 
@@ -36,14 +37,23 @@ def is_unchanged(path, size, time, digest):
     return found.st_size == size and (found.st_mtime_ns == time or digest_of(path) == digest)
 
 
-def settings(prm):
-    """(key, value) of each line of a .prm file that sets one."""
+def settings(prm, including=()):
+    """(key, value) of each line of a .prm file that sets one, and ("include", file) of one that includes a file, with what that sets."""
     with open(prm, encoding="utf-8-sig", errors="replace") as file:
         text = re.sub(r"\\\s*\n", " ", file.read())
     for line in text.splitlines():
-        setting = SETTING.match(re.split(r"(?<!\\)#", line)[0].replace("\\#", "#"))
-        if setting:
+        line = re.split(r"(?<!\\)#", line)[0].replace("\\#", "#")
+        if setting := SETTING.match(line):
             yield setting[1].strip(), setting[2].strip()
+        elif include := INCLUDE.match(line):
+            name = include[1].strip()
+            yield "include", name
+            other = os.path.normpath(os.path.join(os.path.dirname(prm), name))
+            if os.path.isfile(other) and other not in including:
+                for key, value in settings(other, (*including, prm, other)):
+                    yield key, value
+                    if os.path.dirname(name):  # paths are relative to the file that names them
+                        yield key, os.path.normpath(os.path.join(os.path.dirname(name), value))
 
 
 def values(prm):

@@ -98,7 +98,7 @@ void TransientAnalysis::describe(std::ostream &out) const
 unsigned int TransientAnalysis::useful_ranks() const
 {
   // Some seconds of one core; forty rows hide what ranks tell each other.
-  constexpr double long_run = 3e9;
+  constexpr double long_run = 6e8;
   const double n_cells      = double(body.grid.cells[0]) * body.grid.cells[1];
   if (n_cells * largest_number_of_steps(parameters, material) < long_run)
     return 1;

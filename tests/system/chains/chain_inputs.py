@@ -94,7 +94,9 @@ def named_files(chain):
         value = path if os.path.isabs(path) else path[3:]
         chain.write(f"in/{name}.prm", f"set File = {value}   # a picture\r\n")
     chain.write("in/20-contact_dynamics.prm", "  SET RVE file = \\\n ./10-rve_homogenization-a/rve.h5 # first\n")
-    chain.write("in/30-contact_dynamics-law.prm", "set Heterogeneous run = 20-contact_dynamics \nset Other = 1, 2\n")
+    chain.write("in/30-contact_dynamics-law.prm", "set Heterogeneous run = 20-contact_dynamics \nset Other = 1, 2\ninclude more/load.inc # of both\n")
+    chain.write("in/more/load.inc", "set Table = table.csv\ninclude load.inc\n")
+    chain.write("in/more/table.csv", "0")
     chain.write("in/notes.txt", "1")
     assert len(chain.ran()) == 5
     assert chain.ran() == []
@@ -105,6 +107,9 @@ def named_files(chain):
         expected = {name} | ({"20-contact_dynamics", "30-contact_dynamics-law"} if name.endswith("a") else set())
         ran = chain.ran("--jobs", "3")
         assert set(ran) == expected, f"{path} was changed and {ran} ran"
+    for path in ("in/more/load.inc", "in/more/table.csv"):
+        chain.write(path, chain.read(path).decode() + "# changed\n")
+        assert chain.ran() == ["30-contact_dynamics-law"], path
     assert chain.started().index("run 20-contact_dynamics.prm") < chain.started().index("run 30-contact_dynamics-law.prm")
 
 

@@ -6,6 +6,7 @@
 #include "parameters/keys.h"
 
 #include <cmath>
+#include <map>
 #include <sstream>
 
 using namespace mesoslip;
@@ -176,6 +177,44 @@ TEST(Parameters, NamesWhatIsWrong)
   expect_contains(error_of(deep + "set Kind = three\nend\nend"), "one of one, two words");
 }
 
+TEST(Parameters, LinesOfAnotherFile)
+{
+  const std::map<std::string, std::string> files = {
+    {"case/load.inc", "subsection Top\nset Pressure = 1\nend\ninclude deep/more.inc\n"},
+    {"case/deep/more.inc", "set Table = a.csv\n"},
+    {"case/itself.inc", "include ./itself.inc\n"},
+    {"case/open.inc", "\nsubsection Top\n"},
+    {"case/closes.inc", "end\n"}};
+  const auto parse = [&](const std::string &text) {
+    return RawParameters::parse(text, "case/run.prm", [&](const std::string &name) {
+      const auto found = files.find(name);
+      if (found == files.end())
+        throw UserError("there is no file " + name);
+      return found->second;
+    });
+  };
+  const RawParameters raw =
+    parse("subsection Body\ninclude load.inc # the same\nend\nset Z = 1");
+  const RawParameters::Entry *const table = raw.find("Body/Table");
+  ASSERT_TRUE(raw.find("Body/Top/Pressure") && raw.find("Z") && table);
+  EXPECT_EQ(RawParameters::origin(*raw.find("Body/Top/Pressure")), "case/load.inc:2");
+  EXPECT_EQ(RawParameters::origin(*raw.find("Z")), "case/run.prm:4");
+  EXPECT_EQ(RawParameters::folder(*table), "case/deep");
+
+  const auto error = [&](const std::string &what, const std::string &text) {
+    expect_error(what, [&] { parse(text); });
+  };
+  error("case/run.prm:1: 'include' names no file", "include");
+  error("case/run.prm:2: 'include': there is no file case/none.inc",
+        "\ninclude none.inc");
+  error("case/itself.inc:1: case/itself.inc includes itself", "include itself.inc");
+  error("case/run.prm:1: case/run.prm includes itself", "include run.prm");
+  error("case/open.inc:2: the subsection 'Top' has no 'end'", "include open.inc\nend");
+  error("case/closes.inc:1: 'end' without", "subsection Top\ninclude closes.inc");
+  error("case/run.prm:3: Top/Pressure is set again; case/load.inc:2 has set it already",
+        "include load.inc\nsubsection Top\nset Pressure = 2\nend");
+}
+
 TEST(Parameters, NamesWhatIsNoParameterFile)
 {
   expect_contains(error_of("Cells = 1"), "run.prm:1: 'Cells = 1' is not understood");
@@ -184,7 +223,6 @@ TEST(Parameters, NamesWhatIsNoParameterFile)
   expect_contains(error_of("end"), "run.prm:1: 'end' without an open subsection");
   expect_contains(error_of("\nsubsection Time step\nset Fraction = 1"),
                   "run.prm:2: the subsection 'Time step' has no 'end'");
-  expect_contains(error_of("include other.prm"), "'include' is not supported");
   expect_contains(error_of(std::string("\x89HDF\0\0", 6)), "not a text file");
 }
 

@@ -18,15 +18,15 @@ LAYOUTS = {"one rank": 1, "two ranks": 2, "chosen": None}
 # Each some seconds on one rank.
 SCENES = {
     "steps in 2D": ("contact_dynamics", "pin/20-contact_dynamics-homogeneous.prm", {
-        "Body/RVE file": "{rve}/rve.h5", "Body/Cells": "560, 160", "Time/End time": 4e-4, "Observation/Steady from": "auto",
+        "Body/RVE file": "{rve}/rve.h5", "Body/Cells": "560, 160", "Time/End time": 2e-4, "Observation/Steady from": "auto",
         "Observation/Stop at limit cycle": "false", "Snapshots/From": 0, "Snapshots/To": "auto", "Snapshots/Interval": 0}),
     "steps in 3D": ("contact_dynamics", "examples/voxels/pad/20-contact_dynamics-homogeneous.prm", {
-        "Body/RVE file": "{pad}/rve.h5", "Body/Cells": "96, 96, 96", "Body/Size": "0.048, 0.048, 0.048", "Time/End time": 5e-5,
+        "Body/RVE file": "{pad}/rve.h5", "Body/Cells": "96, 96, 96", "Body/Size": "0.048, 0.048, 0.048", "Time/End time": 1e-6,
         "Observation/Steady from": "auto", "Observation/Stop at limit cycle": "false", "Snapshots/From": 0, "Snapshots/To": "auto",
         "Snapshots/Interval": 0}),
     "statics": ("rve_homogenization", "examples/voxels/pad/10-rve_homogenization.prm", {"Grid/Cells": "192, 64, 96"}),
 }
-REPETITIONS = 5
+REPETITIONS = 3
 
 
 def run(bench):
@@ -42,6 +42,7 @@ def run(bench):
             for layout, seconds in taken.items():
                 ratios = [one / found for one, found in zip(taken["one rank"], seconds)]
                 rows.append({"scene": scene, "busy": n_busy, "layout": layout, **spread("seconds", seconds), **spread("times_as_fast", ratios)})
+                print(f"  {scene}, {n_busy} busy, {layout}: {min(seconds):.1f} s", file=sys.stderr, flush=True)
     bench.write("busy-cores", rows, "seconds by the clock of whole programs, beside so many processes that only count; chosen: with the time that "
                 "the choice takes; times as fast as one rank in the same turn", ranks="1 and 2", repetitions=turns)
 
@@ -53,7 +54,7 @@ def measure(bench, n_busy, turns, program, file, settings):
         taken = {layout: [] for layout in LAYOUTS}
         for _ in range(turns):
             for layout, ranks in LAYOUTS.items():
-                taken[layout].append(seconds_of(bench, program, file, settings, ranks, "run"))
+                taken[layout].append(seconds_of(bench, program, file, settings, ranks, f"run-{program}"))
         return taken
     finally:
         for process in busy:
