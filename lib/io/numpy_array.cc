@@ -39,7 +39,7 @@ std::string dictionary_of(std::ifstream &in, const std::string &path, std::size_
     throw UserError(broken);
   std::string text(n, '\0');
   if (!in.read(text.data(), static_cast<std::streamsize>(n)))
-    throw UserError(broken);
+    throw UserError(path + " ends within its header; it was not written or copied whole");
   offset = 8 + length.size() + n;
   return text;
 }

@@ -8,6 +8,7 @@ from report.bodies.projections import View, draw
 from report.bodies.stress_maps import compared, phase_figure, stress_group
 
 PLANES = (1, 0, 2)  # axes across the sections, in the order of a technical drawing
+THIN = 0.1  # shortest over second shortest side, below which a body is a plate
 # Kinds of cells in /mesh/topology: number of corners, edges between them.
 CORNERS = {4: 3, 5: 4, 6: 4, 9: 8}
 EDGES = {6: [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)],
@@ -96,6 +97,13 @@ def voxel_section(run, axis):
     return origin[others] + h[others] * corners, numbers
 
 
+def planes(bounds):
+    """Axes of the sections through a body: all, or the short one of a plate, which has little to show across the others."""
+    extents = np.ptp(bounds, axis=0)
+    shortest, second = np.sort(extents)[:2]
+    return [int(np.argmin(extents))] if shortest < THIN * second else PLANES
+
+
 def views(run):
     """Of a plane mesh the whole, of a body in 3D the sections through its middle."""
     if not run.members("/mesh"):
@@ -103,11 +111,11 @@ def views(run):
             raise Missing(f"{run.name} has neither a mesh nor a grid")
         n, h, origin = run.grid()
         bounds = 1e3 * np.array([origin, origin + n * h])
-        return [View(bounds, axis, *voxel_section(run, axis)) for axis in PLANES]
+        return [View(bounds, axis, *voxel_section(run, axis)) for axis in planes(bounds)]
     points, cells = cells_of(run)
     bounds = np.array([points.min(axis=0), points.max(axis=0)])
     if points.shape[1] == 3:
-        return [View(bounds, axis, *section(points, cells, axis)) for axis in PLANES]
+        return [View(bounds, axis, *section(points, cells, axis)) for axis in planes(bounds)]
     polygons = [polygon for *_, corners in cells for polygon in points[corners]]
     return [View(bounds, None, polygons, np.concatenate([numbers for _, numbers, _ in cells]))]
 

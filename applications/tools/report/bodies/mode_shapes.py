@@ -3,7 +3,9 @@
 import dataclasses
 
 import numpy as np
+from matplotlib.cm import ScalarMappable
 from matplotlib.collections import LineCollection, PolyCollection
+from matplotlib.colors import Normalize
 
 from report.base.data import Missing
 from report.base.figures import GREY, WIDTH, plt
@@ -139,16 +141,19 @@ def figure(run, columns, shown=3):
     rows = min(shown, max(len(shapes) for _, shapes in columns))
     width, height = np.ptp(projected(body.points)[0], axis=0)
     high = 1.15 * height / width * WIDTH / len(columns)
-    figure, axes = plt.subplots(rows, len(columns), figsize=(WIDTH, rows * (0.35 + min(high, 3.2)) + 0.4), squeeze=False)
+    figure, axes = plt.subplots(rows, len(columns), figsize=(WIDTH, rows * (0.35 + min(high, 3.2)) + 1.0), squeeze=False)
     for column, (titles, shapes) in zip(axes.T, columns):
         for k, axis in enumerate(column):
             axis.axis("off")
             if k < len(shapes):
                 _draw(axis, body, shapes[k].reshape(-1, dim)[body.nodes])
                 axis.set_title(titles[k], fontsize=10, loc="left")
+    bar = figure.colorbar(ScalarMappable(Normalize(0, 1), "viridis"), ax=axes, orientation="horizontal", shrink=0.4, aspect=25, ticks=[0, 0.5, 1])
+    bar.set_label("amplitude over the largest")
+    bar.outline.set_visible(False)
     return figure
 
 
 def caption(run):
     return ("the deformed body" + (", its surface seen from an angle, x to the right, z upwards" if run.is_solid() else "") +
-            ", coloured by the amplitude (blue: at rest, yellow: largest); the dotted outline is the body at rest.")
+            ", coloured by the amplitude; the dotted outline is the body at rest.")

@@ -94,7 +94,7 @@ class Layout:
         self._fit()
 
     def _below(self, view, g):
-        column, row = view.place()
+        column, row = view.place() if len(self.views) > 1 else (0, 0)
         return column + g % self.side_by_side, row + g // self.side_by_side * (2 if len(self.views) > 1 else 1)
 
     def labelled_up(self, column):
