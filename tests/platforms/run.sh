@@ -48,6 +48,13 @@ else
   inside "CI= ./test.sh --label '^(unit|system|regression|verification)$' $* 2>&1 | tee test.log; exit \${PIPESTATUS[0]}" || echo "not all of it passes"
   passed=$(sed -n 's/^\([0-9]*\)% tests passed, \([0-9]*\) tests failed out of \([0-9]*\)/\2 \3/p' "$root/root/mesoslip/test.log" | awk '{ print $2 - $1 " of " $2 " tests" }')
 fi
+# The programs built here, if there are any, give the results to compare with.
+if [ -z "$syntax" ] && [ -x build/applications/stress_localization ]; then
+  rm -rf "$root/root/examples"
+  python3 -B tests/platforms/examples.py build/applications "$root/root/examples/other" &&
+    inside "python3 -B tests/platforms/examples.py build/applications ../examples/here --against ../examples/other" &&
+    passed="${passed:+$passed, }$(ls "$root/root/examples/here" | wc -l) examples" || echo "the examples differ"
+fi
 of() { inside "dpkg-query -W -f='\${Version}' $1 2>/dev/null | sed 's/^[0-9]*://; s/[-+~].*//'" || echo none; }
 hdf5=$(inside "dpkg-query -W -f='\${Version}' 'libhdf5-openmpi-dev' | sed 's/[-+~].*//'")
 row="| $release | $(of libdeal.ii-dev) | $(of g++) | $hdf5 | $(of libboost-dev) | $(of libeigen3-dev) | $(of libgmsh-dev) | $(of libopenmpi-dev) | ${passed:-nothing was built} | $(git rev-parse --short HEAD), $(date +%F) |"
