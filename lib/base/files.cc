@@ -19,15 +19,28 @@ std::string system_message()
 
 namespace
 {
+/** Whether the program in the name of the .prm @p maker writes files of that @p name. */
+bool makes(const std::string &maker, const std::string &name)
+{
+  const auto is_of = [&](const char *program) {
+    return maker.find(program) != std::string::npos;
+  };
+  return name == "rve.h5" || name == "loads.h5" ? is_of("rve_homogenization")
+         : name == "localization.h5"            ? is_of("stress_localization")
+                                                : is_of("contact_dynamics");
+}
+
 /** What to do where @p path is a result of another file of a chain, NAME/rve.h5 beside NAME.prm, or
- * the folder NAME: it is made in the results folder of the chain. Else empty. */
+ * the folder NAME of a run: it is made in the results folder of the chain. Else empty. */
 std::string hint_in_chain(const std::string &path)
 {
   namespace fs = std::filesystem;
   std::error_code ignored;
   for (const fs::path &folder : {fs::path(path).parent_path(), fs::path(path)})
     if (const fs::path maker = folder.string() + ".prm";
-        folder.has_filename() && fs::is_regular_file(maker, ignored))
+        folder.has_filename() && fs::is_regular_file(maker, ignored) &&
+        (folder == path || fs::path(path).extension() == ".h5") &&
+        makes(maker.filename().string(), fs::path(path).filename().string()))
       {
         const std::string chain =
           maker.has_parent_path() ? maker.parent_path().string() : ".";

@@ -29,6 +29,7 @@ struct BodyDescription
   std::vector<std::uint8_t> phase_id; ///< of each cell, x fastest; empty if homogeneous
   std::vector<double> node_friction;  ///< Coulomb coefficient of the bottom nodes
   std::string rve_digest;             ///< of the RVE file; empty without one
+  std::string rve_content;            ///< RveFile::content()
   std::vector<std::string> warnings;  ///< sentences on the RVE file for the user
 
   /** Number of the phase of a cell. */
@@ -50,7 +51,7 @@ struct BodyDescription
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    serialize_members<6>(archive, *this);
+    serialize_members<7>(archive, *this);
   }
 };
 

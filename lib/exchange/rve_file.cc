@@ -239,9 +239,11 @@ template <int dim>
 VoigtMatrix<dim> RveFile<dim>::stiffness(const std::string &name) const
 {
   const std::string dataset = "/stiffness/" + name;
-  const auto D              = file.read<double>(dataset, {n_voigt<dim>, n_voigt<dim>},
-                                   "run rve_homogenization with " + name +
-                                     " among its boundary conditions");
+  const auto D =
+    file.read<double>(dataset, {n_voigt<dim>, n_voigt<dim>},
+                      name == "effective" ? "run rve_homogenization"
+                                          : "run rve_homogenization with " + name +
+                                              " among its boundary conditions");
   file.require_unit(dataset, "Pa");
   const VoigtMatrix<dim> stiffness = Eigen::Map<const VoigtMatrix<dim>>(D.data());
   require_stiffness<dim>(file, dataset, stiffness, rve_program);

@@ -125,6 +125,12 @@ public:
    * empty. */
   std::string change_note() const;
 
+  /** What tells its content from that of others, also where it was edited. */
+  std::string content() const
+  {
+    return digest + file.changed_content();
+  }
+
   /** Whether the volume is a mesh. */
   bool is_mesh() const
   {

@@ -64,8 +64,9 @@ std::string read_checkpoint(const std::string &path, const std::string &kind)
   content.erase(0, line.size() + 1);
   const std::string now = checksum(content);
   if (wanted + now != line)
-    throw UserError(path + " is truncated or damaged: the state was written as" +
-                    line.substr(wanted.size() + 1) + " and has" + now.substr(1));
+    throw UserError(path + " is truncated or damaged: it was written with" +
+                    line.substr(wanted.size() + 1) + ", and now has" + now.substr(1) +
+                    "; start again without --resume");
   return content;
 }
 } // namespace mesoslip

@@ -243,6 +243,9 @@ public:
    */
   std::string change_note(const std::string &program) const;
 
+  /** The checksum of the bytes where change_note() has something to say; else empty, as the digest tells the content. */
+  std::string changed_content() const;
+
   /** @throws UserError if the attribute `unit` of @p dataset is there and another one. */
   void require_unit(const std::string &dataset, const std::string &unit) const;
 

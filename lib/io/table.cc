@@ -158,7 +158,13 @@ std::size_t CsvTable::column(const std::string &heading) const
   const auto found = std::find(headings.begin(), headings.end(), heading);
   if (found == headings.end())
     throw UserError(path + ": there is no column '" + heading +
-                    "'; the heading line has " + to_text(headings));
+                    "'; the heading line has " + to_text(headings) +
+                    (headings.front().find('\t') == std::string::npos
+                       ? ""
+                       : "; columns are separated by commas or semicolons, not tabs"));
+  if (std::find(found + 1, headings.end(), heading) != headings.end())
+    throw UserError(path + ": two columns are called '" + heading +
+                    "'; rename or remove one of them");
   return static_cast<std::size_t>(found - headings.begin());
 }
 

@@ -64,8 +64,11 @@ void bind_position(Keys &keys, std::vector<double> &position)
 {
   keys.bind_list("Position", position, Range::any(),
                  "x, y and in three dimensions z: on a grid from the lower left corner, "
-                 "on a mesh in its coordinates [m]",
-                 2, 3);
+                 "on a mesh in its coordinates; has to be given [m]",
+                 0, 3);
+  keys.require(position.size() > 1, "Position",
+               "a number is missing; give x, y and in three dimensions z in m, in a "
+               "subsection of that name");
 }
 
 void bind_probes(Keys &keys, LocalizationParameters &p)
@@ -81,7 +84,7 @@ void bind_probes(Keys &keys, LocalizationParameters &p)
   for (const std::string &name : names)
     {
       const auto probe = keys.section(name);
-      p.further_probes.push_back({name, {0., 0.}});
+      p.further_probes.push_back({name, {}});
       bind_position(keys, p.further_probes.back().position);
     }
 }
@@ -97,7 +100,7 @@ void bind_points(Keys &keys, LocalizationParameters &p)
   for (const std::string &name : names)
     {
       const auto point = keys.section(name);
-      p.points.push_back({name, {0., 0.}});
+      p.points.push_back({name, {}});
       bind_position(keys, p.points.back().position);
     }
 }

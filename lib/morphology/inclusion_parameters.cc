@@ -145,6 +145,12 @@ void InclusionPlacement::check(const UniformGrid<3> &grid) const
                      "Grid/Cells");
       if (sides == InclusionSides::cut || (length && max_length == 0.))
         continue;
+      if (almost * extents.largest[d] <= grid.extent(d) &&
+          almost * (extents.largest[d] + free) > grid.extent(d))
+        refuse_key("Minimum gap", to_text(free) + " m leaves no room for inclusions of " +
+                                    to_text(extents.largest[d]) + " m" + where +
+                                    " in the periodic box of " + to_text(grid.extent(d)) +
+                                    " m; reduce it");
       if (!(almost * (extents.largest[d] + free) <= grid.extent(d)))
         refuse_key("Maximum" + key, to_text(extents.largest[d]) + " m" + where +
                                       " does not fit into the box of " +

@@ -281,6 +281,12 @@ public:
                const std::string &remedy) const;
   /** @} */
 
+  /** The .prm and what it includes; empty without one. */
+  const std::vector<std::string> &files() const
+  {
+    return raw.files();
+  }
+
 private:
   /** Interprets a text; false if it is no value of the key. */
   template <typename T>

@@ -58,13 +58,16 @@ public:
   }
 
   std::vector<RawParameters::Entry> entries, sections;
+  std::vector<std::string> files; ///< that were read
+  std::string text;               ///< without the lines that include others
 
-  void read(const std::string &text, const std::string &name)
+  void read(const std::string &content, const std::string &name)
   {
-    if (text.find('\0') != std::string::npos)
+    if (content.find('\0') != std::string::npos)
       throw UserError(name +
                       " is not a text file, but a parameter file (.prm) is needed");
-    Source source{name, std::istringstream(plain_lines(text))};
+    Source source{name, std::istringstream(plain_lines(content))};
+    files.push_back(name);
     Source *const outer      = std::exchange(here, &source);
     const std::size_t n_open = open.size();
     files_open.push_back(name);
@@ -72,6 +75,8 @@ public:
     while (next_line(raw))
       if (const std::string line = cleaned(raw); !line.empty())
         read_line(line, raw, n_open);
+      else
+        text += raw + "\n";
     if (open.size() > n_open)
       throw UserError(open.back().second + ": the subsection '" + open.back().first +
                       "' has no 'end'");
@@ -80,6 +85,8 @@ public:
   }
 
 private:
+  static constexpr std::size_t most_files = 1000;
+
   struct Source
   {
     std::string file;
@@ -103,11 +110,16 @@ private:
     else if (word == "set" || word == "SET")
       set(without_comment(raw));
     else if (word == "include" || word == "INCLUDE")
-      include(rest);
+      {
+        text += "# " + line + "\n";
+        include(rest);
+        return;
+      }
     else
       fail("'" + line.substr(0, 60) +
            "' is not understood; lines are 'set Key = value', 'subsection Name', 'end', "
            "'include file' or '# comment'");
+    text += raw + "\n";
   }
 
   std::string position() const
@@ -187,16 +199,18 @@ private:
     for (const std::string &known : files_open)
       if (fs::path(known).lexically_normal() == file)
         fail(file + " includes itself");
-    std::string text;
+    if (files.size() > most_files)
+      fail("more than " + std::to_string(most_files) + " files are included");
+    std::string content;
     try
       {
-        text = text_of(file);
+        content = text_of(file);
       }
     catch (const UserError &error)
       {
         fail(std::string("'include': ") + error.what());
       }
-    read(text, file);
+    read(content, file);
   }
 
   void set(const std::string &raw)
@@ -213,9 +227,10 @@ private:
     const auto &[file, line] = first->second;
     if (!is_new)
       fail(path + " is set again; " +
-           (file == here->file ? "line " + std::to_string(line)
-                               : file + ":" + std::to_string(line)) +
-           " has set it already");
+           (file != here->file ? file + ":" + std::to_string(line) + " has set it already"
+            : line == here->first_line
+              ? "the file is included twice"
+              : "line " + std::to_string(line) + " has set it already"));
     entries.push_back(
       {path, trimmed(raw.substr(equals + 1)), here->first_line, here->file});
   }
@@ -239,6 +254,8 @@ RawParameters RawParameters::parse(const std::string &text,
   RawParameters raw;
   raw.all_entries = parser.entries;
   raw.sections    = parser.sections;
+  raw.all_files   = parser.files;
+  raw.all_lines   = parser.text;
   return raw;
 }
 

@@ -54,6 +54,18 @@ public:
     return sections;
   }
 
+  /** The .prm and what it includes. */
+  const std::vector<std::string> &files() const
+  {
+    return all_files;
+  }
+
+  /** The lines of the .prm, those that it includes in their places. */
+  const std::string &text() const
+  {
+    return all_lines;
+  }
+
   /** In the order of the file, those of --set behind. */
   const std::vector<Entry> &entries() const
   {
@@ -68,6 +80,8 @@ public:
 
 private:
   std::vector<Entry> all_entries, sections;
+  std::vector<std::string> all_files;
+  std::string all_lines;
 };
 } // namespace mesoslip
 

@@ -141,6 +141,8 @@ void check_output_folder(const std::string &folder,
   for (const Key &key : keys.all())
     for (const std::string &input : key.inputs())
       check_input(folder, key.path(), input);
+  for (std::size_t k = 1; k < keys.files().size(); ++k)
+    check_input(folder, keys.files()[0] + " includes a file", keys.files()[k]);
   const RunKind kind = {program, keys.has("Analysis") ? keys.value("Analysis") : ""};
   const auto found   = kind_of_results(folder);
   if (found && !found->program.empty() &&

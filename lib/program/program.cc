@@ -53,6 +53,8 @@ RawParameters read_parameter_file(const CommandLine &line,
       };
       text = read(line.prm_file);
       raw  = RawParameters::parse(text, line.prm_file, read);
+      if (raw.files().size() > 1)
+        text = raw.text();
     }
   for (const std::string &assignment : line.assignments)
     raw.override_with(assignment);
@@ -158,6 +160,7 @@ void run(Analysis &analysis,
       std::error_code ignored;
       if (outcome.status == ExitStatus::user_error && analysis.resumable() &&
           context.has_begun() &&
+          outcome.message.find("without --resume") == std::string::npos &&
           std::filesystem::exists(context.file(program.name + ".checkpoint"), ignored))
         outcome.message += "; the same command with --resume goes on from the last "
                            "checkpoint once this is mended";

@@ -123,8 +123,9 @@ std::vector<std::string> BodyAnalysis::body_lines() const
 
 std::vector<std::string> BodyAnalysis::body_warnings() const
 {
-  const std::string &file            = parameters.body.rve_file;
-  const std::string size             = file.empty() ? "Body/Size" : "the size in " + file;
+  const std::string &file = parameters.body.rve_file;
+  const std::string size =
+    file.empty() || parameters.body.size[0] > 0. ? "Body/Size" : "the size in " + file;
   const FrictionParameters &friction = parameters.friction;
   std::vector<PlausibleRange> ranges = {
     plausible_length(size + " along x", body.grid.extent(0)),

@@ -19,7 +19,8 @@ void read_materials(const BodyParameters &given,
                     const RveFile<2> &rve,
                     BodyDescription &body)
 {
-  body.rve_digest = rve.digest;
+  body.rve_digest  = rve.digest;
+  body.rve_content = rve.content();
   if (!rve.change_note().empty())
     body.warnings.push_back(rve.change_note());
   require_densities(rve);

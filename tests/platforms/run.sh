@@ -28,8 +28,8 @@ mkdir -p "$root"
 for folder in proc sys dev; do mount --rbind "/$folder" "$root/$folder"; done
 inside() { chroot "$root" /usr/bin/env -i HOME=/root PATH=/usr/local/bin:/usr/bin:/usr/sbin:/bin LC_ALL=C.UTF-8 TMPDIR=/tmp DEBIAN_FRONTEND=noninteractive bash -c "cd /root/mesoslip && $1"; }
 
-rm -rf "$root/root/mesoslip.new" && mkdir -p "$root/root/mesoslip.new" "$root/root/mesoslip"
-git archive HEAD | tar -x -C "$root/root/mesoslip.new"
+rm -rf "$root/root/mesoslip.new" && mkdir -p "$root/root/mesoslip"
+git clone -q --depth 1 "file://$PWD" "$root/root/mesoslip.new"
 # Sources keep their times where they are the same, so that only what changed is compiled.
 inside "command -v rsync >/dev/null || { apt-get update -qq && apt-get install -y -qq --no-install-recommends rsync git ca-certificates; }
         rsync -rlpc --delete --exclude /build --exclude /build-syntax ../mesoslip.new/ ./"

@@ -22,16 +22,17 @@ CountedRange quiet_range(const SearchRange &range,
                          const double wanted,
                          const double bottom,
                          const double top,
-                         const std::vector<FoundMode> &found,
-                         const std::vector<FoundMode> &found_still)
+                         std::vector<Complex> known,
+                         const std::vector<FoundMode> &found)
 {
+  for (const FoundMode &mode : found)
+    known.push_back(mode.s);
   std::vector<double> decay, frequency;
-  for (const auto *modes : {&found, &found_still})
-    for (const FoundMode &mode : *modes)
-      {
-        decay.push_back(-mode.s.real());
-        frequency.push_back(mode.s.imag());
-      }
+  for (const Complex s : known)
+    {
+      decay.push_back(-s.real());
+      frequency.push_back(s.imag());
+    }
   CountedRange result;
   result.steep = range.steep;
   result.decay = widest_gap(wanted, range.decay, decay);
@@ -42,28 +43,24 @@ CountedRange quiet_range(const SearchRange &range,
   return result;
 }
 
-/** The modes of @p range without friction and, where with friction fewer of them were found so far, those
- * that decay faster. The border of the count then lies beyond the crowd of modes, where the phase turns
+/** Where fewer modes of @p range were found so far than there are without friction, those that
+ * decay faster. The border of the count then lies beyond the crowd of modes, where the phase turns
  * slowly. @return the largest decay rate up to which all are known (1/s) */
 double search_for_count(const SearchRange &range,
-                        const SlidingLaw &law,
-                        DiscSearch &search,
-                        DiscSearch &vibrations)
+                        const std::vector<Complex> &vibrations,
+                        DiscSearch &search)
 {
-  const GrowthRegion nothing(law, 0.);
-  vibrations.cover(
-    {nothing, range.bottom, range.top, range.decay, range.share, range.steep}, 1);
-  const auto n_light = [&range](const std::vector<FoundMode> &modes) {
-    return std::count_if(modes.begin(), modes.end(),
-                         [&](const FoundMode &mode) { return range.is_light(mode.s); });
-  };
-  if (n_light(search.found()) + 5 > n_light(vibrations.found()))
+  const auto is_light = [&range](const Complex s) { return range.is_light(s); };
+  const auto n_light =
+    std::count_if(search.found().begin(), search.found().end(),
+                  [&](const FoundMode &mode) { return is_light(mode.s); });
+  if (n_light + 5 > std::count_if(vibrations.begin(), vibrations.end(), is_light))
     return range.decay;
   SearchRange rest = range;
   rest.most        = -0.9 * range.decay;
   rest.bottom      = range.top; // below the lowest vibration there is next to nothing
-  for (const FoundMode &mode : vibrations.found())
-    rest.bottom = std::min(rest.bottom, 0.9 * mode.s.imag());
+  for (const Complex s : vibrations)
+    rest.bottom = std::min(rest.bottom, 0.9 * s.imag());
   rest.bottom = std::max({rest.bottom, range.bottom, range.decay / range.steep});
   for (const FoundMode &mode : search.found())
     if (range.is_light(mode.s))
@@ -154,8 +151,7 @@ ComplexModes find_complex_modes(const SlidingPencil &pencil,
   ComplexFactorization factors(pencil(Complex(1., top)));
   DiscSearch search(pencil, factors, options, result);
   const SlidingPencil still = without_friction(pencil);
-  ComplexModes of_still;
-  DiscSearch vibrations(still, factors, options, of_still);
+  std::vector<Complex> vibrations; // without friction
   unsigned int seed = 0;
   // Where there is nothing to count it costs little to look far.
   result.fastest_counted = options.steep ? counted * top
@@ -175,12 +171,19 @@ ComplexModes find_complex_modes(const SlidingPencil &pencil,
         break;
       const auto scope = optional_scope(options.timer, "Count");
       if (seed == 1)
-        range.decay = search_for_count(range, still.law, search, vibrations);
+        {
+          // Some beyond the border as well, near which the phase turns fast.
+          constexpr double infinite = std::numeric_limits<double>::infinity();
+          vibrations =
+            find_still(still, {range.bottom, 1.5 * range.top, infinite, 0., range.steep},
+                       options.tolerance);
+          range.decay = search_for_count(range, vibrations, search);
+        }
       CountedRange within =
-        quiet_range(range, wanted, bottom, top, search.found(), vibrations.found());
+        quiet_range(range, wanted, bottom, top, vibrations, search.found());
       within.right     = result.fastest_counted;
       result.n_missing = count_missing(pencil, still, factors, within, search.found(),
-                                       vibrations.found(), options, result);
+                                       vibrations, options, result);
       if (result.n_missing == 0)
         break;
     }

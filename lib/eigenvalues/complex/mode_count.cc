@@ -3,8 +3,6 @@
 #include "material/plausibility.h"
 #include "statics/static_solver.h"
 
-#include <Eigen/SparseCholesky>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -153,29 +151,6 @@ private:
   ComplexModes &report;
 };
 
-/** Number of eigenvalues of K u = x M u that are below @p x. */
-int below(const SlidingPencil &pencil, const double x)
-{
-  if (!(x > 0.))
-    return 0; // K has no motion without energy
-  RealMatrix shifted = pencil.stiffness;
-  shifted.diagonal() -= x * pencil.mass;
-  const Eigen::SimplicialLDLT<RealMatrix> factors(shifted);
-  if (factors.info() != Eigen::Success)
-    throw NotConverged("a pivot vanished in the count of eigenvalues");
-  return static_cast<int>((factors.vectorD().array() < 0.).count());
-}
-
-/** The x of K u = x M u whose vibration with damping, s^2 + beta x s + x = 0, has the circular
- * frequency @p omega; infinite where none has. */
-double square_at(const double omega, const double beta)
-{
-  // Of x - (beta x / 2)^2 = omega^2 the lower one.
-  const double root = 1. - std::pow(beta * omega, 2);
-  return root < 0. ? std::numeric_limits<double>::infinity()
-                   : 2. * omega * omega / (1. + std::sqrt(root));
-}
-
 std::vector<Complex> numbers_of(const std::vector<FoundMode> &modes)
 {
   std::vector<Complex> numbers;
@@ -189,16 +164,6 @@ int count_in(const std::vector<Complex> &zeros, const CountedRange &range)
 {
   return static_cast<int>(std::count_if(
     zeros.begin(), zeros.end(), [&](const Complex s) { return range.contains(s); }));
-}
-
-/** Number of eigenvalues of a pencil without friction in @p range. */
-int count_still(const SlidingPencil &still, const CountedRange &range)
-{
-  const double beta = still.law.beta;
-  double highest    = square_at(range.top, beta);
-  if (beta > 0.)
-    highest = std::min({highest, 2. * range.decay / beta, 2. / (beta * beta)});
-  return std::max(0, below(still, highest) - below(still, square_at(range.low, beta)));
 }
 } // namespace
 
@@ -216,29 +181,19 @@ double widest_gap(const double from, const double to, std::vector<double> values
   return middle;
 }
 
-SlidingPencil without_friction(SlidingPencil pencil)
-{
-  for (RealMatrix *matrix :
-       {&pencil.targets, &pencil.drag, &pencil.late_drag, &pencil.friction,
-        &pencil.resistance, &pencil.late_resistance})
-    *matrix *= 0.;
-  pencil.law.delta = pencil.law.state_time = 0.;
-  return pencil;
-}
-
 int count_missing(const SlidingPencil &pencil,
                   const SlidingPencil &still,
                   ComplexFactorization &factors,
                   const CountedRange &range,
                   const std::vector<FoundMode> &found,
-                  const std::vector<FoundMode> &found_still,
+                  const std::vector<Complex> &found_still,
                   const ComplexModesOptions &options,
                   ComplexModes &report)
 {
   const double low = range.low, top = range.top,
                decay = std::min(range.decay, range.steep * top), right = range.right,
                corner = decay / range.steep;
-  Divided above{pencil, numbers_of(found)}, below{still, numbers_of(found_still)};
+  Divided above{pencil, numbers_of(found)}, below{still, found_still};
   const int n_found = count_in(above.zeros, range);
   pair(above.zeros, below.zeros, decay + 0.1 * top);
   // In the range, other than those that are divided out.

@@ -2,31 +2,12 @@
 #define mesoslip_eigenvalues_complex_mode_count_h
 
 #include "eigenvalues/complex/disc_search.h"
+#include "eigenvalues/complex/still_vibrations.h"
 
 namespace mesoslip
 {
-/** What is counted, as a SearchRange has it. */
-struct CountedRange
-{
-  double low   = 0.; ///< lowest circular frequency (1/s)
-  double top   = 0.; ///< highest circular frequency (1/s)
-  double decay = 0.; ///< largest decay rate (1/s)
-  double right = 0.; ///< largest growth rate (1/s)
-  double steep = 1.; ///< largest decay rate over the circular frequency
-
-  /** Whether @p s lies inside. */
-  bool contains(const SlidingPencil::Complex s) const
-  {
-    return s.imag() > low && s.imag() < top && s.real() < right &&
-           s.real() > -std::min(decay, steep * s.imag());
-  }
-};
-
 /** The middle of the widest gap between @p from, @p to and those @p values that lie between. */
 double widest_gap(const double from, const double to, std::vector<double> values);
-
-/** The pencil without friction, its entries in the same places. */
-SlidingPencil without_friction(SlidingPencil pencil);
 
 /**
  * How many eigenvalues in @p range are not among @p found, by the argument principle: the
@@ -44,7 +25,7 @@ int count_missing(const SlidingPencil &pencil,
                   ComplexFactorization &factors,
                   const CountedRange &range,
                   const std::vector<FoundMode> &found,
-                  const std::vector<FoundMode> &found_still,
+                  const std::vector<SlidingPencil::Complex> &found_still,
                   const ComplexModesOptions &options,
                   ComplexModes &report);
 } // namespace mesoslip

@@ -41,11 +41,23 @@ Hdf5Handle access_properties()
   return access;
 }
 
+/** Versions 5 to 7 begin with these letters; version 7.3 is HDF5 behind them. */
+bool starts_with_matlab(const std::string &path)
+{
+  std::string start(6, ' ');
+  std::ifstream(path, std::ios::binary).read(start.data(), 6);
+  return start == "MATLAB";
+}
+
 hid_t open_file(const std::string &path, const unsigned int mode)
 {
   const Hdf5Handle access = access_properties();
   if (H5Fis_hdf5(path.c_str()) == 0)
-    throw UserError(path + " is not an HDF5 file; name one that these programs wrote");
+    throw UserError(path +
+                    (starts_with_matlab(path)
+                       ? " is a MATLAB file of a version before 7.3, no HDF5 file; save "
+                         "it again with save(..., '-v7.3')"
+                       : " is not an HDF5 file"));
   const hid_t file = H5Fopen(path.c_str(), mode, access);
   if (file < 0)
     throw UserError(path +
@@ -194,6 +206,12 @@ Hdf5File Hdf5File::resume(const std::string &path, const std::string &hint)
   if (!std::filesystem::exists(part))
     {
       require_readable_file("", path, hint);
+      H5Fclose(open_file(path, H5F_ACC_RDONLY)); // renamed only if it is good
+      if (check_signature(path) == Signature::broken)
+        throw UserError(path +
+                        " has changed since it was written, by an edit or by damage, and "
+                        "is not gone on with" +
+                        (hint.empty() ? "" : "; " + hint));
       std::filesystem::rename(path, part);
     }
   if (first_line(part) == unfinished)
@@ -206,6 +224,11 @@ Hdf5File Hdf5File::resume(const std::string &path, const std::string &hint)
       file.read_attribute<std::string>("/", "digest") == draft_digest)
     throw UserError(part + " is a draft, which no run goes on with; " + hint);
   return file;
+}
+
+std::string Hdf5File::changed_content() const
+{
+  return signature == Signature::valid ? "" : checksum_of_rest(file_path);
 }
 
 bool Hdf5File::writing_has_failed()

@@ -74,12 +74,14 @@ ContactParameters with_phases(ContactParameters parameters)
     require_readable_file("Body/RVE file: ", body.rve_file,
                           "run rve_homogenization first");
     const RveFile<dim> rve(body.rve_file);
-    found                      = phases_of_file(body, rve);
-    parameters.mesh.rve_digest = rve.digest;
-    parameters.mesh.rve_note   = rve.change_note();
+    found                       = phases_of_file(body, rve);
+    parameters.mesh.rve_digest  = rve.digest;
+    parameters.mesh.rve_content = rve.content();
+    parameters.mesh.rve_note    = rve.change_note();
   });
   broadcast_object(MPI_COMM_WORLD, found);
   broadcast(MPI_COMM_WORLD, parameters.mesh.rve_digest);
+  broadcast(MPI_COMM_WORLD, parameters.mesh.rve_content);
   parameters.mesh.phases.clear();
   for (const PhaseNumbers &numbers : found)
     parameters.mesh.phases.push_back(phase_parameters(numbers));

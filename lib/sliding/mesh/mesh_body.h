@@ -48,6 +48,9 @@ struct MeshBodyParameters
   /** Of the RVE file whose effective stiffness the whole body has; empty without one. */
   std::string rve_digest;
 
+  /** RveFile::content() of the RVE file that the phases come from. */
+  std::string rve_content;
+
   /** RveFile::change_note() of the RVE file that the phases come from; empty: as it was written. */
   std::string rve_note;
 

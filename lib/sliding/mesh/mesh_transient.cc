@@ -51,6 +51,7 @@ public:
         "Performance/Instruction set = " +
         to_string(resolve(this->parameters.sweep.isa)) +
         "\nContent of Mesh/File = " + this->body.digest +
+        "\nContent of Body/RVE file = " + this->parameters.mesh.rve_content +
         "\nCoefficient law = " + this->parameters.friction.slip_law.text() +
         "\nProgram version = " + version + "\n")
     , distributed(distribute_body(this->morphology,

@@ -26,7 +26,7 @@ constexpr double largest_step_number = 1e18;
 // resumed has to agree in it.
 std::string run_identity(const Keys &keys,
                          const InstructionSet isa,
-                         const std::string &rve_digest,
+                         const std::string &rve_content,
                          const std::string &coefficient_law)
 {
   return canonical_parameters(keys,
@@ -34,7 +34,7 @@ std::string run_identity(const Keys &keys,
                                "Observation/Steady from", "Checkpoints/", "Performance/",
                                "Modal/", "Static contact/", "Friction homogenization/"}) +
          "Performance/Instruction set = " + to_string(resolve(isa)) +
-         "\nContent of Body/RVE file = " + rve_digest +
+         "\nContent of Body/RVE file = " + rve_content +
          "\nCoefficient law = " + coefficient_law + "\nProgram version = " + version +
          "\n";
 }
@@ -44,7 +44,7 @@ TransientAnalysis::TransientAnalysis(const ContactParameters &p, const Keys &key
   : BodyAnalysis(p)
   , scales(material)
   , identity(run_identity(
-      keys, parameters.sweep.isa, body.rve_digest, parameters.friction.slip_law.text()))
+      keys, parameters.sweep.isa, body.rve_content, parameters.friction.slip_law.text()))
 {
   const unsigned int n_rows  = body.grid.cells[1] + 1,
                      n_ranks = mpi::n_mpi_processes(MPI_COMM_WORLD),

@@ -137,7 +137,9 @@ std::string friction_remark(const TransientResult &run)
     4, "mu_inter = ", run.mu_inter->value, " is above the largest friction coefficient, ",
     largest,
     ": the contact moves faster than the flat, whose velocity alone mu_inter takes into "
-    "account; it is not a friction coefficient of this motion");
+    "account, or friction follows a falling pressure late (Friction/Regularization "
+    "time); "
+    "it is not a friction coefficient of this motion");
 }
 
 /** Friction that falls faster than the steps follow. */
@@ -200,8 +202,8 @@ std::string history_remark(const TransientResult &run)
                     "every ",
                     interval, " steps, which carry up to ", 5e-4 / (interval * dt),
                     " kHz: spectra computed from them would show frequencies that are "
-                    "not there; set Observation/History interval and Probe interval to "
-                    "at most ",
+                    "not there; set Observation/History interval ",
+                    o.probes.empty() ? "" : "and Probe interval ", "to at most ",
                     std::max(1., std::floor(0.5 * steps)));
 }
 

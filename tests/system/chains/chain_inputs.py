@@ -24,11 +24,11 @@ def say(what):
 
 def interrupted(*_):
     global first
-    if first is not None and time.monotonic() - first > 0.2:
-        os._exit(130)
-    if first is None:
-        first = time.monotonic()
+    before, first = first, first or time.monotonic()  # two signals may come at once
+    if before is None:
         say("interrupt")
+    elif time.monotonic() - before > 0.2:
+        os._exit(130)
 
 if not asked:
     signal.signal(signal.SIGINT, interrupted)

@@ -221,6 +221,26 @@ def refusals(scene):
     scene.expect(2, ["was complete at", "Checkpoints/Keep"], "r", resume + ["--set", "Time/End time=1.2e-3"])
 
 
+def edited(scene):
+    """An RVE file or results that were edited meanwhile are not gone on with."""
+    shutil.copytree(scene("rve"), scene("rve-edited"))
+    options = ["--set", "Body/RVE file=rve-edited/rve.h5"]
+    child = scene.start("edited", options)
+    scene.wait_for_checkpoint("edited", child)
+    scene.write("edited/terminate", "")
+    child.communicate()
+    for path, dataset, words in (("rve-edited/rve.h5", "stiffness/effective", ["Content of Body/RVE file is"]),
+                                 ("edited/dynamics.h5", "history/top_displacement", ["dynamics.h5 has changed since it was written"])):
+        good = scene.read(*path.split("/"))
+        with h5py.File(scene(*path.split("/")), "r+") as file:
+            file[dataset][0] *= 0.5
+            file[dataset][1] += 1
+        scene.expect(2, words, "edited", options + ["--resume"])
+        with open(scene(*path.split("/")), "wb") as file:
+            file.write(good)
+    scene.expect(0, [], "edited", options + ["--resume"])
+
+
 def later_end(scene):
     """With Keep, a complete run goes on to a later end; its blocks keep their length."""
     short = ["--set", "Time/End time=1.0e-4", "--set", "Snapshots/Interval=7e-7", "--set", "Observation/Blocks=40"]
@@ -280,7 +300,7 @@ def main():
         scene.expect(0, [], "rve", program="rve_homogenization", prm="rve.prm")
         materials = ("homogeneous", "heterogeneous")
         parts = [(stopped_and_resumed, scene, m, r) for r in (2, 1) for m in materials if arguments.long or (m, r) != ("homogeneous", 2)]
-        parts += [(refusals, scene), (later_end, scene), (other_programs, scene), (chain, scene, 1), (chain, scene, 2)]
+        parts += [(refusals, scene), (edited, scene), (later_end, scene), (other_programs, scene), (chain, scene, 1), (chain, scene, 2)]
         if kills > 0:
             lanes = 4
             each = -(-kills // lanes)

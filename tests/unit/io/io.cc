@@ -179,12 +179,17 @@ TEST(Parameters, NamesWhatIsWrong)
 
 TEST(Parameters, LinesOfAnotherFile)
 {
+  std::string many;
+  for (unsigned int k = 0; k < 1001; ++k)
+    many += "include empty.inc\n";
   const std::map<std::string, std::string> files = {
     {"case/load.inc", "subsection Top\nset Pressure = 1\nend\ninclude deep/more.inc\n"},
     {"case/deep/more.inc", "set Table = a.csv\n"},
     {"case/itself.inc", "include ./itself.inc\n"},
     {"case/open.inc", "\nsubsection Top\n"},
-    {"case/closes.inc", "end\n"}};
+    {"case/closes.inc", "end\n"},
+    {"case/empty.inc", "#\n"},
+    {"case/many.inc", many}};
   const auto parse = [&](const std::string &text) {
     return RawParameters::parse(text, "case/run.prm", [&](const std::string &name) {
       const auto found = files.find(name);
@@ -200,6 +205,11 @@ TEST(Parameters, LinesOfAnotherFile)
   EXPECT_EQ(RawParameters::origin(*raw.find("Body/Top/Pressure")), "case/load.inc:2");
   EXPECT_EQ(RawParameters::origin(*raw.find("Z")), "case/run.prm:4");
   EXPECT_EQ(RawParameters::folder(*table), "case/deep");
+  EXPECT_EQ(raw.files(), (std::vector<std::string>{"case/run.prm", "case/load.inc",
+                                                   "case/deep/more.inc"}));
+  EXPECT_EQ(raw.text(),
+            "subsection Body\n# include load.inc\nsubsection Top\nset Pressure = 1\n"
+            "end\n# include deep/more.inc\nset Table = a.csv\nend\nset Z = 1\n");
 
   const auto error = [&](const std::string &what, const std::string &text) {
     expect_error(what, [&] { parse(text); });
@@ -209,6 +219,9 @@ TEST(Parameters, LinesOfAnotherFile)
         "\ninclude none.inc");
   error("case/itself.inc:1: case/itself.inc includes itself", "include itself.inc");
   error("case/run.prm:1: case/run.prm includes itself", "include run.prm");
+  error("more than 1000 files are included", "include many.inc");
+  error("case/load.inc:2: Top/Pressure is set again; the file is included twice",
+        "include load.inc\ninclude load.inc");
   error("case/open.inc:2: the subsection 'Top' has no 'end'", "include open.inc\nend");
   error("case/closes.inc:1: 'end' without", "subsection Top\ninclude closes.inc");
   error("case/run.prm:3: Top/Pressure is set again; case/load.inc:2 has set it already",

@@ -84,6 +84,8 @@ TEST(Tables, NameWhatIsWrong)
   expect_contains(message("x,y\nnan,3\n"), "r.csv:2: column 'x' holds 'nan'");
   expect_contains(message("y,z\n1,2\n"),
                   "there is no column 'x'; the heading line has y, z");
+  expect_contains(message("x\ty\n1\t2\n"), "not tabs");
+  expect_contains(message("x,y,x\n1,2,3\n"), "two columns are called 'x'");
   expect_contains(message("x\n\"1\n"), "r.csv:2: a quotation mark is not closed");
   expect_contains(message("\n"), "is empty");
   expect_error("there is no file", [&] { CsvTable::read(folder / "no.csv"); });
@@ -157,8 +159,8 @@ TEST(Checkpoints, ComeBackOrSayWhyNot)
     "Boost 1_2, little endian, but this run needs");
   expect_contains(spoilt(good.substr(0, 30)), "but this run needs");
   expect_contains(spoilt(good.substr(0, good.size() - 1)),
-                  "the state was written as 15 bytes, ");
-  expect_contains(spoilt(good + "x"), "and has 16 bytes");
+                  "it was written with 15 bytes, ");
+  expect_contains(spoilt(good + "x"), "and now has 16 bytes");
   std::string flipped = good;
   flipped.back() ^= 1;
   expect_contains(spoilt(flipped), "is truncated or damaged");

@@ -168,6 +168,10 @@ TEST(Hdf5, NamesFilesThatAreNone)
   const std::string good = read_file(path);
   write_file(path, good.substr(0, good.size() - 4000));
   expect_contains(message(), "truncated, damaged");
+  expect_error("truncated, damaged", [&] { Hdf5File::resume(path); });
+  EXPECT_TRUE(std::filesystem::exists(path)); // under its name
+  write_file(folder / "v5.mat", "MATLAB 5.0 MAT-file");
+  expect_error("before 7.3", [&] { Hdf5File::open(folder / "v5.mat"); });
   EXPECT_TRUE(user_error([&]() { Hdf5File::open(path); }).find('\n') ==
               std::string::npos);
   Hdf5File file = Hdf5File::create(folder / "f.h5");
@@ -196,6 +200,12 @@ TEST(Hdf5Signature, LineAndBlockAreThoseOfTheFormat)
   EXPECT_EQ(Hdf5File::open(path).change_note("rve_homogenization"),
             path + " has changed since rve_homogenization wrote it, by an edit or by "
                    "damage; its numbers are used as they are");
+  EXPECT_EQ(Hdf5File::open(path).changed_content().size(), 32u);
+  expect_error("has changed since it was written", [&] { Hdf5File::resume(path); });
+  EXPECT_FALSE(std::filesystem::exists(path + ".part"));
+  write_file(path, bytes);
+  EXPECT_EQ(Hdf5File::open(path).changed_content(), "");
+  Hdf5File::resume(path).close();
   // Of no bytes at all, from the specification of XXH3.
   write_file(path, std::string(512, '\0'));
   sign_file(path, "x");

@@ -107,8 +107,8 @@ def _program_for(prm, words, program, programs):
 def _sentence(errors):
     """The last line that is no warning, without the program's name."""
     lines = [line for line in errors.strip().splitlines() if ": warning: " not in line and not line.startswith("---")]
-    lines = [line for line in lines if re.match(r"[\w.]+( \(process \d+\))?: ", line)] or lines or ["it said nothing"]
-    return lines[-1].partition(": ")[2] or lines[-1]
+    said = [line for line in lines if re.match(r"[\w.]+( \(process \d+\))?: ", line)]
+    return said[-1].partition(": ")[2] if said else " ".join(" ".join(lines).split()) or "it said nothing"
 
 
 def _chain_script(place):

@@ -42,10 +42,11 @@ def ranks_worth(said, most, idle=idle_cores):
 
 
 def start_of(ranks):
-    """The words before a program that start it on so many ranks. Where others work beside them, ranks may change their cores."""
+    """The words before a program that start it on so many ranks. Where others work beside them, ranks may change their cores. mpirun says
+    nothing itself when they fail: Open MPI 4 by its option --quiet, which Open MPI 5 does not have, or by this parameter."""
     if ranks == 1:
         return []
-    return ["mpirun", "--quiet", "--oversubscribe", *(["--bind-to", "none"] if ranks < (os.cpu_count() or 1) else []), "-np", str(ranks)]
+    return ["env", "OMPI_MCA_orte_execute_quiet=1", "mpirun", "--oversubscribe", *(["--bind-to", "none"] if ranks < (os.cpu_count() or 1) else []), "-np", str(ranks)]
 
 
 def ranks_begun_with(output):

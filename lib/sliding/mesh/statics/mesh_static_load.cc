@@ -47,19 +47,21 @@ void check_mesh_static(const ContactParameters &p, const std::vector<double> &mu
   const std::vector<double> &of_flat = p.static_load.of_flat;
   for (unsigned int c = 0; c + 1 < dim; ++c)
     {
-      const std::string along = std::string("Mesh/Held in ") + "xy"[c];
+      const std::string side = p.mesh.is_given()
+                                 ? std::string("a group in Mesh/Held in ") + "xy"[c]
+                                 : std::string("a side in u_") + "xy"[c] + " (Sides)";
       if (platen || p.top.lateral_held || !p.mesh.held[c].empty())
         continue;
       if (rubs && speed * p.contact.flat_direction[c] != 0.)
         throw UserError(
           "Nothing holds the body against the friction of the sliding flat: set "
-          "Top/Lateral held, hold a group in " +
-          along + ", Friction/Coefficient = 0 or Flat/Velocity = 0");
+          "Top/Lateral held, hold " +
+          side + ", use a platen, Friction/Coefficient = 0 or Flat/Velocity = 0");
       if (c < of_flat.size() && of_flat[c] != 0.)
         throw UserError(
           "Static contact/Flat displacement: nothing holds the body against the "
-          "flat; set Top/Lateral held or hold a group in " +
-          along);
+          "flat; set Top/Lateral held, use a platen or hold " +
+          side);
     }
 }
 
