@@ -59,7 +59,7 @@ def difference(here, there):
     if here.size == 0 or np.array_equal(here, there, equal_nan=here.dtype.kind in "fc"):
         return 0.0
     turned = [here - there, here + there] if here.ndim > 2 else [here - there]
-    return min(np.max(np.abs(d)) for d in turned) / max(np.max(np.abs(there)), 1e-300)
+    return min(float(np.max(np.abs(d))) for d in turned) / max(float(np.max(np.abs(there))), 1e-300)
 
 
 def compare(output, other):

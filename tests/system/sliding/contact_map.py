@@ -45,8 +45,8 @@ def run(folder, name, settings, **keywords):
 
 
 def same(one, other, limit, what):
-    scale = max(np.abs(one).max(), np.abs(other).max(), 1e-300)
-    error = np.abs(one - other).max() / scale
+    scale = max(float(np.abs(one).max()), float(np.abs(other).max()), 1e-300)
+    error = float(np.abs(one - other).max()) / scale
     assert one.shape == other.shape and error <= limit, (what, one.shape, other.shape, error)
 
 
