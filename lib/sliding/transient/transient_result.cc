@@ -137,9 +137,8 @@ std::string friction_remark(const TransientResult &run)
     4, "mu_inter = ", run.mu_inter->value, " is above the largest friction coefficient, ",
     largest,
     ": the contact moves faster than the flat, whose velocity alone mu_inter takes into "
-    "account, or friction follows a falling pressure late (Friction/Regularization "
-    "time); "
-    "it is not a friction coefficient of this motion");
+    "account, or friction lags behind the pressure (Friction/Regularization time); it is "
+    "not a friction coefficient of this motion");
 }
 
 /** Friction that falls faster than the steps follow. */
@@ -192,17 +191,16 @@ std::string history_remark(const TransientResult &run)
     std::max(run.parameters.history_interval, o.probes.empty() ? 0 : o.probe_interval);
   if (!run.frequencies)
     return "";
-  const double highest = run.frequencies->highest_frequency, dt = run.time.step.dt;
-  const double steps = 0.5 / (highest * dt); // half a period
+  const double highest = run.frequencies->highest_frequency, dt = run.time.step.dt,
+               steps = 0.5 / (highest * dt); // half a period
   if (interval <= steps)
     return "";
   return brief_text(4, "the reference node vibrates at up to ", 1e-3 * highest,
                     " kHz (main frequency ", 1e-3 * run.frequencies->main_frequency,
-                    " kHz), but the histories and probes in dynamics.h5 have samples "
-                    "every ",
-                    interval, " steps, which carry up to ", 5e-4 / (interval * dt),
-                    " kHz: spectra computed from them would show frequencies that are "
-                    "not there; set Observation/History interval ",
+                    " kHz), but histories and probes in dynamics.h5, samples every ",
+                    interval, " steps, carry up to ", 5e-4 / (interval * dt),
+                    " kHz: their spectra would show frequencies that are not there; set "
+                    "Observation/History interval ",
                     o.probes.empty() ? "" : "and Probe interval ", "to at most ",
                     std::max(1., std::floor(0.5 * steps)));
 }

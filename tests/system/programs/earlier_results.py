@@ -308,7 +308,7 @@ def check_inputs_in_output(folder):
     # What a .prm includes is an input as well.
     folder.write("included.prm", "include picture/log.txt\n" + PICTURE)
     folder.write("picture/log.txt", "# a user's own\n")
-    said = Folder.run(folder, 2, "rve_homogenization", "included.prm", "--output", "picture")
+    said = super(type(folder), folder).run(2, "rve_homogenization", "included.prm", "--output", "picture")
     assert "included.prm includes a file" in said and "log.txt lies in the output folder" in said, said
     assert folder.read("picture", "log.txt") == b"# a user's own\n"
 
