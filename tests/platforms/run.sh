@@ -59,9 +59,9 @@ of() { inside "dpkg-query -W -f='\${Version}' $1 2>/dev/null | sed 's/^[0-9]*://
 hdf5=$(inside "dpkg-query -W -f='\${Version}' 'libhdf5-openmpi-dev' | sed 's/[-+~].*//'")
 row="| $release | $(of libdeal.ii-dev) | $(of g++) | $hdf5 | $(of libboost-dev) | $(of libeigen3-dev) | $(of libgmsh-dev) | $(of libopenmpi-dev) | ${passed:-nothing was built} | $(git rev-parse --short HEAD), $(date +%F) |"
 page=doc/platforms.md
-if grep -q "^| $release |" "$page"; then
-  awk -v row="$row" -v first="| $release |" 'index($0, first) == 1 { print row; next } { print }' "$page" >"$page.new" && mv "$page.new" "$page"
-else
-  printf '%s\n' "$row" >>"$page"
-fi
+# In the place of the release's row, or behind the last row.
+awk -v row="$row" -v first="| $release |" '
+  index($0, first) == 1 { if (!done) print row; done = 1; next }
+  in_table && !/^\|/ { if (!done) print row; done = 1 }
+  { in_table = /^\|/; print }' "$page" >"$page.new" && mv "$page.new" "$page"
 printf '%s\n' "$row"

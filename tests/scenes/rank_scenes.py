@@ -115,7 +115,7 @@ RUNS = [
                                 "Friction homogenization/Static contact": "{static-1}",
                                 "Friction homogenization/Heterogeneous run": "{long-heterogeneous-1}",
                                 "Friction homogenization/Homogeneous run": "{long-homogeneous-1}"}),
-    localization("localization-alone", **{"Probes/Further": "0.0005, 0.0006"}),
+    localization("localization-alone", **{"Probes/Further": "A", "Probes/A/Position": "0.0005, 0.0006"}),
     localization("localization-direct", **{"Input/Direct run": "{heterogeneous-pressure-1}/dynamics.h5", "Input/Allow different loads": True, "Window/From": 1.2e-6,
                                            "Comparison/Edge distance": 2e-4, "Comparison/Surface depth": 2e-4,
                                            "Localization/Variant": "both", "Localization/Concentration": "PBC"}),

@@ -4,6 +4,7 @@
 #include "eigenvalues/complex/complex_modes.h"
 #include "body/grid_body.h"
 #include "body/mesh/mesh_body.h"
+#include "eigenvalues/complex/still_vibrations.h"
 #include "eigenvalues/free_dofs.h"
 #include "sliding/sliding_layer.h"
 
@@ -103,6 +104,32 @@ TEST(ComplexModes, GrowthIsThePowerOfFrictionLessDamping)
       EXPECT_NEAR(mode.growth_by_friction.sum() + mode.growth_by_damping, mode.s.real(),
                   1e-6 * std::abs(mode.s));
     }
+}
+
+// The periodic layer has each frequency twice.
+TEST(ComplexModes, VibrationsWithoutFrictionAreThoseOfTheSymmetricProblem)
+{
+  const Layer layer{1., 0.25, 1.5e-6, 4.4e-9};
+  const UniformMaterial material = layer_material(layer, 12);
+  const SlidingPencil still =
+    without_friction(layer_pencil(GridBody<2>(material), layer));
+  const Eigen::MatrixXd K = still.stiffness, M = still.mass.asDiagonal();
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> dense(
+    K, M, Eigen::EigenvaluesOnly);
+  const CountedRange range = {2e5, 6e6, 1e99, 0., 0.3};
+  std::vector<double> expected, found;
+  for (const double x : dense.eigenvalues())
+    if (const double decay = 0.5 * layer.beta * x, w = std::sqrt(x - decay * decay);
+        w > range.low && w < range.top && decay < range.steep * w)
+      expected.push_back(w);
+  for (const Complex s : find_still(still, range, 1e-10))
+    found.push_back(s.imag());
+  EXPECT_GT(expected.size(), 60U); // more than one part
+  EXPECT_EQ(static_cast<int>(expected.size()), count_still(still, range));
+  ASSERT_EQ(found.size(), expected.size());
+  std::sort(found.begin(), found.end());
+  for (std::size_t k = 0; k < found.size(); ++k)
+    EXPECT_NEAR(found[k], expected[k], 1e-8 * expected[k]);
 }
 
 // Drag that takes energy leaves the bound alone; one that feeds it widens it, and modes keep to it.
