@@ -119,10 +119,11 @@ typename CondensedContact<dim>::Problem CondensedContact<dim>::of_sliding_flat()
       excess.row(k) = S.row(at) - mu * S.row(number(i, normal_axis));
       at_start[k]   = F[at] - mu * F[number(i, normal_axis)];
     }
-  const Eigen::FullPivLU<Eigen::MatrixXd> moves(excess(Eigen::all, along));
+  const auto rows = Eigen::seqN(0, excess.rows()); // Eigen::all moved in Eigen 5
+  const Eigen::FullPivLU<Eigen::MatrixXd> moves(excess(rows, along));
   Problem of;
   of.M = S(normal, normal) -
-         S(normal, along) * moves.solve(Eigen::MatrixXd(excess(Eigen::all, normal)));
+         S(normal, along) * moves.solve(Eigen::MatrixXd(excess(rows, normal)));
   of.q = F(normal) - S(normal, along) * moves.solve(at_start);
   for (const Eigen::Index k : normal)
     of.z.emplace_back(k, 1.);

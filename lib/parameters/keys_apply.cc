@@ -205,11 +205,10 @@ void Keys::apply()
         {
           key.value.clear();
           for (const std::string &input : inputs)
-            key.value +=
-              (key.value.empty() ? "" : ", ") +
-              fs::absolute(RawParameters::folder(entry) / fs::path(input))
-                .lexically_normal()
-                .string();
+            key.value += (key.value.empty() ? "" : ", ") +
+                         fs::absolute(RawParameters::folder(entry) / fs::path(input))
+                           .lexically_normal()
+                           .string();
         }
       if (!key.accepts(key.value))
         throw UserError(raw.origin(entry) + ": " + entry.path + " is '" + key.value +
