@@ -181,7 +181,7 @@ void Keys::apply()
   const Declarations declared(keys);
   for (const RawParameters::Entry &section : raw.subsections())
     if (!declared.has_section(section.path))
-      throw UserError(raw.origin(section) + ": " +
+      throw UserError(RawParameters::origin(section) + ": " +
                       declared.unknown("subsection", section.path));
 
   for (const RawParameters::Entry &entry : raw.entries())
@@ -190,14 +190,16 @@ void Keys::apply()
       const auto renamed_key   = renames.find(entry.path);
       const auto renamed_value = renames.find(entry.path + " = " + entry.value);
       if (renamed_key != renames.end())
-        throw UserError(raw.origin(entry) + ": the key " + entry.path + " is called " +
-                        in_quotes(renamed_key->second) + " now; rename it");
+        throw UserError(RawParameters::origin(entry) + ": the key " + entry.path +
+                        " is called " + in_quotes(renamed_key->second) +
+                        " now; rename it");
       if (renamed_value != renames.end())
-        throw UserError(raw.origin(entry) + ": " + entry.path + " = " + entry.value +
-                        " is called " + in_quotes(renamed_value->second) + " now; set " +
-                        entry.path + " = " + renamed_value->second);
+        throw UserError(RawParameters::origin(entry) + ": " + entry.path + " = " +
+                        entry.value + " is called " + in_quotes(renamed_value->second) +
+                        " now; set " + entry.path + " = " + renamed_value->second);
       if (found == index.end())
-        throw UserError(raw.origin(entry) + ": " + declared.unknown("key", entry.path));
+        throw UserError(RawParameters::origin(entry) + ": " +
+                        declared.unknown("key", entry.path));
       Key &key  = keys[found->second];
       key.value = entry.value;
       if (const auto inputs = key.is_list ? split_list(entry.value) : key.inputs();
@@ -211,8 +213,8 @@ void Keys::apply()
                            .string();
         }
       if (!key.accepts(key.value))
-        throw UserError(raw.origin(entry) + ": " + entry.path + " is '" + key.value +
-                        "' but must be " + key.allowed + advice(key));
+        throw UserError(RawParameters::origin(entry) + ": " + entry.path + " is '" +
+                        key.value + "' but must be " + key.allowed + advice(key));
       if (!same_value(key.value, key.default_value))
         set[entry.path] = &entry;
     }
@@ -267,7 +269,8 @@ void Keys::only_if(const bool used,
   for (std::size_t i = 1; i < entries.size(); ++i)
     others += (i == 1 ? "" : ", ") + entries[i]->path;
   throw UserError(
-    raw.origin(*entries[0]) + ": " + entries[0]->path + " has no effect, as " + reason +
+    RawParameters::origin(*entries[0]) + ": " + entries[0]->path + " has no effect, as " +
+    reason +
     (others.empty() ? "; remove it, or " : ", nor has " + others + "; remove them, or ") +
     remedy);
 }

@@ -56,8 +56,8 @@ void refuse_file_of_other_program(const RawParameters &raw, const std::string &p
           other = &own;
         }
   if (other != nullptr)
-    throw UserError(raw.origin(*where) + ": this is a file of " + other->program +
-                    ", the program with the subsection '" + where->path + "'; run " +
-                    other->program + ", or name a file of " + program);
+    throw UserError(RawParameters::origin(*where) + ": this is a file of " +
+                    other->program + ", the program with the subsection '" + where->path +
+                    "'; run " + other->program + ", or name a file of " + program);
 }
 } // namespace mesoslip
