@@ -110,7 +110,7 @@ TEST(ComplexModes, GrowthIsThePowerOfFrictionLessDamping)
 TEST(ComplexModes, VibrationsWithoutFrictionAreThoseOfTheSymmetricProblem)
 {
   const Layer layer{1., 0.25, 1.5e-6, 4.4e-9};
-  const UniformMaterial material = layer_material(layer, 12);
+  const UniformMaterial material = layer_material(layer, 8);
   const SlidingPencil still =
     without_friction(layer_pencil(GridBody<2>(material), layer));
   const Eigen::MatrixXd K = still.stiffness, M = still.mass.asDiagonal();
@@ -124,7 +124,7 @@ TEST(ComplexModes, VibrationsWithoutFrictionAreThoseOfTheSymmetricProblem)
       expected.push_back(w);
   for (const Complex s : find_still(still, range, 1e-10))
     found.push_back(s.imag());
-  EXPECT_GT(expected.size(), 60U); // more than one part
+  EXPECT_GT(expected.size(), 30U); // more than one part
   EXPECT_EQ(static_cast<int>(expected.size()), count_still(still, range));
   ASSERT_EQ(found.size(), expected.size());
   std::sort(found.begin(), found.end());
