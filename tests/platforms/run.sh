@@ -29,6 +29,7 @@ for folder in proc sys dev; do mount --rbind "/$folder" "$root/$folder"; done
 inside() { chroot "$root" /usr/bin/env -i HOME=/root PATH=/usr/local/bin:/usr/bin:/usr/sbin:/bin LC_ALL=C.UTF-8 TMPDIR=/tmp DEBIAN_FRONTEND=noninteractive bash -c "cd /root/mesoslip && $1"; }
 
 rm -rf "$root/root/mesoslip.new" && mkdir -p "$root/root/mesoslip"
+commit=$(git rev-parse --short HEAD)
 git clone -q --depth 1 "file://$PWD" "$root/root/mesoslip.new"
 # Sources keep their times where they are the same, so that only what changed is compiled.
 inside "command -v rsync >/dev/null || { apt-get update -qq && apt-get install -y -qq --no-install-recommends rsync git ca-certificates; }
@@ -57,7 +58,7 @@ if [ -z "$syntax" ] && [ -x build/applications/stress_localization ]; then
 fi
 of() { inside "dpkg-query -W -f='\${Version}' $1 2>/dev/null | sed 's/^[0-9]*://; s/[-+~].*//'" || echo none; }
 hdf5=$(inside "dpkg-query -W -f='\${Version}' 'libhdf5-openmpi-dev' | sed 's/[-+~].*//'")
-row="| $release | $(of libdeal.ii-dev) | $(of g++) | $hdf5 | $(of libboost-dev) | $(of libeigen3-dev) | $(of libgmsh-dev) | $(of libopenmpi-dev) | ${passed:-nothing was built} | $(git rev-parse --short HEAD), $(date +%F) |"
+row="| $release | $(of libdeal.ii-dev) | $(of g++) | $hdf5 | $(of libboost-dev) | $(of libeigen3-dev) | $(of libgmsh-dev) | $(of libopenmpi-dev) | ${passed:-nothing was built} | $commit, $(date +%F) |"
 page=doc/platforms.md
 # In the place of the release's row, or behind the last row.
 awk -v row="$row" -v first="| $release |" '
