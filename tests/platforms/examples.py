@@ -69,10 +69,9 @@ def compare(output, other):
         worst, where, n = 0.0, "", 0
         for file in sorted(f for f in os.listdir(os.path.join(other, name)) if f.endswith(".h5")):
             here, there = (content_of_h5(os.path.join(folder, name, file)) for folder in (output, other))
-            data = [key for key in there if "@" not in key and key != "/summary"]  # which has times
-            missing = set(data) - set(here)
-            for key in data:
-                found = np.inf if key in missing else difference(here[key], there[key])
+            # The summary has times.
+            for key in sorted(key for key in {*here, *there} if "@" not in key and key != "/summary"):
+                found = difference(here[key], there[key]) if key in here and key in there else np.inf
                 n += 1
                 if not found <= worst:
                     worst, where = found, f"{file}{key}"

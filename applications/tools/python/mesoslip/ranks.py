@@ -42,11 +42,12 @@ def ranks_worth(said, most, idle=idle_cores):
 
 
 def start_of(ranks):
-    """The words before a program that start it on so many ranks. Where others work beside them, ranks may change their cores. mpirun says
-    nothing itself when they fail: Open MPI 4 by its option --quiet, which Open MPI 5 does not have, or by this parameter."""
+    """The words before a program that start it on so many ranks. Where others work beside them, ranks may change their cores. The variable
+    keeps mpirun of Open MPI 4 silent when they fail; its option --quiet is unknown to Open MPI 5."""
     if ranks == 1:
         return []
-    return ["env", "OMPI_MCA_orte_execute_quiet=1", "mpirun", "--oversubscribe", *(["--bind-to", "none"] if ranks < (os.cpu_count() or 1) else []), "-np", str(ranks)]
+    unbound = ["--bind-to", "none"] if ranks < (os.cpu_count() or 1) else []
+    return ["env", "OMPI_MCA_orte_execute_quiet=1", "mpirun", "--oversubscribe", *unbound, "-np", str(ranks)]
 
 
 def ranks_begun_with(output):
