@@ -12,7 +12,7 @@ from scenes import Folder, prm, sets
 # The paper's pin on cells of 1 mm, which vibrates at 124 and 221 kHz: 45 and 25 steps a period.
 PIN = prm({"Body/Cells": "56, 16", "Time/End time": 2e-3, "Flat/Velocity": 2, "Top/Pressure": 5e6})
 LENGTH, PRESSURE, VELOCITY, MU = 0.056, 5e6, 2., 0.25
-SPARSE = "spectra computed from them would show frequencies that are not there"
+SPARSE = "their spectra would show frequencies that are not there"
 
 
 class Run:
