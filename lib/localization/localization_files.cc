@@ -36,6 +36,9 @@ std::vector<double> LocalizationFiles<dim>::out_of_plane_ratios(
 {
   const std::size_t n        = rve.phases.size();
   std::vector<double> ratios = parameters.out_of_plane_ratio;
+  if (dim == 3 && !ratios.empty())
+    throw UserError("Localization/Out-of-plane ratio has no effect, as the stresses of "
+                    "three dimensions are all computed; remove it");
   if (ratios.size() == 1)
     ratios.assign(n, ratios[0]);
   if (ratios.empty())

@@ -13,6 +13,8 @@ namespace mesoslip
 namespace
 {
 constexpr double softest = 1e6, largest_contrast = 1e6; // Pa, -
+// Strains: below the smallest a pressure is a slip, above the largest a solid yields.
+constexpr double smallest_strain = 1e-9, largest_strain = 1e-2;
 // Of lambda / mu: 0.49 of Poisson's ratio.
 constexpr double locks_from = 48.999;
 // From where on a solve takes long, in single precision in particular.
@@ -114,6 +116,21 @@ PlausibleRange plausible_length(const std::string &key, const double length)
           "no length of a solid with a microstructure; lengths are in m",
           1.,
           "is it in mm? Lengths are in m"};
+}
+
+PlausibleRange
+plausible_pressure(const std::string &key, const double pressure, const double stiffness)
+{
+  const double strain = pressure / stiffness;
+  return {key,
+          pressure,
+          "Pa",
+          pressure > 0. ? smallest_strain * stiffness : 0.,
+          "which strains the body by " + quantity_text(strain, "") +
+            " only; is it in MPa? Pressures are in Pa",
+          largest_strain * stiffness,
+          "which strains the body by " + quantity_text(100. * strain, "%") +
+            ", beyond small strains; pressures are in Pa"};
 }
 
 template <int dim>

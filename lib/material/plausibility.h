@@ -49,6 +49,10 @@ PlausibleRange plausible_friction(const std::string &key, const double coefficie
 /** Of a side of a body or volume: 0.1 micrometres to 10 m. */
 PlausibleRange plausible_length(const std::string &key, const double length);
 
+/** Of a pressure on a body of that stiffness (Pa): strains of 1e-9 to 0.01; 0 is plausible. */
+PlausibleRange
+plausible_pressure(const std::string &key, const double pressure, const double stiffness);
+
 /** Densities and friction coefficients below Phases/NAME/. */
 template <int dim>
 std::vector<PlausibleRange> plausible_phases(const std::vector<Phase<dim>> &phases);

@@ -159,6 +159,9 @@ LoadHistory bind_history(Keys &keys,
                keys.path("Expression") + " gives the load at all times",
                "leave " + keys.path("Expression") + " empty");
   keys.only_with("Ramp", {"linear", "smooth"}, {"Ramp time"});
+  keys.require(ramp == Ramp::step || time > 0., "Ramp time",
+               "it is 0, so that the " + what +
+                 " acts at once; give it in s, or set Ramp = step");
   if (expression.empty())
     return {amplitude, ramp, time};
   try

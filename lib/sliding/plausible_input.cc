@@ -9,8 +9,6 @@ namespace mesoslip
 {
 namespace
 {
-// Strains: below the smallest a pressure is a slip, above the largest a solid yields.
-constexpr double smallest_strain = 1e-9, largest_strain = 1e-2;
 // Of the wave speed: 250 m/s in the paper's pin.
 constexpr double fastest = 0.05;
 // Crossings of the body by a wave: 3 ms in a pin of 16 mm are a thousand.
@@ -186,6 +184,11 @@ private:
     for (unsigned int c = 0; c < scales.dim; ++c)
       ranges.push_back(speed(std::string("Body/Initial velocity along ") + "xyz"[c],
                              std::fabs(initial[c])));
+    const SlipLawParameters &law = parameters.friction.slip_law;
+    if (law.kind == SlipLawParameters::Kind::static_and_kinetic ||
+        law.kind == SlipLawParameters::Kind::stribeck)
+      ranges.push_back(
+        speed("Friction/Critical velocity", law.stribeck.critical_velocity));
     return ranges;
   }
 
@@ -221,6 +224,7 @@ private:
       plausible_friction("the largest friction coefficient, of Friction/Coefficient law "
                          "at the speed of the flat,",
                          largest_coefficient_of_law()),
+      weakening_slip(),
       within_run("Friction/Normal stress time", parameters.contact.law.normal_stress.time,
                  longest, useless),
       at_most(
@@ -230,11 +234,29 @@ private:
           " at most before Time/End time: it never touches the flat; lengths are in m")};
   }
 
+  /** Of a law that weakens with the slip: no body slips farther than the flat moves. */
+  PlausibleRange weakening_slip() const
+  {
+    const SlipLawParameters &law = parameters.friction.slip_law;
+    const bool by_state          = law.kind == SlipLawParameters::Kind::rate_and_state;
+    const double way             = flat_speed * end;
+    return at_most(by_state ? "Friction/Rate and state/Length" : "Friction/Critical slip",
+                   by_state                  ? law.state.length
+                   : law.is_slip_weakening() ? law.weakening.critical_slip
+                                             : automatic,
+                   "m", way > 0. ? way : PlausibleRange().highest,
+                   "more than the flat moves in " + run_text + ", " +
+                     quantity_text(way, "m") +
+                     ", so that friction hardly changes; lengths are in m");
+  }
+
   /** NaN without a law. */
   double largest_coefficient_of_law() const
   {
-    const FrictionLaw &law = parameters.contact.law;
-    return law.slip_law && parameters.friction.has_constant_coefficient()
+    const FrictionLaw &law             = parameters.contact.law;
+    const FrictionParameters &friction = parameters.friction;
+    return law.slip_law &&
+               !(friction.coefficient_by_phase && friction.slip_law.has_reference())
              ? law.slip_law->largest(flat_speed)
              : automatic;
   }
@@ -307,21 +329,6 @@ private:
   const double flat_speed; ///< largest (m/s)
 };
 } // namespace
-
-PlausibleRange
-plausible_pressure(const std::string &key, const double pressure, const double stiffness)
-{
-  const double strain = pressure / stiffness;
-  return {key,
-          pressure,
-          "Pa",
-          pressure > 0. ? smallest_strain * stiffness : 0.,
-          "which strains the body by " + quantity_text(strain, "") +
-            " only; is it in MPa? Pressures are in Pa",
-          largest_strain * stiffness,
-          "which strains the body by " + percent(strain) +
-            ", beyond small strains; pressures are in Pa"};
-}
 
 std::string crossing_text(const ContactParameters &parameters, const BodyScales &scales)
 {

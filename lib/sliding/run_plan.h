@@ -111,10 +111,6 @@ std::string damping_warning(const ContactParameters &parameters,
                             const BodyScales &scales,
                             const std::string &shortened);
 
-/** Of a pressure on a body of that stiffness (Pa): strains of 1e-9 to 0.01; 0 is plausible. */
-PlausibleRange
-plausible_pressure(const std::string &key, const double pressure, const double stiffness);
-
 /** "A wave takes 0.008 ms from the flat to the top, the run 1 ms". */
 std::string crossing_text(const ContactParameters &parameters, const BodyScales &scales);
 

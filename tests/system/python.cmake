@@ -71,6 +71,7 @@ foreach(name chains/chain_validation chains/package chains/python_runs pages/gui
   set_property(TEST system/${name} APPEND PROPERTY LABELS slow)
 endforeach()
 mesoslip_long_test(system/sliding/resume 2 --long)
+mesoslip_long_test(verification/contact/random_static_contact 1 500)
 # Meshes in 3D whose static contact takes most of a minute.
 set_property(TEST verification/contact/hertz_sphere verification/contact/incremental_sphere APPEND PROPERTY LABELS long)
 if(MESOSLIP_DOXYGEN)

@@ -276,7 +276,10 @@ def check_memory(folder):
 
 
 def check_refused(folder):
-    """What is found in a part of a file that another rank than the first reads stops all."""
+    """What is found in a part of a file that another rank than the first reads stops all; and a key of plane volumes."""
+    folder.write("plane.prm", prm({"Input/RVE file": "rve-grid", "Input/Homogeneous run": "homogeneous", "Localization/Out-of-plane ratio": 0}))
+    said = folder.run(2, "stress_localization", "plane.prm", "--output", "refused")
+    assert "Localization/Out-of-plane ratio has no effect" in said, said
     for name, dataset, value, words in (("rve-grid", "phase/id", 7, "/phase/id"), ("rve-grid", "concentration/KUBC", np.nan, "concentration/KUBC"),
                                         ("homogeneous", "snapshots/displacement", np.nan, "snapshots/displacement")):
         path = folder(name, "rve.h5" if name.startswith("rve") else "dynamics.h5")

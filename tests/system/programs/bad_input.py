@@ -170,6 +170,7 @@ UNUSED = [
      ["Stiffness from", "Body/Material = homogeneous"]),
     ("contact_dynamics", CONTACT, ["Time/Time step=1e-9", "Time/Safety factor=0.5"], ["Safety factor", "Time/Time step = auto"]),
     ("contact_dynamics", CONTACT, ["Top/Expression=5e6", "Top/Ramp=linear"], ["Top/Ramp", "leave Top/Expression empty"]),
+    ("contact_dynamics", CONTACT, ["Flat/Ramp=smooth"], ["Flat/Ramp time", "it is 0, so that the velocity acts at once", "Ramp = step"]),
     ("contact_dynamics", CONTACT, ["Flat/Ramp time=1e-7"], ["Flat/Ramp time", "Flat/Ramp = linear or smooth"]),
     ("contact_dynamics", CONTACT, ["Top/Lateral held=true"], ["Top/Lateral held", "Top/Kind = pressure"]),
     ("contact_dynamics", CONTACT, ["Top/Kind=pressure", "Top/Platen mass=1"], ["Top/Platen mass", "Top/Kind = platen"]),
@@ -194,6 +195,12 @@ UNUSED = [
 UNDAMPED = "Time/Rayleigh beta=0"
 DARK = ["Microstructure/File=dark.txt", "Microstructure/Image values=0, 1"]
 ASKED = [
+    ("contact_dynamics", CONTACT, ["Friction/Coefficient law=expression", "Friction/Coefficient expression=30"],
+     ["the largest friction coefficient, of Friction/Coefficient law at the speed of the flat, is 30", "per cent"]),
+    ("contact_dynamics", CONTACT, ["Friction/Coefficient law=Stribeck", "Friction/Critical velocity=5000"], ["Friction/Critical velocity is 5000 m/s", "mm/s"]),
+    ("contact_dynamics", CONTACT, ["Friction/Coefficient law=linear slip weakening", "Friction/Critical slip=0.01"],
+     ["Friction/Critical slip is 0.01 m", "more than the flat moves in the whole run (1e-06 s), 2e-06 m", "lengths are in m"]),
+    ("contact_dynamics", CONTACT, ["Friction/Coefficient law=rate and state", "Friction/Rate and state/Length=1"], ["Friction/Rate and state/Length is 1 m"]),
     ("rve_homogenization", IMAGE, DARK, ["phase 'fibre'", "fills no cell"]),
     ("rve_homogenization", RVE, ["Phases/matrix/Young modulus=30", "Phases/fibre/Young modulus=120"],
      ["phase 'matrix'", "less than soft rubber", "in Pa"]),
