@@ -198,7 +198,7 @@ std::vector<BoundaryFace<dim>> boundary_faces(const Mesh<dim> &mesh)
       result.push_back(face);
     else if (pieces.find_set(one.cell) != pieces.find_set(other.cell))
       {
-        pieces.link(one.cell, other.cell);
+        pieces.union_set(one.cell, other.cell);
         --n_pieces;
       }
   });
