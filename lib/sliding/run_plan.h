@@ -103,7 +103,7 @@ double largest_number_of_steps(const ContactParameters &parameters,
                                const UniformMaterial &material);
 
 /**
- * "Time/Rayleigh beta = ... makes <shortened> 20 times shorter than without damping; is
+ * "Time/Rayleigh beta = ... makes (@p shortened) 20 times shorter than without damping; is
  * it in s?" where the critical time step of a single cell would be more than ten times
  * longer without it; otherwise empty.
  */

@@ -140,7 +140,8 @@ TEST(Multigrid, IsSymmetricAndPositive)
             }
         }
   EXPECT_GT(ax, 0.);
-  EXPECT_NEAR(ay, bx, 1e-5 * ax);
+  // Rounding: ten seeds gave differences of both signs up to 2.7e-5.
+  EXPECT_NEAR(ay, bx, 1e-4 * ax);
 }
 
 namespace
