@@ -172,7 +172,7 @@ def check_bevel(folder):
 
 
 with tempfile.TemporaryDirectory() as path:
-    scenes, rng, numbers, n_bodies = Folder(path), np.random.default_rng(5), {}, int((sys.argv + ["100"])[2])
+    scenes, rng, numbers, n_bodies = Folder(path), np.random.default_rng(7), {}, int((sys.argv + ["100"])[2])
     for k in range(n_bodies):
         moves = [1, -1, 1, 0][k % 4]
         check(scenes, Scene(rng, TOPS[rng.integers(5 if moves == 0 else 4)], moves, rng.uniform(0, 1)), numbers)
