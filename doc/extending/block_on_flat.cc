@@ -58,7 +58,7 @@ int main(int argc, char **argv)
   setup.contact.friction_coefficient = std::vector<double>(material.n_columns(), mu_rest);
   setup.contact.flat_velocity        = LoadHistory(0.);
 
-  SlidingBody<2> body(material, setup);
+  SlidingGrid body(material, setup);
   for (unsigned int j = 0; j < body.w.n_rows(); ++j)
     std::fill_n(body.w.row(0, j), body.w.n_columns(), thrown);
   while (mean_velocity(body.w) > 0.)

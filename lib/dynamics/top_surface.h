@@ -37,6 +37,19 @@ struct TopSetup
   /** Mass of the platen per unit thickness (kg/m). */
   double platen_mass = 0.;
 
+  /** Whether it keeps the body from moving along the flat from the start, so that it takes the
+   * friction. */
+  bool holds_tangentially() const
+  {
+    return kind != Kind::pressure || lateral_held;
+  }
+
+  /** Whether it keeps the body from moving along the normal from the start. */
+  bool holds_normally() const
+  {
+    return kind == Kind::held;
+  }
+
   /** From this time (s) on the top stays where it is. */
   double hold_from = std::numeric_limits<double>::infinity();
 

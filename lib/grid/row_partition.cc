@@ -162,19 +162,4 @@ gather_rows(const NodalField<double> &field, const NodeRows &rows, MPI_Comm comm
     }
   return whole;
 }
-
-NodalField<double> own_rows(const NodalField<double> &field, const NodeRows &rows)
-{
-  const unsigned int n = rows.end - rows.begin;
-  NodalField<double> own(field.n_columns(), n, field.n_components());
-  copy_rows(field, rows.local(rows.begin), own, 0, n);
-  return own;
-}
-
-NodalField<double> with_ghost_rows(const NodalField<double> &own, const NodeRows &rows)
-{
-  NodalField<double> field(own.n_columns(), rows.n_local(), own.n_components());
-  copy_rows(own, 0, field, rows.local(rows.begin), own.n_rows());
-  return field;
-}
 } // namespace mesoslip

@@ -5,6 +5,7 @@
 #include "grid/nodal_field.h"
 
 #include <mpi.h>
+#include <stdexcept>
 
 namespace mesoslip
 {
@@ -117,23 +118,23 @@ void update_ghost_rows(NodalField<double> &field,
 NodalField<double>
 gather_rows(const NodalField<double> &field, const NodeRows &rows, MPI_Comm communicator);
 
-/** A field without its ghost rows, or with empty ones. */
-NodalField<double> own_rows(const NodalField<double> &field, const NodeRows &rows);
-
-/** The field with empty ghost rows around its own. */
-NodalField<double> with_ghost_rows(const NodalField<double> &own, const NodeRows &rows);
-
 /**
- * Saves or restores the own rows of @p field (Boost.Serialization): how many ghost rows a
- * run has depends on the steps at once, and changes no result.
+ * Saves or restores the own rows of @p field in their place (Boost.Serialization); all else is
+ * zero then. How many ghost rows a run has depends on the steps at once, and changes no result.
+ * @throws std::length_error when a field of other extents was saved
  */
 template <class Archive>
 void serialize_own_rows(Archive &archive, NodalField<double> &field, const NodeRows &rows)
 {
-  NodalField<double> own = own_rows(field, rows);
-  archive &own;
   if (Archive::is_loading::value)
-    field = with_ghost_rows(own, rows);
+    field.set_zero();
+  const std::size_t size = (rows.end - rows.begin) * field.stride();
+  std::size_t saved      = size;
+  archive &saved;
+  if (saved != size)
+    throw std::length_error("a field of other extents was saved");
+  // Rows begin with the column on the left.
+  serialize_array(archive, field.row(0, rows.local(rows.begin)) - lanes<double>, size);
 }
 } // namespace mesoslip
 

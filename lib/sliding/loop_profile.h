@@ -33,15 +33,16 @@ protected:
 };
 
 /** A boundary condition. */
-struct TimedSurface : Timed<SurfaceCondition<2>>
+template <int dim>
+struct TimedSurface : Timed<SurfaceCondition<dim>>
 {
-  using Timed::Timed;
+  using Timed<SurfaceCondition<dim>>::Timed;
 
   /** One step of the boundary. */
-  void advance(const SurfaceView<2> &surface) override
+  void advance(const SurfaceView<dim> &surface) override
   {
-    const auto scope = timer.scope(name);
-    part.advance(surface);
+    const auto scope = this->timer.scope(this->name);
+    this->part.advance(surface);
   }
 };
 

@@ -310,21 +310,25 @@ std::string inverted_cell_text(const Deformation &found, const PlaceText &place)
 void report_runaway(const Runaway &found,
                     const std::uint64_t n,
                     const TimeStepChoice &time,
-                    const ContactParameters &parameters)
+                    const ContactParameters &parameters,
+                    const bool has_rows)
 {
+  const std::string joule = parameters.mesh.mesh.dim == 2 ? " J/m" : " J";
   require_finite(parameters.contact.flat_velocity, "Flat/Expression", time.step.dt, n);
   require_finite(parameters.top.pressure, "Top/Expression", time.step.dt, n);
   throw NumericalFailure(
     brief_text(
       3, "the run blew up: its energy is ",
-      std::isnan(found.energy) ? "not a number," : brief_text(3, found.energy, " J/m"),
-      " where at most ", found.put_in,
-      " J/m were put in; likely cause: ", undefined_friction(parameters, found.energy),
+      std::isnan(found.energy) ? "not a number," : brief_text(3, found.energy, joule),
+      " where at most ", found.put_in, joule,
+      " were put in; likely cause: ", undefined_friction(parameters, found.energy),
       likely_instability(found.energy, time), "; found"),
     n, n * time.step.dt,
-    brief_text(3, "node (", found.column, ", ", found.row, ") with u_",
-               "xy"[found.component], " = ", found.displacement, " m and a velocity of ",
-               found.velocity, " m/s"));
+    brief_text(3,
+               has_rows ? brief_text(3, "node (", found.column, ", ", found.row, ")")
+                        : "a node",
+               " with u_", "xyz"[found.component], " = ", found.displacement,
+               " m and a velocity of ", found.velocity, " m/s"));
 }
 
 void require_upright_cells(const Deformation &found,

@@ -36,12 +36,6 @@ struct LoadRange
 /** The range of @p load from 0 to @p end (s). */
 LoadRange load_range(const LoadHistory &load, const double end);
 
-/** Whether the top takes tangential forces; otherwise they are those of the contact. */
-inline bool transmits_tangential_force(const TopSetup &top)
-{
-  return top.kind != TopSetup::Kind::pressure || top.lateral_held;
-}
-
 /** Place of a cell for a sentence: "cell 12 around (1, 2) mm". */
 using PlaceText = std::function<std::string(const CellExtreme &)>;
 
@@ -144,13 +138,14 @@ std::string likely_cause(const ContactParameters &parameters, const BodyScales &
 std::string undefined_friction(const ContactParameters &parameters, const double energy);
 
 /**
- * Ends a run that has gone wrong before step @p n.
+ * Ends a run that has gone wrong before step @p n. Nodes have numbers where the body @p has_rows.
  * @throws NumericalFailure with energy, likely cause, step, time and node.
  */
 [[noreturn]] void report_runaway(const Runaway &found,
                                  const std::uint64_t n,
                                  const TimeStepChoice &time,
-                                 const ContactParameters &parameters);
+                                 const ContactParameters &parameters,
+                                 const bool has_rows);
 
 /**
  * Ends a run in which a cell is inside out before step @p n.

@@ -1,15 +1,24 @@
 #include "sliding/sliding_body.h"
 
+#include "base/exchange.h"
+
 #include <deal.II/base/exceptions.h>
+
+#include <algorithm>
+#include <numeric>
 
 namespace mesoslip
 {
 namespace
 {
-SlidingSetup completed(SlidingSetup setup, const UniformMaterial &material)
+SlidingSetup
+completed(SlidingSetup setup, const UniformMaterial &material, const bool has_contact)
 {
   setup.contact.periodic = setup.top.periodic = setup.periodic;
   setup.top.cell_width                        = material.grid().spacing[0];
+  // With periodic sides the last node is the first one again.
+  setup.contact_places.resize(has_contact ? material.n_columns() - setup.periodic : 0);
+  std::iota(setup.contact_places.begin(), setup.contact_places.end(), 0U);
   AssertDimension(setup.contact.friction_coefficient.size(), material.n_columns());
   if (setup.contact.law.slip_law && setup.contact.law.slip_law->looks_around())
     for (unsigned int i = 0; i < material.n_columns(); ++i)
@@ -22,8 +31,9 @@ SlidingSetup completed(SlidingSetup setup, const UniformMaterial &material)
 } // namespace
 
 template <int dim>
-SlidingSurfaces<dim>::SlidingSurfaces(const SlidingSetup &setup,
-                                      const unsigned int n_top_nodes)
+SlidingBody<dim>::SlidingBody(const SlidingSetup &setup,
+                              const unsigned int n_top_nodes,
+                              Timer *timer)
   : setup(setup)
   , contact(setup.contact, setup.step)
   , top(setup.top, setup.step, n_top_nodes, setup.ranks)
@@ -32,6 +42,7 @@ SlidingSurfaces<dim>::SlidingSurfaces(const SlidingSetup &setup,
   , node_statistics(setup.steps_per_block, setup.node_loads ? &node_loads : nullptr)
   , contact_map(setup.contact_map, contact, node_loads)
   , top_recorder(setup.history_interval)
+  , profile(timer)
 {
   if (setup.node_loads)
     contact.observe(node_loads);
@@ -43,7 +54,7 @@ SlidingSurfaces<dim>::SlidingSurfaces(const SlidingSetup &setup,
 }
 
 template <int dim>
-BoundaryWork SlidingSurfaces<dim>::boundary_work() const
+BoundaryWork SlidingBody<dim>::boundary_work() const
 {
   BoundaryWork work = contact.work();
   work.external     = top.work() + work.external;
@@ -51,7 +62,7 @@ BoundaryWork SlidingSurfaces<dim>::boundary_work() const
 }
 
 template <int dim>
-std::vector<NodeCounts> SlidingSurfaces<dim>::contact_states(const std::size_t n_nodes)
+std::vector<NodeCounts> SlidingBody<dim>::contact_states(const std::size_t n_nodes)
 {
   node_statistics.finish(contact);
   return setup.ranks == MPI_COMM_SELF
@@ -61,12 +72,22 @@ std::vector<NodeCounts> SlidingSurfaces<dim>::contact_states(const std::size_t n
 }
 
 template <int dim>
-SlidingBody<dim>::SlidingBody(const UniformMaterial &material,
-                              const SlidingSetup &given,
-                              const MPI_Comm communicator,
-                              SurfaceCondition<dim> *bottom,
-                              Timer *timer)
-  : SlidingSurfaces<dim>(completed(given, material), material.n_columns())
+void SlidingBody<dim>::watch_energy()
+{
+  if (setup.energy_interval > 0)
+    energy = std::make_unique<EnergyAudit>(time_integration(), setup.top.platen_mass,
+                                           setup.energy_interval,
+                                           [this]() { return boundary_work(); });
+}
+
+SlidingGrid::SlidingGrid(const UniformMaterial &material,
+                         const SlidingSetup &given,
+                         const MPI_Comm communicator,
+                         SurfaceCondition<2> *bottom,
+                         Timer *timer)
+  : SlidingBody<2>(completed(given, material, mpi::this_mpi_process(communicator) == 0),
+                   material.n_columns(),
+                   timer)
   , material(material)
   , communicator(communicator)
   , rows(
@@ -74,12 +95,11 @@ SlidingBody<dim>::SlidingBody(const UniformMaterial &material,
   , u(material.n_columns(), rows.n_local())
   , w(material.n_columns(), rows.n_local())
   , halo(material.n_columns(), rows.ghosts, communicator)
-  , profile(timer)
   , stepper({material, given.step, u, w,
              bottom != nullptr
                ? bottom
-               : profile.timed<TimedSurface>(this->contact, "Contact and its histories"),
-             profile.timed<TimedSurface>(this->top, "Top and its histories"), rows,
+               : profile.timed<TimedSurface<2>>(contact, "Contact and its histories"),
+             profile.timed<TimedSurface<2>>(top, "Top and its histories"), rows,
              rows.end - rows.begin < rows.n_global
                ? profile.timed<TimedHalo>(halo, "Exchange between ranks")
                : nullptr,
@@ -87,13 +107,48 @@ SlidingBody<dim>::SlidingBody(const UniformMaterial &material,
             given.sides,
             given.sweep)
 {
-  if (given.energy_interval > 0)
-    energy =
-      std::make_unique<EnergyAudit>(stepper, given.top.platen_mass, given.energy_interval,
-                                    [this]() { return this->boundary_work(); });
+  watch_energy();
 }
 
-template class SlidingSurfaces<2>;
-template class SlidingSurfaces<3>;
+void SlidingGrid::set_initial_velocity(const std::array<double, 3> &v)
+{
+  const unsigned int n = w.n_columns(), last = rows.n_global - 1;
+  const double back                      = -setup.step.beta2 * setup.step.dt;
+  const std::array<double, 3> &of_weight = setup.step.acceleration;
+  const std::array<bool, 2> &left        = setup.sides.left_held,
+                            &right       = setup.sides.right_held;
+  for (unsigned int c = 0; c < 2; ++c)
+    for (unsigned int j = 0; j < rows.n_local(); ++j)
+      std::fill_n(w.row(c, j), n, v[c] + back * of_weight[c]);
+  for (unsigned int i = 0; rows.begin == 0 && i < n; ++i)
+    if (contact.rests(i, of_weight[1]))
+      w.row(1, rows.local(0))[i] = v[1];
+  if (rows.end == rows.n_global)
+    {
+      std::vector<double> mass(n);
+      stepper.mass_row(last, mass.data());
+      if (left[1])
+        mass.front() = 0.;
+      if (right[1])
+        mass.back() = 0.;
+      const std::vector<double> a = top.start_acceleration(mass);
+      for (unsigned int i = 0; i < n; ++i)
+        w.row(1, rows.local(last))[i] = v[1] + back * a[i];
+    }
+  for (unsigned int c = 0; c < 2; ++c)
+    for (unsigned int j = 0; j < rows.n_local(); ++j)
+      {
+        if (left[c])
+          w.row(c, j)[0] = 0.;
+        if (right[c])
+          w.row(c, j)[n - 1] = 0.;
+      }
+  // What the top holds does not move from the start.
+  for (unsigned int c = 0; c < 2 && rows.end == rows.n_global; ++c)
+    if (c == 0 ? setup.top.holds_tangentially() : setup.top.holds_normally())
+      std::fill_n(w.row(c, rows.local(last)), n, 0.);
+}
+
 template class SlidingBody<2>;
+template class SlidingBody<3>;
 } // namespace mesoslip

@@ -35,7 +35,7 @@ struct SlidingSetup
   /** Which share contact and top, each observing its own nodes; on a grid one has all. */
   MPI_Comm ranks = MPI_COMM_SELF;
 
-  /** Numbers in the whole contact of the nodes that this rank owns; not used on a grid. */
+  /** Numbers in the whole contact of the nodes that this rank owns. */
   std::vector<unsigned int> contact_places;
 
   /** Steps in a block of the node statistics; 0: one block for the whole run. */
@@ -50,16 +50,22 @@ struct SlidingSetup
   unsigned int energy_interval = 0;
 };
 
-/** The two loaded surfaces of a body on the flat, and their histories. */
+/**
+ * A body on the moving flat, with load, histories and energies: everything of a run but
+ * files, signals and checkpoints. What it is made of, and how its fields are advanced, is
+ * for derived classes to say.
+ */
 template <int dim>
-class SlidingSurfaces
+class SlidingBody
 {
 public:
-  /** For a top of @p n_top_nodes nodes. */
-  SlidingSurfaces(const SlidingSetup &setup, const unsigned int n_top_nodes);
+  virtual ~SlidingBody() = default;
 
-  SlidingSurfaces(const SlidingSurfaces &)            = delete; ///< observed in place
-  SlidingSurfaces &operator=(const SlidingSurfaces &) = delete; ///< see the constructor
+  SlidingBody(const SlidingBody &)            = delete; ///< observed in place
+  SlidingBody &operator=(const SlidingBody &) = delete; ///< see the constructor
+
+  /** What advances displacement and velocity. */
+  virtual Stepper &time_integration() = 0;
 
   /** Work done on and dissipated at contact and top since the start, of this rank. */
   BoundaryWork boundary_work() const;
@@ -67,13 +73,22 @@ public:
   /** States of all @p n_nodes nodes of the contact, on rank 0. Collective. */
   std::vector<NodeCounts> contact_states(const std::size_t n_nodes);
 
-  /** State between two steps (Boost.Serialization). */
+  /** State between two steps (Boost.Serialization), for the same ranks: own rows, surfaces
+   * and energies. */
   template <class Archive>
-  void serialize_surfaces(Archive &archive)
+  void serialize(Archive &archive, const unsigned int)
   {
+    Stepper &stepper = time_integration();
+    std::uint64_t n  = stepper.step_number();
+    archive &n;
+    serialize_own_rows(archive, stepper.u, stepper.rows);
+    serialize_own_rows(archive, stepper.w, stepper.rows);
+    stepper.set_step_number(n);
     archive &contact &contact_recorder &node_statistics &top &top_recorder;
     if (setup.node_loads)
       archive &node_loads;
+    if (energy)
+      archive &*energy;
   }
 
   const SlidingSetup setup;              ///< completed: widths, periodicity
@@ -84,50 +99,51 @@ public:
   NodeStatistics<dim> node_statistics;   ///< states of the contact nodes
   ContactMapSampler<dim> contact_map;    ///< samples of all of them
   TopRecorder top_recorder;              ///< histories of the top
+  LoopProfile profile;                   ///< clocks around the parts of a step
+  std::unique_ptr<EnergyAudit> energy;   ///< null without an energy interval
+
+protected:
+  /** At rest at u = 0, for a top of @p n_top_nodes nodes. A @p timer, which may be null, gets the
+   * times of the parts of a step. */
+  SlidingBody(const SlidingSetup &setup, const unsigned int n_top_nodes, Timer *timer);
+
+  /** To be called once time_integration() is there: observes the energies. */
+  void watch_energy();
 };
 
 /**
- * A body on the moving flat, with load, histories and energies: everything of a run but
- * files, signals and checkpoints. Each rank holds a slab of rows; the contact is on rank
- * 0, the top on the last one. The grid has rows, so there is an instance for dim = 2.
+ * On a plane grid. Each rank holds a slab of rows; the contact is on rank 0, the top on the
+ * last one.
  */
-template <int dim>
-class SlidingBody : public SlidingSurfaces<dim>
+class SlidingGrid : public SlidingBody<2>
 {
 public:
   /**
    * At rest at u = 0. @p material must outlive the body. @p bottom takes the place of the
    * contact; a @p timer gets the times of the parts of a step.
    */
-  SlidingBody(const UniformMaterial &material,
+  SlidingGrid(const UniformMaterial &material,
               const SlidingSetup &given,
-              const MPI_Comm communicator   = MPI_COMM_SELF,
-              SurfaceCondition<dim> *bottom = nullptr,
-              Timer *timer                  = nullptr);
+              const MPI_Comm communicator = MPI_COMM_SELF,
+              SurfaceCondition<2> *bottom = nullptr,
+              Timer *timer                = nullptr);
 
-  /** State between two steps (Boost.Serialization): own rows and boundaries. */
-  template <class Archive>
-  void serialize(Archive &archive, const unsigned int)
+  Stepper &time_integration() override
   {
-    std::uint64_t n = stepper.step_number();
-    archive &n;
-    serialize_own_rows(archive, u, rows);
-    serialize_own_rows(archive, w, rows);
-    this->serialize_surfaces(archive);
-    stepper.set_step_number(n);
-    if (energy)
-      archive &*energy;
+    return stepper;
   }
 
-  const UniformMaterial &material;     ///< of all cells
-  const MPI_Comm communicator;         ///< of the ranks that share the body
-  const NodeRows rows;                 ///< node rows of this rank, and ghost rows
-  NodalField<double> u;                ///< displacement (m), own and ghost rows
-  NodalField<double> w;                ///< velocity of the scheme (m/s)
-  MPIHalo halo;                        ///< exchange with the ranks above and below
-  LoopProfile profile;                 ///< clocks around the parts of a step
-  ExplicitStepper stepper;             ///< the time integration
-  std::unique_ptr<EnergyAudit> energy; ///< null without an energy interval
+  /** The velocities of the scheme, of beta2 dt before the start (see ExplicitStepper), of a
+   * body that starts with @p velocity (m/s); zero where it is held. */
+  void set_initial_velocity(const std::array<double, 3> &velocity);
+
+  const UniformMaterial &material; ///< of all cells
+  const MPI_Comm communicator;     ///< of the ranks that share the body
+  const NodeRows rows;             ///< node rows of this rank, and ghost rows
+  NodalField<double> u;            ///< displacement (m), own and ghost rows
+  NodalField<double> w;            ///< velocity of the scheme (m/s)
+  MPIHalo halo;                    ///< exchange with the ranks above and below
+  ExplicitStepper stepper;         ///< the time integration
 };
 } // namespace mesoslip
 

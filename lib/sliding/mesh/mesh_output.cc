@@ -2,15 +2,10 @@
 
 #include "base/exchange.h"
 #include "exchange/datasets.h"
+#include "program/run_context.h"
 #include "sliding/mesh/mesh_file.h"
 #include "sliding/transient/result_file.h"
-#include "sliding/transient/run_needs.h"
 
-#include <deal.II/base/mpi.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace mesoslip
 {
@@ -26,12 +21,10 @@ MeshOutput<dim>::MeshOutput(RunContext &context,
                             const MeshBodyDescription &body,
                             const TimeStepChoice &time,
                             const MeshPart<dim> &part)
-  : context(context)
+  : RunOutput<dim>(context, parameters, time)
   , morphology(morphology)
   , body(body)
-  , time(time)
   , part(part)
-  , steps(snapshot_steps(parameters, time))
 {
 }
 
@@ -98,13 +91,6 @@ Shape MeshOutput<dim>::snapshots_shape(const std::size_t n) const
 }
 
 template <int dim>
-std::uint64_t MeshOutput<dim>::next_step(const std::uint64_t n) const
-{
-  const auto next = std::lower_bound(steps.begin(), steps.end(), n);
-  return next == steps.end() ? std::numeric_limits<std::uint64_t>::max() : *next;
-}
-
-template <int dim>
 void MeshOutput<dim>::before_step(const std::uint64_t)
 {
   std::array<const double *, dim> u;
@@ -122,7 +108,10 @@ void MeshOutput<dim>::sync()
   else if (!map_rows.empty())
     map_rows.begin()->second->sync();
   else
-    on_root(context.communicator(), [&]() { file->sync(); });
+    on_root(context.communicator(), [&]() {
+      if (file)
+        file->sync();
+    });
 }
 
 template <int dim>
@@ -145,9 +134,7 @@ void MeshOutput<dim>::write(const TransientResult &result,
     map->complete(*file, result.steps_done, time.step.dt);
   write_result(*file, result, context);
   write_contact();
-  std::vector<double> times;
-  for (std::size_t k = 0; k < n_written; ++k)
-    times.push_back(static_cast<double>(steps[k]) * time.step.dt);
+  const std::vector<double> times = this->snapshot_times();
   if (has_snapshots())
     {
       file->reserve_rows(mesh_snapshots, snapshots_shape(n_written));

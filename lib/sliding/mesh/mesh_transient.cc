@@ -2,20 +2,22 @@
 
 #include "base/errors.h"
 #include "base/exchange.h"
-#include "base/version.h"
 #include "dynamics/critical_time_step.h"
 #include "io/drafts.h"
 #include "parameters/keys.h"
 #include "parameters/parameters.h"
+#include "program/run_context.h"
 #include "sliding/mesh/mesh_analysis.h"
 #include "sliding/mesh/mesh_file.h"
-#include "sliding/mesh/mesh_run.h"
+#include "sliding/mesh/mesh_output.h"
 #include "sliding/transient/run_draft.h"
 #include "sliding/transient/run_needs.h"
+#include "sliding/transient/transient_run.h"
 
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <numeric>
 #include <ostream>
 
 namespace mesoslip
@@ -37,23 +39,44 @@ void require_contact_area(const MeshBodyDescription &body)
                   "that look away from the flat out of the contact, or both keys");
 }
 
+BodySize body_size(const MeshBodyDescription &body,
+                   const BodyScales &scales,
+                   const unsigned int dim)
+{
+  BodySize size;
+  size.dim             = dim;
+  size.top_area        = std::accumulate(body.top.area.begin(), body.top.area.end(), 0.);
+  size.n_cells         = body.n_cells;
+  size.crossing        = scales.crossing();
+  size.friction        = body.friction;
+  size.n_contact_nodes = body.contact.points.size();
+  for (const double area : body.contact.area)
+    size.area.push_back(-area);
+  size.reference = body.reference;
+  return size;
+}
+
+template <int dim>
+std::string place_of_cell(const CellExtreme &cell)
+{
+  std::string text = "cell " + std::to_string(cell.cell) + " around ";
+  for (unsigned int d = 0; d < dim; ++d)
+    text += std::string(d > 0 ? ", " : "") + "xyz"[d] + " = " +
+            quantity_text(1e3 * cell.middle[d], "mm");
+  return text;
+}
+
 template <int dim>
 class MeshTransient : public MeshAnalysis<dim>
 {
 public:
   MeshTransient(const ContactParameters &given, const Keys &keys)
     : MeshAnalysis<dim>(given)
-    , identity(
-        canonical_parameters(keys,
-                             {"Output folder", "Time/End time", "Observation/Steady from",
-                              "Checkpoints/", "Performance/", "Modal/", "Static contact/",
-                              "Friction homogenization/"}) +
-        "Performance/Instruction set = " +
-        to_string(resolve(this->parameters.sweep.isa)) +
-        "\nContent of Mesh/File = " + this->body.digest +
-        "\nContent of Body/RVE file = " + this->parameters.mesh.rve_content +
-        "\nCoefficient law = " + this->parameters.friction.slip_law.text() +
-        "\nProgram version = " + version + "\n")
+    , identity(run_identity(
+        keys,
+        this->parameters,
+        "Content of Mesh/File = " + this->body.digest +
+          "\nContent of Body/RVE file = " + this->parameters.mesh.rve_content + "\n"))
     , distributed(distribute_body(this->morphology,
                                   this->body.contact.points,
                                   this->body.probes,
@@ -150,7 +173,7 @@ private:
     return implausible_run(this->parameters, scales, static_cast<double>(time.n_steps));
   }
 
-  const std::string identity; ///< lines "key = value"
+  const std::string identity; ///< see run_identity()
   const std::unique_ptr<DistributedBody<dim>> distributed;
   BodyScales scales;
   TimeStepChoice time;
@@ -171,27 +194,24 @@ void MeshTransient<dim>::run(RunContext &context)
   for (const std::string &warning : warnings())
     context.warn(warning);
 
-  MeshOutput<dim> output(context, this->parameters, this->morphology, this->body, time,
+  const MeshBodyDescription &body = this->body;
+  const BodySize size             = body_size(body, scales, dim);
+  SlidingMesh<dim> sliding(*distributed, body.contact, body.top, body.held,
+                           run_setup(this->parameters, size, time),
+                           context.options().profile ? &context.timer() : nullptr);
+  sliding.set_initial_velocity(this->parameters.body.initial_velocity, body.held,
+                               body.top);
+  MeshProbes<dim> probes(
+    body.probes, distributed->part(), this->phases, sliding.stepper,
+    {sliding.contact, sliding.contact_nodes, body.contact.points, body.contact.area},
+    this->parameters.observation.probe_interval);
+  MeshOutput<dim> output(context, this->parameters, this->morphology, body, time,
                          distributed->part());
-  MeshRun<dim> run(this->parameters, this->body, scales, time, *distributed, this->phases,
-                   checkpoint, output, context);
-  if (found == TransientCheckpoint::Found::state)
-    run.restore();
-  TransientResult result = run.run();
-  output.end();
-  on_root(context.communicator(), [&]() {
-    result.evaluate();
-    output.write(result, run.contact_map());
-    this->summarize_body("transient", context);
-    result.write_summary(context);
-  });
-  if (result.interrupted)
-    throw Interrupted("stopped on request after step " +
-                      std::to_string(result.steps_done) +
-                      "; what was observed so far is in " + context.output_folder() +
-                      ", and the same command with --resume goes on from there");
-  context.write_summary();
-  checkpoint.complete(run.position());
+  TransientRun<dim> run({this->parameters, time, scales, size, place_of_cell<dim>,
+                         sliding, body.probes.empty() ? nullptr : &probes, output,
+                         checkpoint, context});
+  run.carry_out(found == TransientCheckpoint::Found::state,
+                [&]() { this->summarize_body("transient", context); });
 }
 } // namespace
 

@@ -118,14 +118,16 @@ SlidingMesh<dim>::SlidingMesh(const DistributedBody<dim> &body,
                               const MeshBoundary &contact,
                               const MeshBoundary &top,
                               const std::vector<HeldComponent> &held,
-                              const SlidingSetup &setup)
+                              const SlidingSetup &setup,
+                              Timer *timer)
   : SlidingMesh(body,
                 contact,
                 SharedNodes(contact.points, body.part()),
                 top,
                 SharedNodes(top.points, body.part()),
                 held,
-                setup)
+                setup,
+                timer)
 {
 }
 
@@ -136,22 +138,68 @@ SlidingMesh<dim>::SlidingMesh(const DistributedBody<dim> &body,
                               const MeshBoundary &top,
                               const SharedNodes &top_nodes,
                               const std::vector<HeldComponent> &held,
-                              const SlidingSetup &setup)
-  : SlidingSurfaces<dim>(
+                              const SlidingSetup &setup,
+                              Timer *timer)
+  : SlidingBody<dim>(
       restricted(setup, contact, contact_nodes, top, top_nodes, body.communicator()),
-      top_nodes.size())
+      top_nodes.size(),
+      timer)
   , contact_nodes(contact_nodes)
   , u(NodalField<double>::of_points(body.part().points.size(), dim))
   , w(u)
+  , part(body.part())
   , own_stepper(body.make_stepper(held, setup.step, u, w, top.points.at(0)))
   , stepper(*own_stepper)
 {
-  stepper.add_surface(contact_nodes, this->contact);
-  stepper.add_surface(top_nodes, this->top);
-  if (setup.energy_interval > 0)
-    energy =
-      std::make_unique<EnergyAudit>(stepper, setup.top.platen_mass, setup.energy_interval,
-                                    [this]() { return this->boundary_work(); });
+  const auto timed = [this](SurfaceCondition<dim> &surface, const char *name) {
+    return this->profile.template timed<TimedSurface<dim>>(surface, name);
+  };
+  stepper.add_surface(contact_nodes, *timed(this->contact, "Contact and its histories"));
+  stepper.add_surface(top_nodes, *timed(this->top, "Top and its histories"));
+  this->watch_energy();
+}
+
+template <int dim>
+void SlidingMesh<dim>::set_initial_velocity(const std::array<double, 3> &velocity,
+                                            const std::vector<HeldComponent> &held,
+                                            const MeshBoundary &top)
+{
+  constexpr unsigned int normal = dim - 1;
+  const std::size_t n           = part.points.size();
+  std::vector<std::array<bool, dim>> rests(n);
+  const PointIndex index(part);
+  const auto hold = [&](const unsigned int point, const unsigned int component) {
+    for (const unsigned int i : index.find(point))
+      rests[i][component] = true;
+  };
+  for (const HeldComponent &h : held)
+    hold(h.point, h.component);
+  for (const unsigned int point : top.points)
+    for (unsigned int c = 0; c < dim; ++c)
+      if (c < normal ? this->setup.top.holds_tangentially()
+                     : this->setup.top.holds_normally())
+        hold(point, c);
+  const StepParameters &step = this->setup.step;
+  std::vector<std::array<double, 3>> a(n, step.acceleration);
+  for (unsigned int i = 0; i < contact_nodes.size(); ++i)
+    if (const unsigned int point = contact_nodes.point(i);
+        point != SharedNodes::none && this->contact.rests(i, a[point][normal]))
+      a[point][normal] = 0.;
+  const SharedNodes top_nodes(top.points, part);
+  std::vector<double> mass(n), of_top(top_nodes.size(), 0.);
+  stepper.mass_row(0, mass.data());
+  for (unsigned int i = 0; i < top_nodes.size(); ++i)
+    if (const unsigned int point = top_nodes.point(i);
+        point != SharedNodes::none && !rests[point][normal])
+      of_top[i] = mass[point];
+  const std::vector<double> pushed = this->top.start_acceleration(of_top);
+  for (unsigned int i = 0; i < top_nodes.size(); ++i)
+    if (top_nodes.point(i) != SharedNodes::none)
+      a[top_nodes.point(i)][normal] = pushed[i];
+  const double back = -step.beta2 * step.dt;
+  for (unsigned int c = 0; c < dim; ++c)
+    for (std::size_t i = 0; i < n; ++i)
+      w.row(c, 0)[i] = rests[i][c] ? 0. : velocity[c] + back * a[i][c];
 }
 
 #define MESOSLIP_INSTANTIATE(dim)                                                    \

@@ -52,45 +52,46 @@ std::vector<double> mean_of_phases(const Mesh<dim> &mesh,
                                    const std::vector<double> &weight);
 
 /**
- * A body of any shape on the moving flat, as SlidingBody on a grid. Each rank has the nodes
+ * A body of any shape on the moving flat, as SlidingGrid on a grid. Each rank has the nodes
  * of contact and top that are in its part of the mesh, see SharedNodes.
  */
 template <int dim>
-class SlidingMesh : public SlidingSurfaces<dim>
+class SlidingMesh : public SlidingBody<dim>
 {
 public:
   /**
    * At rest at u = 0. @p body must outlive it; @p setup speaks of the nodes of the whole
-   * contact and top, and its sides, sweep and periodicity are not used. Collective.
+   * contact and top, and its sides, sweep and periodicity are not used. A @p timer gets the
+   * times of the parts of a step. Collective.
    */
   SlidingMesh(const DistributedBody<dim> &body,
               const MeshBoundary &contact,
               const MeshBoundary &top,
               const std::vector<HeldComponent> &held,
-              const SlidingSetup &setup);
+              const SlidingSetup &setup,
+              Timer *timer = nullptr);
 
-  /** State between two steps (Boost.Serialization), for the same ranks. */
-  template <class Archive>
-  void serialize(Archive &archive, const unsigned int)
+  Stepper &time_integration() override
   {
-    std::uint64_t n = stepper.step_number();
-    archive &n &u &w;
-    this->serialize_surfaces(archive);
-    stepper.set_step_number(n);
-    if (energy)
-      archive &*energy;
+    return stepper;
   }
+
+  /** The velocities of the scheme, of beta2 dt before the start (see ExplicitStepper), of a
+   * body that starts with @p velocity (m/s); zero where it is @p held, or by @p top. */
+  void set_initial_velocity(const std::array<double, 3> &velocity,
+                            const std::vector<HeldComponent> &held,
+                            const MeshBoundary &top);
 
   const SharedNodes contact_nodes; ///< of this rank
   NodalField<double> u;            ///< displacement (m), a column for each point
   NodalField<double> w;            ///< velocity of the scheme (m/s)
 
 private:
+  const MeshPart<dim> &part;
   const std::unique_ptr<SurfaceStepper<dim>> own_stepper;
 
 public:
-  SurfaceStepper<dim> &stepper;        ///< the time integration
-  std::unique_ptr<EnergyAudit> energy; ///< null without an energy interval
+  SurfaceStepper<dim> &stepper; ///< the time integration
 
   /** The same with any cells; @p op must outlive the body. */
   SlidingMesh(const MeshOperator<dim> &op,
@@ -110,7 +111,8 @@ private:
               const MeshBoundary &top,
               const SharedNodes &top_nodes,
               const std::vector<HeldComponent> &held,
-              const SlidingSetup &setup);
+              const SlidingSetup &setup,
+              Timer *timer);
 };
 } // namespace mesoslip
 

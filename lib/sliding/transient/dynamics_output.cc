@@ -5,11 +5,7 @@
 #include "grid/row_partition.h"
 #include "program/run_context.h"
 #include "sliding/transient/result_file.h"
-#include "sliding/transient/run_needs.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace mesoslip
 {
@@ -17,10 +13,8 @@ DynamicsOutput::DynamicsOutput(RunContext &context,
                                const ContactParameters &parameters,
                                const BodyDescription &body,
                                const TimeStepChoice &time)
-  : context(context)
+  : RunOutput<2>(context, parameters, time)
   , body(body)
-  , time(time)
-  , steps(snapshot_steps(parameters, time))
 {
 }
 
@@ -31,7 +25,7 @@ void DynamicsOutput::begin(const Stepper &of_stepper,
   if (!has_snapshots() && map == nullptr)
     return;
   stepper                  = &of_stepper;
-  n_snapshots              = n_done;
+  n_written                = n_done;
   const std::uint64_t step = stepper->step_number();
   on_root(context.communicator(), [&]() {
     const std::string path = context.file("dynamics.h5");
@@ -51,27 +45,24 @@ void DynamicsOutput::begin(const Stepper &of_stepper,
     });
 }
 
-std::uint64_t DynamicsOutput::next_step(const std::uint64_t n) const
-{
-  const auto next = std::lower_bound(steps.begin(), steps.end(), n);
-  return next == steps.end() ? std::numeric_limits<std::uint64_t>::max() : *next;
-}
-
 void DynamicsOutput::before_step(const std::uint64_t)
 {
   const NodalField<double> whole =
     gather_rows(stepper->u, stepper->rows, stepper->communicator);
-  if (!context.root())
-    return;
-  const auto scope = context.timer().scope("Writing snapshots");
-  file->write_snapshot(n_snapshots++, whole);
+  if (context.root())
+    {
+      const auto scope = context.timer().scope("Writing snapshots");
+      file->write_snapshot(n_written, whole);
+    }
+  ++n_written;
 }
 
-std::uint64_t DynamicsOutput::save_snapshots()
+void DynamicsOutput::sync()
 {
-  if (file)
-    file->sync();
-  return n_snapshots;
+  on_root(context.communicator(), [&]() {
+    if (file)
+      file->sync();
+  });
 }
 
 void DynamicsOutput::write(const TransientResult &run, const ContactMapOutput<2> *map)
@@ -80,11 +71,8 @@ void DynamicsOutput::write(const TransientResult &run, const ContactMapOutput<2>
     file.emplace(DynamicsFile::create(context.file("dynamics.h5"), body));
   if (has_snapshots())
     {
-      std::vector<double> times;
-      for (std::size_t k = 0; k < n_snapshots; ++k)
-        times.push_back(steps[k] * time.step.dt);
-      file->reserve_snapshots(n_snapshots);
-      file->complete_snapshots(times);
+      file->reserve_snapshots(n_written);
+      file->complete_snapshots(snapshot_times());
     }
   if (map != nullptr)
     map->complete(*file, run.steps_done, time.step.dt);

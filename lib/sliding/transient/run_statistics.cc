@@ -63,7 +63,7 @@ template <int dim>
 RunStatistics<dim>::RunStatistics(const ContactParameters &parameters,
                                   const BodySize &size,
                                   const TimeStepChoice &time,
-                                  SlidingSurfaces<dim> &surfaces,
+                                  SlidingBody<dim> &surfaces,
                                   const TransientCheckpoint &checkpoint,
                                   RunContext &context)
   : parameters(parameters)
@@ -137,7 +137,7 @@ void RunStatistics<dim>::collect(TransientResult &all)
   all.series = record.series();
   // Where the top takes no tangential forces, they are those of the contact.
   const std::vector<double> at_the_top = of_top(record.top_friction());
-  if (transmits_tangential_force(parameters.top))
+  if (parameters.top.holds_tangentially())
     all.series.apparent_friction = at_the_top;
   const double given      = parameters.observation.steady_from;
   all.limit_cycle_reached = limit_cycle.reached();

@@ -49,7 +49,7 @@ public:
   RunStatistics(const ContactParameters &parameters,
                 const BodySize &size,
                 const TimeStepChoice &time,
-                SlidingSurfaces<dim> &surfaces,
+                SlidingBody<dim> &surfaces,
                 const TransientCheckpoint &checkpoint,
                 RunContext &context);
 
@@ -72,7 +72,7 @@ private:
 
   const ContactParameters &parameters;
   const TimeStepChoice &time;
-  SlidingSurfaces<dim> &surfaces;
+  SlidingBody<dim> &surfaces;
   const TransientCheckpoint &checkpoint;
   RunContext &context;
   ContactRecorder<dim> recent_contact; ///< since the last request

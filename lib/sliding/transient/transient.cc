@@ -2,7 +2,6 @@
 
 #include "base/errors.h"
 #include "base/exchange.h"
-#include "base/version.h"
 #include "grid/row_partition.h"
 #include "io/drafts.h"
 #include "material/plausibility.h"
@@ -11,8 +10,10 @@
 #include "program/run_context.h"
 #include "sliding/transient/dynamics_output.h"
 #include "sliding/transient/run_draft.h"
+#include "sliding/transient/transient_run.h"
 
 #include <algorithm>
+#include <cmath>
 #include <ostream>
 
 namespace mesoslip
@@ -22,21 +23,37 @@ namespace
 // A million years on a machine of today.
 constexpr double largest_step_number = 1e18;
 
-// Whatever decides a bit of the state or of what was written so far: a run that is
-// resumed has to agree in it.
-std::string run_identity(const Keys &keys,
-                         const InstructionSet isa,
-                         const std::string &rve_content,
-                         const std::string &coefficient_law)
+/** Column of the reference node. */
+unsigned int reference_node(const ContactParameters &parameters,
+                            const UniformGrid<2> &grid)
 {
-  return canonical_parameters(keys,
-                              {"Output folder", "Time/End time",
-                               "Observation/Steady from", "Checkpoints/", "Performance/",
-                               "Modal/", "Static contact/", "Friction homogenization/"}) +
-         "Performance/Instruction set = " + to_string(resolve(isa)) +
-         "\nContent of Body/RVE file = " + rve_content +
-         "\nCoefficient law = " + coefficient_law + "\nProgram version = " + version +
-         "\n";
+  const double wanted = parameters.observation.reference_x;
+  const double x      = std::isnan(wanted) ? 0.5 * grid.extent(0) : wanted;
+  return std::lround(std::clamp(x, 0., grid.extent(0)) / grid.spacing[0]);
+}
+
+BodySize body_size(const ContactParameters &parameters,
+                   const BodyDescription &body,
+                   const BodyScales &scales)
+{
+  const UniformGrid<2> &grid = body.grid;
+  BodySize size;
+  size.top_area = grid.extent(0);
+  size.n_cells  = grid.n_cells();
+  size.crossing = scales.crossing();
+  size.friction = body.node_friction;
+  for (unsigned int i = 0; i <= grid.cells[0]; ++i)
+    size.area.push_back(tributary_width(grid, i, parameters.periodic));
+  size.n_contact_nodes = grid.cells[0] + (parameters.periodic ? 0 : 1);
+
+  ReferenceNode &node = size.reference;
+  node.number         = reference_node(parameters, grid);
+  node.position       = {{node.number * grid.spacing[0], 0., 0.}};
+  // As of a probe there: a point between two cells belongs to the upper one.
+  node.phase =
+    static_cast<unsigned int>(body.phase_of(std::min(node.number, grid.cells[0] - 1)));
+  node.area = tributary_width(grid, node.number, parameters.periodic);
+  return size;
 }
 } // namespace
 
@@ -44,7 +61,7 @@ TransientAnalysis::TransientAnalysis(const ContactParameters &p, const Keys &key
   : BodyAnalysis(p)
   , scales(material)
   , identity(run_identity(
-      keys, parameters.sweep.isa, body.rve_content, parameters.friction.slip_law.text()))
+      keys, parameters, "Content of Body/RVE file = " + body.rve_content + "\n"))
 {
   const unsigned int n_rows  = body.grid.cells[1] + 1,
                      n_ranks = mpi::n_mpi_processes(MPI_COMM_WORLD),
@@ -140,45 +157,18 @@ void TransientAnalysis::run(RunContext &context)
   for (const std::string &warning : warnings())
     context.warn(warning);
 
+  const BodySize size = body_size(parameters, body, scales);
+  SlidingGrid sliding(material, run_setup(parameters, size, time), context.communicator(),
+                      nullptr, context.options().profile ? &context.timer() : nullptr);
+  sliding.set_initial_velocity(parameters.body.initial_velocity);
+  const ObservationParameters &observation = parameters.observation;
+  GridProbes probes(observation.probes, material, sliding.stepper, sliding.contact,
+                    observation.probe_interval);
   DynamicsOutput output(context, parameters, body, time);
-  TransientRun run(parameters, body, time, material, checkpoint, output, context);
-  if (found == TransientCheckpoint::Found::state)
-    run.restore();
-  TransientResult result = run.run();
-
-  try
-    {
-      const auto scope = context.timer().scope("Evaluation and output");
-      on_root(context.communicator(), [&]() {
-        result.evaluate();
-        output.write(result, run.contact_map());
-        summarize_body("transient", context);
-        result.write_summary(context);
-      });
-    }
-  catch (...)
-    {
-      // What was computed is not to be lost with the output.
-      try
-        {
-          run.save();
-          context.log(
-            "The state is in the checkpoint: once the reason is mended, the same command "
-            "with --resume writes the results without computing them again");
-        }
-      catch (const std::exception &)
-        {
-          context.log("The state could not be kept, either");
-        }
-      throw;
-    }
-  if (result.interrupted)
-    throw Interrupted("stopped on request after step " +
-                      std::to_string(result.steps_done) +
-                      "; what was observed so far is in " + context.output_folder() +
-                      ", and the same command with --resume goes on from there");
-  // The state is dropped only when nothing is left to be done.
-  context.write_summary();
-  checkpoint.complete(run.position());
+  TransientRun<2> run({parameters, time, scales, size, cell_text(body.grid), sliding,
+                       observation.probes.empty() ? nullptr : &probes, output, checkpoint,
+                       context});
+  run.carry_out(found == TransientCheckpoint::Found::state,
+                [&]() { summarize_body("transient", context); });
 }
 } // namespace mesoslip

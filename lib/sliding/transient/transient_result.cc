@@ -320,7 +320,7 @@ void TransientResult::evaluate_energy()
 
 void TransientResult::evaluate()
 {
-  apparent_friction = transmits_tangential_force(parameters.top)
+  apparent_friction = parameters.top.holds_tangentially()
                         ? quotients(top.tangential_force, top.normal_force)
                         : quotients(history.tangential_force, history.normal_force);
   evaluate_reference_node();

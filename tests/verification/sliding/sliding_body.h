@@ -68,14 +68,14 @@ inline void run_steps(Stepper &stepper,
 }
 
 /** A body with its material, and fields from functions. */
-class Body : OwnMaterial, public SlidingBody<2>
+class Body : OwnMaterial, public SlidingGrid
 {
 public:
   explicit Body(const BodySetup &setup,
                 MPI_Comm communicator       = MPI_COMM_SELF,
                 SurfaceCondition<2> *bottom = nullptr)
     : OwnMaterial{setup.material()}
-    , SlidingBody<2>(own_material, setup.with_friction(), communicator, bottom)
+    , SlidingGrid(own_material, setup.with_friction(), communicator, bottom)
     , setup(setup)
   {
   }

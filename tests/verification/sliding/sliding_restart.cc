@@ -59,7 +59,7 @@ struct ObservedBody : Body
   template <class Archive>
   void serialize(Archive &archive, const unsigned int version)
   {
-    SlidingBody<2>::serialize(archive, version);
+    SlidingGrid::serialize(archive, version);
     archive &monitor &probes &watch &statistics;
   }
 
