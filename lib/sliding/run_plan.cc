@@ -313,9 +313,9 @@ void report_runaway(const Runaway &found,
                     const ContactParameters &parameters,
                     const bool has_rows)
 {
-  const std::string joule = parameters.mesh.mesh.dim == 2 ? " J/m" : " J";
   require_finite(parameters.contact.flat_velocity, "Flat/Expression", time.step.dt, n);
   require_finite(parameters.top.pressure, "Top/Expression", time.step.dt, n);
+  const std::string joule = parameters.mesh.mesh.dim == 2 ? " J/m" : " J";
   throw NumericalFailure(
     brief_text(
       3, "the run blew up: its energy is ",
@@ -324,11 +324,9 @@ void report_runaway(const Runaway &found,
       " were put in; likely cause: ", undefined_friction(parameters, found.energy),
       likely_instability(found.energy, time), "; found"),
     n, n * time.step.dt,
-    brief_text(3,
-               has_rows ? brief_text(3, "node (", found.column, ", ", found.row, ")")
-                        : "a node",
-               " with u_", "xyz"[found.component], " = ", found.displacement,
-               " m and a velocity of ", found.velocity, " m/s"));
+    (has_rows ? brief_text(9, "node (", found.column, ", ", found.row, ")") : "a node") +
+      brief_text(3, " with u_", "xyz"[found.component], " = ", found.displacement,
+                 " m and a velocity of ", found.velocity, " m/s"));
 }
 
 void require_upright_cells(const Deformation &found,

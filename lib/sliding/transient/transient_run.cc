@@ -179,9 +179,9 @@ TransientResult TransientRun<dim>::advance()
       monitor.check(stepper.step_number());
     }
   context.progress().finish();
+  count_time();
   if (!interrupted && parts.parameters.checkpoints.keep)
     save();
-  count_time();
   return collect();
 }
 

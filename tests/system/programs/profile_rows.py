@@ -4,7 +4,7 @@ import os
 import re
 import tempfile
 
-from scenes import TOP, Folder, sets
+from scenes import TOP, Folder, prm, sets
 
 RVE, RUN = "10-rve_homogenization", "20-contact_dynamics-homogeneous"
 ROUNDING = 0.5e-3  # s, of each row
@@ -12,10 +12,10 @@ START = ["Start of MPI", "Reading and checking"]  # of each program
 ROW = re.compile(r"^( *)(\S.*?)\s{2,}(?:(\d+)\s+)?([\d.]+)\s+([\d.]+) %$", re.M)
 
 
-def profile(folder, name, settings, ranks=1):
-    """[(depth, name, seconds)] that a run of prm/pin/NAME.prm prints; it ends in `folder`/NAME."""
-    prm = os.path.join(TOP, "prm", "pin", name + ".prm")
-    printed = folder.run(0, name.split("-")[1], prm, "--quiet", "--profile", "--output", name, *sets(settings), ranks=ranks)
+def profile(folder, name, settings, ranks=1, path=None, program=None):
+    """[(depth, name, seconds)] that a run of prm/pin/NAME.prm, or of the file `path`, prints; it ends in `folder`/NAME."""
+    path = path or os.path.join(TOP, "prm", "pin", name + ".prm")
+    printed = folder.run(0, program or name.split("-")[1], path, "--quiet", "--profile", "--output", name, *sets(settings), ranks=ranks)
     rows = [(len(indent) // 2, row, float(seconds)) for indent, row, _, seconds, _ in ROW.findall(printed)]
     assert rows and rows[0][:2] == (0, "total"), f"{name} printed no profile:\n{printed}"
     for index, (_, row, seconds) in enumerate(rows):
@@ -59,6 +59,12 @@ def main():
             check_rows(rows, "Snapshots", ["Writing snapshots", "other"])
             check_rows(rows, "Steps", ["Contact and its histories", "Top and its histories" if ranks == 1 else "Exchange between ranks",
                                        "Elastic body"])
+        folder.write("box.prm", "set Dimension = 3\n" + prm({
+            "Body/Stiffness": "283e9, 121e9, 121e9, 283e9, 121e9, 283e9, 81e9, 81e9, 81e9", "Body/Density": 7800, "Time/End time": 4e-5,
+            "Body/Size": "0.004, 0.002, 0.004", "Body/Cells": "16, 8, 16", "Snapshots/Interval": 1e-5}))
+        rows = profile(folder, "box", {}, path=folder("box.prm"), program="contact_dynamics")
+        check_rows(rows, "Time loop", ["Stability monitor", "Strains", "Energies", "Snapshots", "Steps", "Limit cycle, requests", "other"])
+        check_rows(rows, "Steps", ["Contact and its histories", "Top and its histories", "Elastic body"])
         rows = profile(folder, "40-stress_localization", {
             "Input/RVE file": folder(RVE, "rve.h5"), "Input/Homogeneous run": folder(RUN, "dynamics.h5"), "Input/Direct run": "",
             "Probes/Of the run": ""})
