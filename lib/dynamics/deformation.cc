@@ -292,28 +292,33 @@ Deformation largest_deformation(const BrickSlab &slab,
 }
 
 template <int dim>
-Deformation largest_deformation(const MeshPart<dim> &part,
+Deformation largest_deformation(const std::vector<dealii::Point<dim>> &points,
+                                const std::vector<Cell> &cells,
+                                const std::vector<unsigned int> &numbers,
                                 const NodalField<double> &u,
                                 const MPI_Comm communicator)
 {
   Extremes found = none();
-  for (std::size_t k = 0; k < part.cells.size(); ++k)
+  for (std::size_t k = 0; k < cells.size(); ++k)
     {
-      const auto &vertices = part.cells[k].vertices;
-      const auto values    = evaluate_cell(part.points, vertices, u);
+      const auto &vertices = cells[k].vertices;
+      const auto values    = evaluate_cell(points, vertices, u);
       dealii::Point<dim> middle;
       for (const unsigned int v : vertices)
-        middle += part.points[v] / static_cast<double>(vertices.size());
+        middle += points[v] / static_cast<double>(vertices.size());
       for (std::size_t q = 0; q < found.size(); ++q)
-        if (take_larger(found[q], values[q], part.cell_in_mesh[k]))
+        if (take_larger(found[q], values[q], numbers[k]))
           for (unsigned int d = 0; d < dim; ++d)
             found[q].middle[d] = middle[d];
     }
   return over_ranks(found, communicator);
 }
 
-template Deformation
-largest_deformation(const MeshPart<2> &, const NodalField<double> &, const MPI_Comm);
-template Deformation
-largest_deformation(const MeshPart<3> &, const NodalField<double> &, const MPI_Comm);
+#define MESOSLIP_INSTANTIATE(dim)                                       \
+  template Deformation largest_deformation(                             \
+    const std::vector<dealii::Point<dim>> &, const std::vector<Cell> &, \
+    const std::vector<unsigned int> &, const NodalField<double> &, const MPI_Comm);
+MESOSLIP_INSTANTIATE(2)
+MESOSLIP_INSTANTIATE(3)
+#undef MESOSLIP_INSTANTIATE
 } // namespace mesoslip

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <limits>
 #include <mpi.h>
+#include <vector>
 
 namespace mesoslip
 {
@@ -48,11 +49,15 @@ Deformation largest_deformation(const UniformGrid<2> &grid,
                                 const NodalField<double> &u,
                                 const MPI_Comm communicator);
 
-/** The same on a mesh, where @p u (m) has a column for each point of @p part. */
+/** The same on a mesh, where @p u (m) has a column for each of the @p points of a rank, and @p
+ * numbers are those of its @p cells in the whole mesh. Collective. */
 template <int dim>
-Deformation largest_deformation(const MeshPart<dim> &part,
+Deformation largest_deformation(const std::vector<dealii::Point<dim>> &points,
+                                const std::vector<Cell> &cells,
+                                const std::vector<unsigned int> &numbers,
                                 const NodalField<double> &u,
                                 const MPI_Comm communicator);
+
 /** The same on a box of bricks, where @p u (m) has a column for each point of the part.
  * Collective. */
 Deformation largest_deformation(const BrickSlab &slab,

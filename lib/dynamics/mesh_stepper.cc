@@ -159,7 +159,8 @@ void MeshStepper<dim>::mass_row(const unsigned int, double *mass) const
 template <int dim>
 Deformation MeshStepper<dim>::deformation() const
 {
-  return largest_deformation(op.part, u, communicator);
+  return largest_deformation(op.part.points, op.part.cells, op.part.cell_in_mesh, u,
+                             communicator);
 }
 
 template <int dim>

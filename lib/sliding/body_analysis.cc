@@ -74,6 +74,22 @@ void with_advice(const std::string &advice, const std::function<void()> &action)
     }
 }
 
+void judge_static_strain(const Deformation &found,
+                         const ContactParameters &parameters,
+                         const BodyScales &scales,
+                         const PlaceText &place,
+                         RunContext &context)
+{
+  const std::string inverted = inverted_cell_text(found, place);
+  if (!inverted.empty())
+    throw NumericalFailure("static contact: " + inverted +
+                           "; likely cause: " + likely_cause(parameters, scales));
+  const std::string large = large_strain_warning(found, parameters, scales, place, "");
+  if (!large.empty())
+    context.warn(large);
+  context.summary()["largest_strain"] = found.strain.value;
+}
+
 std::string equilibrium_advice(const std::vector<double> &friction, const bool slides)
 {
   const std::string generic = "loosen Static contact/Tolerance or allow more Iterations";

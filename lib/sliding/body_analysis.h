@@ -6,6 +6,7 @@
 #include "exchange/run_description.h"
 #include "program/program.h"
 #include "sliding/contact_parameters.h"
+#include "sliding/run_plan.h"
 
 #include <functional>
 #include <string>
@@ -45,6 +46,14 @@ void with_advice(const std::string &advice, const std::function<void()> &action)
 /** What to do when no equilibrium with the coefficients @p friction is found on a flat that @p slides or
  * rests. */
 std::string equilibrium_advice(const std::vector<double> &friction, const bool slides);
+
+/** Puts the largest strain of a static contact into the summary, and warns of large ones. @throws
+ * NumericalFailure if a cell is inside out */
+void judge_static_strain(const Deformation &found,
+                         const ContactParameters &parameters,
+                         const BodyScales &scales,
+                         const PlaceText &place,
+                         RunContext &context);
 
 /** What the analyses of a body on the flat have in common. */
 class BodyAnalysis : public Analysis

@@ -272,7 +272,8 @@ TEST(Brick, DeformationIsThatOfTheMesh)
       set_random(own, x, 5e-4);
       set_random(part, y, 5e-4);
       const Deformation a = largest_deformation(box.op.slab(), x, MPI_COMM_WORLD),
-                        b = largest_deformation(part, y, MPI_COMM_SELF);
+                        b = largest_deformation(part.points, part.cells,
+                                                part.cell_in_mesh, y, MPI_COMM_SELF);
       const std::array<std::array<CellExtreme, 2>, 3> pairs = {
         {{{a.strain, b.strain}}, {{a.rotation, b.rotation}}, {{a.jacobian, b.jacobian}}}};
       for (const auto &[found, wanted] : pairs)

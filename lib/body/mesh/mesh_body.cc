@@ -102,6 +102,7 @@ MeshBody<dim>::MeshBody(const MeshBodyInput<dim> &given, MeshShare<dim> &&share)
   , lower(share.outline.lower)
   , in_mesh(std::move(share.point_in_mesh))
   , in_order(order_of(in_mesh))
+  , cell_in_mesh(std::move(share.cell_in_mesh))
   , n_owned(share.n_owned)
   , volumes(volumes_of(mesh))
 {

@@ -79,6 +79,18 @@ public:
    * one rank. */
   std::vector<std::uint64_t> owned_points() const;
 
+  /** Points and cells of the fields of this rank. */
+  const Mesh<dim> &local_mesh() const
+  {
+    return mesh;
+  }
+
+  /** Numbers in the mesh of the cells of local_mesh(). */
+  const std::vector<unsigned int> &cell_numbers() const
+  {
+    return cell_in_mesh;
+  }
+
   /** Numbers in the mesh of all nodes of the contact side, in the order of surface(). */
   const std::vector<unsigned int> &contact_points() const
   {
@@ -110,15 +122,16 @@ private:
   NodeIndex node(const std::size_t point) const;
   void set_sides(const MeshShare<dim> &share);
 
-  const MeshBodyInput<dim> input;           ///< its mesh has the points of fields
-  const Mesh<dim> &mesh;                    ///< of the input
-  const MPI_Comm all_ranks;                 ///< that share the work
-  const std::array<double, dim> lower;      ///< corner of the bounding box (m)
-  const std::vector<unsigned int> in_mesh;  ///< see MeshShare::point_in_mesh
-  const std::vector<unsigned int> in_order; ///< points of fields, by in_mesh
-  const std::size_t n_owned;                ///< see owned_points()
-  std::vector<unsigned int> of_contact;     ///< see contact_points()
-  const std::vector<double> volumes;        ///< of the cells (m^2, m^3)
+  const MeshBodyInput<dim> input;               ///< its mesh has the points of fields
+  const Mesh<dim> &mesh;                        ///< of the input
+  const MPI_Comm all_ranks;                     ///< that share the work
+  const std::array<double, dim> lower;          ///< corner of the bounding box (m)
+  const std::vector<unsigned int> in_mesh;      ///< see MeshShare::point_in_mesh
+  const std::vector<unsigned int> in_order;     ///< points of fields, by in_mesh
+  const std::vector<unsigned int> cell_in_mesh; ///< see cell_numbers()
+  const std::size_t n_owned;                    ///< see owned_points()
+  std::vector<unsigned int> of_contact;         ///< see contact_points()
+  const std::vector<double> volumes;            ///< of the cells (m^2, m^3)
   std::unique_ptr<MeshDiscretization<dim>> discretization;
 };
 } // namespace mesoslip

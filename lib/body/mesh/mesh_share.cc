@@ -68,6 +68,8 @@ MeshShare<dim> whole_share(const MeshBodyInput<dim> &given, const MPI_Comm commu
   share.mesh      = given.mesh;
   share.point_in_mesh.resize(given.mesh.points.size());
   std::iota(share.point_in_mesh.begin(), share.point_in_mesh.end(), 0U);
+  share.cell_in_mesh.resize(given.mesh.cells.size());
+  std::iota(share.cell_in_mesh.begin(), share.cell_in_mesh.end(), 0U);
   share.n_counted = share.n_owned = share.point_in_mesh.size();
   share.dofs = share.all_ranks->dofs_of_points(given.mesh, share.point_in_mesh);
   share.duplicates =
@@ -111,7 +113,8 @@ MeshShare<dim> divided_share(const Mesh<dim> &mesh,
       share.n_counted += kind(i) == 0 ? 1 : 0;
       share.n_owned += kind(i) < 2 ? 1 : 0;
     }
-  share.mesh.cells = std::move(part.cells);
+  share.mesh.cells   = std::move(part.cells);
+  share.cell_in_mesh = std::move(part.cell_in_mesh);
   for (auto &cell : share.mesh.cells)
     for (unsigned int &v : cell.vertices)
       v = place[v];

@@ -25,6 +25,7 @@ struct MeshShare
   bool is_divided = false;                 ///< whether fields are
   Mesh<dim> mesh;                          ///< points and cells of fields
   std::vector<unsigned int> point_in_mesh; ///< numbers of the points in the whole mesh
+  std::vector<unsigned int> cell_in_mesh;  ///< those of the cells
   std::size_t n_counted = 0; ///< points that the rank owns and that move on their own
   std::size_t n_owned   = 0; ///< points that the rank owns
   std::vector<Index> dofs;   ///< dim a point

@@ -53,10 +53,6 @@ public:
   void run(RunContext &context) override;
 
 private:
-  /** @throws NumericalFailure if a cell is inside out; the largest strain into the
-   * summary. */
-  void judge_strain(RunContext &context) const;
-
   void log_result(RunContext &context) const;
   void write_table(const RunContext &context) const;
   void write_file(const RunContext &context) const;

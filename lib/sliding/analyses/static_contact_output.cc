@@ -115,22 +115,6 @@ void StaticContactAnalysis::write_summary(nlohmann::json &json) const
     json["nodes"][to_string(state)] = count(state);
 }
 
-void StaticContactAnalysis::judge_strain(RunContext &context) const
-{
-  const NodalField<double> &u = result.solution.displacement;
-  const Deformation found =
-    largest_deformation(body.grid, NodeRows::all(u.n_rows()), u, MPI_COMM_SELF);
-  const std::string inverted = inverted_cell_text(found, cell_text(body.grid));
-  if (!inverted.empty())
-    throw NumericalFailure("static contact: " + inverted + "; likely cause: " +
-                           likely_cause(parameters, BodyScales(material)));
-  const std::string large = large_strain_warning(found, parameters, BodyScales(material),
-                                                 cell_text(body.grid), "");
-  if (!large.empty())
-    context.warn(large);
-  context.summary()["largest_strain"] = found.strain.value;
-}
-
 void StaticContactAnalysis::run(RunContext &context)
 {
   log_body(context);
@@ -147,7 +131,10 @@ void StaticContactAnalysis::run(RunContext &context)
                                                   context.communicator());
                 });
   }
-  judge_strain(context);
+  const NodalField<double> &u = result.solution.displacement;
+  judge_static_strain(
+    largest_deformation(body.grid, NodeRows::all(u.n_rows()), u, MPI_COMM_SELF),
+    parameters, BodyScales(material), cell_text(body.grid), context);
   log_result(context);
   if (!context.root())
     return;

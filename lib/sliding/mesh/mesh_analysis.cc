@@ -237,6 +237,16 @@ void MeshAnalysis<dim>::order_contact(const MeshBody<dim> &elastic)
     }
 }
 
+template <int dim>
+std::string MeshAnalysis<dim>::place_of_cell(const CellExtreme &cell)
+{
+  std::string text = "cell " + std::to_string(cell.cell) + " around ";
+  for (unsigned int d = 0; d < dim; ++d)
+    text += std::string(d > 0 ? ", " : "") + "xyz"[d] + " = " +
+            quantity_text(1e3 * cell.middle[d], "mm");
+  return text;
+}
+
 template class MeshAnalysis<2>;
 template class MeshAnalysis<3>;
 } // namespace mesoslip

@@ -2,6 +2,7 @@
 #define mesoslip_sliding_mesh_mesh_analysis_h
 
 #include "body/mesh/mesh_body.h"
+#include "dynamics/deformation.h"
 #include "program/program.h"
 #include "sliding/contact_parameters.h"
 #include "sliding/mesh/body_memory.h"
@@ -48,6 +49,9 @@ protected:
 
   /** What groups of faces and top hold, of a platen the normal component as well. */
   DofMask held_by_mesh(const TopSetup &top, const MeshBody<dim> &elastic) const;
+
+  /** "cell 12 around x = 1.25 mm, y = 0.05 mm". */
+  static std::string place_of_cell(const CellExtreme &cell);
 
   /** Puts the contact nodes of the description into the order of @p elastic. */
   void order_contact(const MeshBody<dim> &elastic);

@@ -57,16 +57,6 @@ BodySize body_size(const MeshBodyDescription &body,
 }
 
 template <int dim>
-std::string place_of_cell(const CellExtreme &cell)
-{
-  std::string text = "cell " + std::to_string(cell.cell) + " around ";
-  for (unsigned int d = 0; d < dim; ++d)
-    text += std::string(d > 0 ? ", " : "") + "xyz"[d] + " = " +
-            quantity_text(1e3 * cell.middle[d], "mm");
-  return text;
-}
-
-template <int dim>
 class MeshTransient : public MeshAnalysis<dim>
 {
 public:
@@ -207,9 +197,9 @@ void MeshTransient<dim>::run(RunContext &context)
     this->parameters.observation.probe_interval);
   MeshOutput<dim> output(context, this->parameters, this->morphology, body, time,
                          distributed->part());
-  TransientRun<dim> run({this->parameters, time, scales, size, place_of_cell<dim>,
-                         sliding, body.probes.empty() ? nullptr : &probes, output,
-                         checkpoint, context});
+  TransientRun<dim> run(
+    {this->parameters, time, scales, size, MeshAnalysis<dim>::place_of_cell, sliding,
+     body.probes.empty() ? nullptr : &probes, output, checkpoint, context});
   run.carry_out(found == TransientCheckpoint::Found::state,
                 [&]() { this->summarize_body("transient", context); });
 }

@@ -1,5 +1,5 @@
 """What surrounds the steps of a run is the same on a grid, a mesh and a box: results that cannot be written, the clock of a run that goes on,
-why it blew up, and strains before it was interrupted."""
+why it blew up, and strains before it was interrupted; and strains of a static contact."""
 
 import os
 import re
@@ -10,10 +10,11 @@ import time
 from mesh_files import Box
 from scenes import Folder, prm
 
-STEEL = {"Phases/Names": "body", "Phases/body/Young modulus": "210e9", "Phases/body/Poisson ratio": 0.3, "Phases/body/Density": 7800}
+STIFFNESS = "283e9, 121e9, 283e9, 81e9"
+STEEL = {"Phases/Names": "body", "Phases/body/Type": "stiffness", "Phases/body/Stiffness": STIFFNESS, "Phases/body/Density": 7800}
 SLIDING = {"Flat/Velocity": 2, "Top/Pressure": 5e6, "Friction/Coefficient": 0.4, "Time/Time step": 4e-8, "Time/End time": 2e-5}
 BODIES = {
-    "grid": {"Body/Stiffness": "283e9, 121e9, 283e9, 81e9", "Body/Density": 7800, "Body/Size": "0.008, 0.004", "Body/Cells": "16, 8"},
+    "grid": {"Body/Stiffness": STIFFNESS, "Body/Density": 7800, "Body/Size": "0.008, 0.004", "Body/Cells": "16, 8"},
     "mesh": {"Mesh/File": "mesh.msh", "Mesh/Scale": 0.001, **STEEL},
     "box": {"Dimension": 3, "Body/Stiffness": "283e9, 121e9, 121e9, 283e9, 121e9, 283e9, 81e9, 81e9, 81e9", "Body/Density": 7800,
             "Body/Size": "0.004, 0.002, 0.004", "Body/Cells": "8, 4, 8"}}
@@ -70,8 +71,22 @@ def check_strains(folder, body):
     assert "earlier in the run, beyond small strains" in said, (body, said)
 
 
+def check_static_strains(folder, body, largest):
+    """Large ones are told with their place, the same on a grid and on a mesh of it, and a cell that is inside out ends the analysis."""
+    settings = {key: value for key, value in {**SLIDING, **BODIES[body]}.items() if not key.startswith("Time/")}
+    folder.write(body + ".prm", prm({"Analysis": "static contact", **settings, "Friction/Coefficient": 0.1, "Top/Pressure": 2.5e10}))
+    for ranks in (1,) if body == "grid" else (1, 3):
+        said = folder.run(0, "contact_dynamics", body + ".prm", "--output", "static", ranks=ranks)
+        found = folder.summary("static")["largest_strain"]
+        assert "the strain is " in said and " around x = " in said and found > 0.05, (body, said)
+        assert abs(found / largest.setdefault(body.replace("mesh", "grid"), found) - 1) < 1e-6, (body, ranks, found, largest)
+    said = folder.run(3, "contact_dynamics", body + ".prm", "--output", "static", "--set=Top/Pressure=1e12")
+    assert "static contact: cell " in said and "turned inside out" in said and "Top/Pressure = 1e+12 Pa" in said, (body, said)
+
+
 if __name__ == "__main__":
     mesh = Box([8, 4], [16, 8], lambda x: "body").name_side("Contact", 1, False).name_side("Top", 1, True)
+    strains = {}
     for name, settings in BODIES.items():
         with tempfile.TemporaryDirectory() as path:
             scenes = Folder(path)
@@ -79,3 +94,4 @@ if __name__ == "__main__":
             scenes.write(name + ".prm", prm({**SLIDING, **settings}))
             for check in (check_output_that_fails, check_clock, check_runaway, check_strains):
                 check(scenes, name)
+            check_static_strains(scenes, name, strains)

@@ -269,6 +269,11 @@ void MeshStatic<dim>::run(RunContext &context)
                          count(ContactState::separated), " separated; ",
                          solution.iterations, " iterations, ", solution.solver_iterations,
                          " of the solver"));
+  judge_static_strain(
+    largest_deformation(elastic->local_mesh().points, elastic->local_mesh().cells,
+                        elastic->cell_numbers(), solution.displacement,
+                        context.communicator()),
+    this->parameters, this->body.scales, MeshAnalysis<dim>::place_of_cell, context);
   const auto scope = context.timer().scope("Output");
   const PhasePressures of_phases =
     mesh_phase_pressures(this->morphology, this->parameters, *elastic,
