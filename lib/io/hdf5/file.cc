@@ -38,6 +38,9 @@ Hdf5Handle access_properties()
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS));
   H5Pset_fclose_degree(access, H5F_CLOSE_STRONG);
+  // The oldest layout that holds what is written, which HDF5 2 no longer takes by itself: all
+  // releases read it, and groups have no times, so that equal results are equal files.
+  H5Pset_libver_bounds(access, H5F_LIBVER_EARLIEST, H5F_LIBVER_LATEST);
   return access;
 }
 
