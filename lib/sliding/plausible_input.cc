@@ -83,7 +83,7 @@ public:
     if (!(end >= 2. * crossing))
       sentences.push_back(crossing_text(parameters, scales) +
                           ": it ends before the wave is back; are " +
-                          (parameters.mesh.is_given() ? "Mesh/Scale" : "Body/Size") +
+                          parameters.mesh.size_key() +
                           " and Time/End time in "
                           "m and s, and the stiffness in Pa?");
     if (const std::string damping =

@@ -32,6 +32,12 @@ struct MeshBodyParameters
     return !mesh.files.empty();
   }
 
+  /** The key that the size of the body comes from. */
+  const char *size_key() const
+  {
+    return is_given() ? "Mesh/Scale" : "Body/Size";
+  }
+
   /** Whether the body is a grid in 3D, whose sides are the groups Left, Right (x), Front, Back
    * (y), Contact and Top (z). */
   bool is_box() const

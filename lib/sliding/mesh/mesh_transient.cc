@@ -149,9 +149,9 @@ private:
     const double end_time = this->parameters.time.end_time, n = end_time / choice.step.dt;
     if (!(n < most_steps))
       throw UserError("Time/End time: " + to_text(end_time) + " s are " +
-                      quantity_text(n, "") +
-                      " steps, more than any run can do; are Mesh/Scale, materials and "
-                      "times in SI units?");
+                      quantity_text(n, "") + " steps, more than any run can do; are " +
+                      this->parameters.mesh.size_key() +
+                      ", materials and times in SI units?");
     choice.statistics_interval =
       statistics_interval(this->body.shortest_side / scales.wave_speed, choice.step.dt);
     check_steady_from(this->parameters, n, choice.statistics_interval);

@@ -56,10 +56,11 @@ def check_clock(folder, body):
 
 def check_runaway(folder, body):
     """The cause is the time step, and no key that the body does not have."""
-    said = run(folder, 3, body, "fast", {"Time/Time step": 1.3e-7 if body == "box" else 2e-7, "Time/Check time step": "false",
-                                         "Time/End time": 1e-3})
+    said = run(folder, 3, body, "fast", {"Time/Time step": 2e-7, "Time/Check time step": "false", "Time/End time": 1e-3})
     assert "of the critical one; use Time/Time step = auto" in said and "Mesh/Scale" not in said, (body, said)
     assert (" J where" if body == "box" else " J/m where") in said, (body, said)
+    said = run(folder, 2, body, "long", {"Time/End time": 1e12})
+    assert "more than any run can do" in said and ("Mesh/Scale" if body == "mesh" else "Body/Size") in said, (body, said)
 
 
 def check_strains(folder, body):
