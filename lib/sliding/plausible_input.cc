@@ -234,7 +234,7 @@ private:
           " at most before Time/End time: it never touches the flat; lengths are in m")};
   }
 
-  /** Of a law that weakens with the slip: no body slips farther than the flat moves. */
+  /** Of a law that changes with the slip, which is a few times what the flat moves at most. */
   PlausibleRange weakening_slip() const
   {
     const SlipLawParameters &law = parameters.friction.slip_law;
@@ -244,8 +244,8 @@ private:
                    by_state                  ? law.state.length
                    : law.is_slip_weakening() ? law.weakening.critical_slip
                                              : automatic,
-                   "m", way > 0. ? way : PlausibleRange().highest,
-                   "more than the flat moves in " + run_text + ", " +
+                   "m", way > 0. ? 10. * way : PlausibleRange().highest,
+                   "more than ten times what the flat moves in " + run_text + ", " +
                      quantity_text(way, "m") +
                      ", so that friction hardly changes; lengths are in m");
   }

@@ -19,11 +19,14 @@ public:
                  const BodyDescription &body,
                  const TimeStepChoice &time);
 
+  /** See RunOutput. */
   void begin(const Stepper &of_stepper,
              const std::uint64_t n_done,
              ContactMapOutput<2> *map) override;
   void before_step(const std::uint64_t n) override;
   void sync() override;
+
+  /** See RunOutput. */
   void write(const TransientResult &run, const ContactMapOutput<2> *map) override;
 
 private:

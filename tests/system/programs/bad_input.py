@@ -199,7 +199,7 @@ ASKED = [
      ["the largest friction coefficient, of Friction/Coefficient law at the speed of the flat, is 30", "per cent"]),
     ("contact_dynamics", CONTACT, ["Friction/Coefficient law=Stribeck", "Friction/Critical velocity=5000"], ["Friction/Critical velocity is 5000 m/s", "mm/s"]),
     ("contact_dynamics", CONTACT, ["Friction/Coefficient law=linear slip weakening", "Friction/Critical slip=0.01"],
-     ["Friction/Critical slip is 0.01 m", "more than the flat moves in the whole run (1e-06 s), 2e-06 m", "lengths are in m"]),
+     ["Friction/Critical slip is 0.01 m", "more than ten times what the flat moves in the whole run (1e-06 s), 2e-06 m", "lengths are in m"]),
     ("contact_dynamics", CONTACT, ["Friction/Coefficient law=rate and state", "Friction/Rate and state/Length=1"], ["Friction/Rate and state/Length is 1 m"]),
     ("rve_homogenization", IMAGE, DARK, ["phase 'fibre'", "fills no cell"]),
     ("rve_homogenization", RVE, ["Phases/matrix/Young modulus=30", "Phases/fibre/Young modulus=120"],
