@@ -50,6 +50,13 @@ struct TopSetup
     return kind == Kind::held;
   }
 
+  /** Whether component @p c of @p dim, the last one along the normal, is held in statics and
+   * modes: that of a platen along the normal as well. */
+  bool is_fixed(const unsigned int c, const unsigned int dim) const
+  {
+    return c + 1 < dim ? holds_tangentially() : kind != Kind::pressure;
+  }
+
   /** From this time (s) on the top stays where it is. */
   double hold_from = std::numeric_limits<double>::infinity();
 

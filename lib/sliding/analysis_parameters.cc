@@ -318,7 +318,7 @@ RunConditions ContactParameters::stated_conditions() const
                    {"analysis", transient ? "transient" : "static contact"},
                    {"material", body.heterogeneous ? "heterogeneous" : "homogeneous"},
                    {"top", kinds.at(static_cast<std::size_t>(top.kind))},
-                   {"lateral_held", yes_or_no(top.kind != Kind::pressure || top.lateral_held)},
+                   {"lateral_held", yes_or_no(top.holds_tangentially())},
                    {"left_side", side_text(sides.left_held)},
                    {"right_side", side_text(sides.right_held)},
                    {"periodic", yes_or_no(periodic)},

@@ -92,7 +92,7 @@ DofMask held_by_supports(const UniformMaterial &material,
         held.constrain_column(c, 0);
       if (sides.right_held[c])
         held.constrain_column(c, last_column);
-      if (top.kind != TopSetup::Kind::pressure || (c == 0 && top.lateral_held))
+      if (top.is_fixed(c, 2))
         held.constrain_row(c, last_row);
     }
   return held;

@@ -137,7 +137,7 @@ public:
    * body that starts with @p velocity (m/s); zero where it is held. */
   void set_initial_velocity(const std::array<double, 3> &velocity);
 
-  const UniformMaterial &material; ///< of all cells
+  const UniformMaterial &material; ///< the grid, with stiffness and density of its cells
   const MPI_Comm communicator;     ///< of the ranks that share the body
   const NodeRows rows;             ///< node rows of this rank, and ghost rows
   NodalField<double> u;            ///< displacement (m), own and ghost rows

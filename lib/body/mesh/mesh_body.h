@@ -122,12 +122,12 @@ private:
   NodeIndex node(const std::size_t point) const;
   void set_sides(const MeshShare<dim> &share);
 
-  const MeshBodyInput<dim> input;               ///< its mesh has the points of fields
-  const Mesh<dim> &mesh;                        ///< of the input
-  const MPI_Comm all_ranks;                     ///< that share the work
-  const std::array<double, dim> lower;          ///< corner of the bounding box (m)
-  const std::vector<unsigned int> in_mesh;      ///< see MeshShare::point_in_mesh
-  const std::vector<unsigned int> in_order;     ///< points of fields, by in_mesh
+  const MeshBodyInput<dim> input;           ///< its mesh has the points of fields
+  const Mesh<dim> &mesh;                    ///< the same: points and cells of this rank
+  const MPI_Comm all_ranks;                 ///< that share the work
+  const std::array<double, dim> lower;      ///< corner of the bounding box (m)
+  const std::vector<unsigned int> in_mesh;  ///< see MeshShare::point_in_mesh
+  const std::vector<unsigned int> in_order; ///< points of fields, by in_mesh
   const std::vector<unsigned int> cell_in_mesh; ///< see cell_numbers()
   const std::size_t n_owned;                    ///< see owned_points()
   std::vector<unsigned int> of_contact;         ///< see contact_points()

@@ -130,7 +130,7 @@ void check_static_contact(const ContactParameters &parameters,
     "Body/Acceleration is not zero, which a static contact analysis under a "
     "platen does not take; set it to 0, or Top/Kind = pressure, which loads each node "
     "by itself");
-  require(platen || top.lateral_held || held_x || !(*largest > 0.) || !slides,
+  require(top.holds_tangentially() || held_x || !(*largest > 0.) || !slides,
           "Nothing holds the body against the friction of the sliding flat: set "
           "Top/Lateral held, hold a side in u_x, use a platen, Friction/Coefficient = 0 "
           "or Flat/Velocity = 0");

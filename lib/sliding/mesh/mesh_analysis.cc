@@ -212,7 +212,7 @@ DofMask MeshAnalysis<dim>::held_by_mesh(const TopSetup &top,
   for (const HeldComponent &h : body.held)
     hold(h.component, h.point);
   for (unsigned int c = 0; c < dim; ++c)
-    if (top_holds<dim>(top, c))
+    if (top.is_fixed(c, dim))
       for (const unsigned int point : body.top.points)
         hold(c, point);
   return held;

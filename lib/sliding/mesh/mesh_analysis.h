@@ -13,13 +13,6 @@
 
 namespace mesoslip
 {
-/** Whether the top is held in component @p c: that of a platen along the normal as well. */
-template <int dim>
-bool top_holds(const TopSetup &top, const unsigned int c)
-{
-  return top.kind != TopSetup::Kind::pressure || (c + 1 < dim && top.lateral_held);
-}
-
 /** What the analyses of a body on a mesh have in common. */
 template <int dim>
 class MeshAnalysis : public Analysis

@@ -116,8 +116,7 @@ bool needs_contact(const ContactParameters &parameters)
 bool needs_top(const ContactParameters &parameters)
 {
   const TopSetup &top = parameters.top;
-  return parameters.analysis != ContactAnalysis::modal ||
-         top.kind != TopSetup::Kind::pressure || top.lateral_held ||
+  return parameters.analysis != ContactAnalysis::modal || top.holds_tangentially() ||
          !(top.hold_from > 0.);
 }
 

@@ -48,7 +48,7 @@ private:
     for (const HeldComponent &h : this->body.held)
       held.emplace(h.point, h.component);
     for (unsigned int c = 0; c < dim; ++c)
-      if (top_holds<dim>(top_at_start(this->parameters), c))
+      if (top_at_start(this->parameters).is_fixed(c, dim))
         for (const unsigned int point : this->body.top.points)
           held.emplace(point, c);
     for (const unsigned int point : this->body.contact.points)

@@ -19,14 +19,14 @@ public:
                  const BodyDescription &body,
                  const TimeStepChoice &time);
 
-  /** See RunOutput. */
+  /** Rank 0 creates dynamics.h5, or goes on with it, with place for @p map; see RunOutput. */
   void begin(const Stepper &of_stepper,
              const std::uint64_t n_done,
              ContactMapOutput<2> *map) override;
   void before_step(const std::uint64_t n) override;
   void sync() override;
 
-  /** See RunOutput. */
+  /** On rank 0: contact nodes, series and tables, and the times of the snapshots; see RunOutput. */
   void write(const TransientResult &run, const ContactMapOutput<2> *map) override;
 
 private:

@@ -44,7 +44,7 @@ public:
                      const std::uint64_t n_done,
                      ContactMapOutput<dim> *map) = 0;
 
-  /** Of the next snapshot. */
+  /** The first step >= @p n before which a snapshot is taken. */
   std::uint64_t next_step(const std::uint64_t n) const override
   {
     const auto next = std::lower_bound(steps.begin(), steps.end(), n);

@@ -50,7 +50,7 @@ void check_mesh_static(const ContactParameters &p, const std::vector<double> &mu
       const std::string side = p.mesh.is_given()
                                  ? std::string("a group in Mesh/Held in ") + "xy"[c]
                                  : std::string("a side in u_") + "xy"[c] + " (Sides)";
-      if (platen || p.top.lateral_held || !p.mesh.held[c].empty())
+      if (p.top.holds_tangentially() || !p.mesh.held[c].empty())
         continue;
       if (rubs && speed * p.contact.flat_direction[c] != 0.)
         throw UserError(
