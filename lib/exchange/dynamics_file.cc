@@ -11,7 +11,6 @@ namespace
 constexpr int newest_dynamics_version = 1;
 
 const char dynamics_program[] = "contact_dynamics";
-const char snapshots_name[]   = "/snapshots/displacement";
 const char phases_name[]      = "/material/phase_id";
 
 const char file_hint[] = "contact_dynamics writes such a file";
@@ -38,11 +37,25 @@ Shape nodes_shape(const UniformGrid<2> &grid)
   return {std::size_t(grid.cells[1]) + 1, std::size_t(grid.cells[0]) + 1, 2};
 }
 
-std::vector<double> interleaved(const NodalField<double> &u)
+void show_grid(const std::string &path,
+               const UniformGrid<2> &grid,
+               const bool has_phases,
+               const std::vector<XdmfField> &series,
+               const std::vector<double> &times)
+{
+  std::vector<XdmfField> cells;
+  if (has_phases)
+    cells = {{"phase", phases_name, XdmfField::Values::phases}};
+  show_file(path, grid, series, times, cells);
+}
+
+std::vector<double>
+interleaved(const NodalField<double> &u, const unsigned int begin, const unsigned int end)
 {
   std::vector<double> values;
-  values.reserve(static_cast<std::size_t>(u.n_components()) * u.n_columns() * u.n_rows());
-  for (unsigned int j = 0; j < u.n_rows(); ++j)
+  values.reserve(static_cast<std::size_t>(u.n_components()) * u.n_columns() *
+                 (end - begin));
+  for (unsigned int j = begin; j < end; ++j)
     for (unsigned int i = 0; i < u.n_columns(); ++i)
       for (unsigned int c = 0; c < u.n_components(); ++c)
         values.push_back(u.row(c, j)[i]);
@@ -65,21 +78,6 @@ DynamicsFile DynamicsFile::create(const std::string &path,
   return file;
 }
 
-DynamicsFile DynamicsFile::resume(const std::string &path, const std::size_t n_snapshots)
-{
-  const std::string remedy = "start again without --resume";
-  DynamicsFile file(Hdf5File::resume(path, remedy));
-  if (n_snapshots > 0 && file.shape(snapshots_name, remedy)[0] < n_snapshots)
-    throw UserError(path + " has fewer than the " + std::to_string(n_snapshots) +
-                    " snapshots it had at the checkpoint; " + remedy);
-  file.grid = read_grid<2>(file, dynamics_program);
-  for (const std::string &name : file.list("/"))
-    if (name != "grid" && name != "material" && name != "snapshots" &&
-        name != "contact_map")
-      file.remove("/" + name);
-  return file;
-}
-
 DynamicsFile DynamicsFile::open(const std::string &path, const std::string &hint)
 {
   DynamicsFile file(Hdf5File::open(path, hint));
@@ -88,42 +86,6 @@ DynamicsFile DynamicsFile::open(const std::string &path, const std::string &hint
   file.grid       = read_grid<2>(file, dynamics_program);
   file.conditions = read_run_conditions(file);
   return file;
-}
-
-Shape DynamicsFile::snapshot_shape(const std::size_t n) const
-{
-  Shape shape = nodes_shape(grid);
-  shape.insert(shape.begin(), n);
-  return shape;
-}
-
-void DynamicsFile::reserve_snapshots(const std::size_t n)
-{
-  reserve_rows(snapshots_name, snapshot_shape(n));
-}
-
-void DynamicsFile::write_snapshot(const std::size_t k, const NodalField<double> &u)
-{
-  write_row(snapshots_name, k, interleaved(u));
-}
-
-void DynamicsFile::complete_snapshots(const std::vector<double> &times)
-{
-  write_dataset(*this, "/snapshots/time", {times.size()}, times, "s");
-  write_unit(snapshots_name, "m");
-  if (!times.empty())
-    show({{"displacement", snapshots_name, XdmfField::Values::nodes, {2}}}, times);
-}
-
-void DynamicsFile::show(const std::vector<XdmfField> &series,
-                        const std::vector<double> &times) const
-{
-  const std::string name   = path().substr(path().rfind('/') + 1);
-  const std::string prefix = path().substr(0, path().rfind('.'));
-  write_xdmf(prefix + ".xdmf", name, grid, series, times);
-  if (exists(phases_name))
-    write_xdmf(prefix + "-phases.xdmf", name, grid,
-               {{"phase", phases_name, XdmfField::Values::phases}});
 }
 
 std::string DynamicsFile::rve_digest() const

@@ -19,8 +19,24 @@ namespace mesoslip
 /** Extents of a displacement of the nodes: [ny + 1][nx + 1][2]. */
 Shape nodes_shape(const UniformGrid<2> &grid);
 
-/** Values [rows][columns][components] of a nodal field. */
-std::vector<double> interleaved(const NodalField<double> &u);
+/** Shows @p series of nodes of the file at @p path in `NAME.xdmf`, and if it @p has_phases those of the cells in
+ * `NAME-phases.xdmf`, as ParaView cannot read vectors and cell data from one plane grid. */
+void show_grid(const std::string &path,
+               const UniformGrid<2> &grid,
+               const bool has_phases,
+               const std::vector<XdmfField> &series,
+               const std::vector<double> &times);
+
+/** Values [rows][columns][components] of rows @p begin to @p end of a nodal field. */
+std::vector<double> interleaved(const NodalField<double> &u,
+                                const unsigned int begin,
+                                const unsigned int end);
+
+/** The same of all rows. */
+inline std::vector<double> interleaved(const NodalField<double> &u)
+{
+  return interleaved(u, 0, u.n_rows());
+}
 
 /**
  * dynamics.h5 of a transient run or a static contact analysis (one snapshot), and modal.h5,
@@ -35,34 +51,8 @@ public:
                              const BodyDescription &body,
                              const std::string &format = "mesoslip-dynamics");
 
-  /**
-   * Opens the file of a run that goes on after @p n_snapshots snapshots, without what was
-   * observed when it was stopped. @throws UserError if it has fewer of them
-   */
-  static DynamicsFile resume(const std::string &path, const std::size_t n_snapshots);
-
   /** Opens for reading. @p hint follows where the file is missing. @throws UserError */
   static DynamicsFile open(const std::string &path, const std::string &hint);
-
-  /**
-   * @name Writing
-   * @{
-   */
-  /** Makes place for @p n snapshots, or cuts the place off behind them. */
-  void reserve_snapshots(const std::size_t n);
-
-  /** Writes the displacement @p u (m) as snapshot number @p k. */
-  void write_snapshot(const std::size_t k, const NodalField<double> &u);
-
-  /** Writes the times (s) of all snapshots, and `NAME.xdmf` if there are any. */
-  void complete_snapshots(const std::vector<double> &times);
-
-  /**
-   * Shows series of nodes in `NAME.xdmf`, and the phases of a heterogeneous body in
-   * `NAME-phases.xdmf`, as ParaView cannot read vectors and cell data from one plane grid.
-   */
-  void show(const std::vector<XdmfField> &series, const std::vector<double> &times) const;
-  /** @} */
 
   /**
    * @name Reading
@@ -95,8 +85,6 @@ private:
     : Hdf5File(std::move(file))
   {
   }
-
-  Shape snapshot_shape(const std::size_t n) const;
 };
 } // namespace mesoslip
 

@@ -53,6 +53,23 @@ void write_xdmf(const std::string &path,
                 const Mesh<dim> &mesh,
                 const std::vector<XdmfField> &fields,
                 const std::vector<double> &times = {});
+
+/** Writes NAME.xdmf with @p fields and NAME-phases.xdmf with what the @p cells have, of the HDF5 file NAME.h5
+ * at @p path; none of either, no file. */
+template <class GridOrMesh>
+void show_file(const std::string &path,
+               const GridOrMesh &shape,
+               const std::vector<XdmfField> &fields,
+               const std::vector<double> &times,
+               const std::vector<XdmfField> &cells)
+{
+  const std::string file   = path.substr(path.rfind('/') + 1),
+                    prefix = path.substr(0, path.rfind('.'));
+  if (!fields.empty())
+    write_xdmf(prefix + ".xdmf", file, shape, fields, times);
+  if (!cells.empty())
+    write_xdmf(prefix + "-phases.xdmf", file, shape, cells);
+}
 } // namespace mesoslip
 
 #endif

@@ -64,10 +64,10 @@ void bind_statics(Keys &keys, ContactParameters &p)
   StaticLoadParameters &load = p.static_load;
   keys.bind(
     "Load steps", load.steps, 1, 100000,
-    "On a mesh, increments in which the load of the top grows, and then those of "
+    "Increments in which the load of the top grows, and then those of "
     "Flat displacement; friction opposes the displacement since the last one [-]");
   keys.bind_list("Flat displacement", load.of_flat, Range::any(),
-                 "On a mesh, displacement of the flat along x and, in 3D, y under the "
+                 "Displacement of the flat along x and, in 3D, y under the "
                  "whole load of the top; empty: none [m]",
                  0, 2);
   keys.require(load.of_flat.size() < 2 || p.mesh.mesh.dim == 3, "Flat displacement",
@@ -75,9 +75,6 @@ void bind_statics(Keys &keys, ContactParameters &p)
   keys.require(
     !load.moves_flat() || p.contact.flat_velocity.amplitude() == 0., "Flat displacement",
     "the flat slides with Flat/Velocity, which is not 0; set one of them to 0");
-  keys.only_if(!p.mesh.is_plane_grid(), {"Load steps", "Flat displacement"},
-               "on a grid static contact takes the load in one step",
-               "name a mesh in Mesh/File");
 }
 
 void bind_homogenization(Keys &keys, FrictionHomogenizationParameters &p)

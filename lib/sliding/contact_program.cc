@@ -4,16 +4,23 @@
 #include "sliding/analyses/friction_homogenization.h"
 #include "sliding/analyses/modal.h"
 #include "sliding/analyses/static_contact.h"
-#include "sliding/complex/grid_complex.h"
-#include "sliding/mesh/mesh_modal.h"
-#include "sliding/mesh/mesh_transient.h"
-#include "sliding/mesh/statics/mesh_static.h"
+#include "sliding/complex/complex_analysis.h"
 #include "sliding/transient/transient.h"
 
 namespace mesoslip
 {
 namespace
 {
+/** The analysis @p A of the body that the parameters give. */
+template <template <int> class A, typename... More>
+std::unique_ptr<Analysis> of_body(const ContactParameters &parameters,
+                                  const More &...more)
+{
+  if (parameters.mesh.mesh.dim == 2)
+    return std::make_unique<A<2>>(make_given_body<2>(parameters), more...);
+  return std::make_unique<A<3>>(make_given_body<3>(parameters), more...);
+}
+
 std::unique_ptr<Analysis> build(Keys &keys)
 {
   resolve(InstructionSet::automatic); // tells what is wrong with MESOSLIP_ISA
@@ -22,23 +29,15 @@ std::unique_ptr<Analysis> build(Keys &keys)
   switch (parameters.analysis)
     {
     case ContactAnalysis::modal:
-      if (!parameters.mesh.is_plane_grid())
-        return make_mesh_modal(parameters);
-      return std::make_unique<ModalAnalysis>(parameters);
+      return of_body<ModalAnalysis>(parameters);
     case ContactAnalysis::static_contact:
-      if (!parameters.mesh.is_plane_grid())
-        return make_mesh_static(parameters);
-      return std::make_unique<StaticContactAnalysis>(parameters);
+      return of_body<StaticContactAnalysis>(parameters);
     case ContactAnalysis::complex_modes:
-      if (!parameters.mesh.is_plane_grid())
-        return make_mesh_complex(parameters);
-      return std::make_unique<ComplexModesAnalysis>(parameters);
+      return of_body<ComplexModesAnalysis>(parameters);
     case ContactAnalysis::friction_homogenization:
       return std::make_unique<FrictionHomogenizationAnalysis>(parameters);
     default:
-      if (!parameters.mesh.is_plane_grid())
-        return make_mesh_transient(parameters, keys);
-      return std::make_unique<TransientAnalysis>(parameters, keys);
+      return of_body<TransientAnalysis>(parameters, keys);
     }
 }
 } // namespace

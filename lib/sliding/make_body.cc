@@ -3,8 +3,8 @@
 #include "exchange/rve_file.h"
 #include "grid/uniform_grid.h"
 #include "material/stiffness.h"
-#include "sliding/body_analysis.h"
 #include "sliding/body_grid.h"
+#include "sliding/given_grid.h"
 #include "sliding/run_plan.h"
 
 #include <algorithm>
@@ -81,7 +81,8 @@ UniformMaterial make_material(const BodyDescription &body, const bool periodic)
 
 DofMask held_by_supports(const UniformMaterial &material,
                          const SideConstraints &sides,
-                         const TopSetup &top)
+                         const TopSetup &top,
+                         const bool bottom_held)
 {
   const unsigned int last_column = material.n_columns() - 1,
                      last_row    = material.n_rows() - 1;
@@ -95,6 +96,8 @@ DofMask held_by_supports(const UniformMaterial &material,
       if (top.is_fixed(c, 2))
         held.constrain_row(c, last_row);
     }
+  if (bottom_held)
+    held.constrain_row(1, 0);
   return held;
 }
 

@@ -82,13 +82,6 @@ void require_frequency(const UniformMaterial &material)
                     "Stiffness in Pa and Density in kg/m^3?");
 }
 
-unsigned int statistics_interval(const UniformMaterial &material, const double dt)
-{
-  const UniformGrid<2> &grid = material.grid();
-  return statistics_interval(
-    BodyScales(material).crossing() * std::min(1., grid.extent(0) / grid.extent(1)), dt);
-}
-
 unsigned int statistics_interval(const double crossing, const double dt)
 {
   return static_cast<unsigned int>(std::clamp(crossing / (6. * dt), 1., 10.));
@@ -116,18 +109,6 @@ TimeStepChoice choose_time_step(const ContactParameters &parameters,
       " s, the run would be unstable; use auto or a smaller one"));
   choice.n_steps =
     static_cast<std::uint64_t>(std::ceil(parameters.time.end_time / step.dt - 1e-9));
-  return choice;
-}
-
-TimeStepChoice choose_time_step(const ContactParameters &parameters,
-                                const UniformMaterial &material)
-{
-  // Whole on one rank, so that the others do not need its fields.
-  double frequency = 0.;
-  on_root(MPI_COMM_WORLD, [&]() { frequency = largest_frequency(material).upper; });
-  broadcast_object(MPI_COMM_WORLD, frequency);
-  TimeStepChoice choice      = choose_time_step(parameters, frequency);
-  choice.statistics_interval = statistics_interval(material, choice.step.dt);
   return choice;
 }
 
@@ -185,25 +166,28 @@ BodyScales::BodyScales(const UniformMaterial &material)
     }
 }
 
+static std::string around_text(const CellExtreme &cell, const unsigned int dim)
+{
+  std::string text = " around ";
+  for (unsigned int d = 0; d < dim; ++d)
+    text += std::string(d > 0 ? ", " : "") + "xyz"[d] + " = " +
+            quantity_text(1e3 * cell.middle[d], "mm");
+  return text;
+}
+
+PlaceText cell_text(const unsigned int dim)
+{
+  return [dim](const CellExtreme &cell) {
+    return "cell " + std::to_string(cell.cell) + around_text(cell, dim);
+  };
+}
+
 PlaceText cell_text(const UniformGrid<2> &grid)
 {
   return [n_x = std::uint64_t{grid.cells[0]}](const CellExtreme &cell) {
     return "cell (" + std::to_string(cell.cell % n_x) + ", " +
-           std::to_string(cell.cell / n_x) +
-           ") around x = " + quantity_text(1e3 * cell.middle[0], "mm") +
-           ", y = " + quantity_text(1e3 * cell.middle[1], "mm");
+           std::to_string(cell.cell / n_x) + ")" + around_text(cell, 2);
   };
-}
-
-double largest_number_of_steps(const ContactParameters &parameters,
-                               const UniformMaterial &material)
-{
-  const double dt    = parameters.step.dt,
-               bound = lower_bound(BodyScales(material), parameters.step);
-  if (dt > bound && parameters.time.check_time_step)
-    choose_time_step(parameters, material); // above the true one as well?
-  return std::ceil(parameters.time.end_time /
-                   (std::isnan(dt) ? parameters.time.safety * bound : dt));
 }
 
 std::string damping_warning(const ContactParameters &parameters,

@@ -36,8 +36,11 @@ struct LoadRange
 /** The range of @p load from 0 to @p end (s). */
 LoadRange load_range(const LoadHistory &load, const double end);
 
-/** Place of a cell for a sentence: "cell 12 around (1, 2) mm". */
+/** Place of a cell for a sentence: "cell 12 around x = 1 mm, y = 2 mm". */
 using PlaceText = std::function<std::string(const CellExtreme &)>;
+
+/** The same on a mesh or a box of @p dim dimensions. */
+PlaceText cell_text(const unsigned int dim);
 
 /** The same on a grid: "cell (12, 0) around x = 1.25 mm, y = 0.05 mm". */
 PlaceText cell_text(const UniformGrid<2> &grid);
@@ -61,19 +64,13 @@ void require_frequency(const UniformMaterial &material);
 
 /**
  * Steps of @p dt seconds between two samples of what spectra and statistics rest on: six
- * samples while a wave crosses the body along its shorter side, so that they carry
- * vibrations three times as fast, but at least one every ten steps.
+ * samples while a wave crosses the body along its shorter side, in @p crossing seconds, so that
+ * they carry vibrations three times as fast, but at least one every ten steps.
  */
-unsigned int statistics_interval(const UniformMaterial &material, const double dt);
-
-/** The same where such a wave takes @p crossing seconds. */
 unsigned int statistics_interval(const double crossing, const double dt);
 
-/** @throws UserError when a given time step is above the critical one. */
-TimeStepChoice choose_time_step(const ContactParameters &parameters,
-                                const UniformMaterial &material);
-
-/** The same for a body of that highest circular frequency (1/s). */
+/** For a body of that highest circular frequency (1/s). @throws UserError when a given time step is above
+ * the critical one. */
 TimeStepChoice choose_time_step(const ContactParameters &parameters,
                                 const double highest_frequency);
 
@@ -88,13 +85,6 @@ double static_node_memory(const ContactParameters &parameters,
 
 /** Memory of the fields on one rank (bytes), to be checked before they are created. */
 double field_memory(const ContactParameters &parameters, const UniformGrid<2> &grid);
-
-/**
- * Steps of a transient run, estimated from above: with the bound of a single cell for the
- * time step, or the time step given. @throws UserError if that is not stable
- */
-double largest_number_of_steps(const ContactParameters &parameters,
-                               const UniformMaterial &material);
 
 /**
  * "Time/Rayleigh beta = ... makes (@p shortened) 20 times shorter than without damping; is

@@ -18,10 +18,10 @@ std::array<bool, 3> bind_side(Keys &keys, const std::string &key, const std::str
   return {{(value & 1) != 0, (value & 2) != 0, (value & 4) != 0}};
 }
 
-/** Of a box in 3D the sides are groups of the mesh of its cells. */
-void use_sides_of_box(MeshBodyParameters &mesh,
-                      const std::array<std::array<bool, 3>, 4> &held,
-                      const std::array<bool, 2> &periodic)
+/** The sides of a grid are groups as those of a mesh. */
+void use_sides_of_grid(MeshBodyParameters &mesh,
+                       const std::array<std::array<bool, 3>, 4> &held,
+                       const std::array<bool, 2> &periodic)
 {
   const std::string names[] = {"Left", "Right", "Front", "Back"};
   for (unsigned int side = 0; side < 4; ++side)
@@ -69,7 +69,7 @@ void ContactParameters::bind_sides(Keys &keys)
           " is held, but the platen of Top/Kind moves the corner; hold u_x only, "
           "or set Top/Kind = pressure or held");
     }
-  if (mesh.is_box())
-    use_sides_of_box(mesh, held, {{periodic, periodic_in_y}});
+  if (!mesh.is_given())
+    use_sides_of_grid(mesh, held, {{periodic, periodic_in_y}});
 }
 } // namespace mesoslip

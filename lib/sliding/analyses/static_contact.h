@@ -3,65 +3,71 @@
 
 #include "contact/static_contact_solver.h"
 #include "sliding/analyses/phase_pressures.h"
+#include "sliding/analyses/static_load.h"
 #include "sliding/body_analysis.h"
 
-#include <nlohmann/json_fwd.hpp>
-
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <optional>
 #include <vector>
 
 namespace mesoslip
 {
-/** Equilibrium of the body pressed on the flat, and what follows from it. */
+/** Equilibrium of the body pressed on the flat, and what follows from it; nodes in the order of
+ * ElasticBody::surface(). */
+template <int dim>
 struct StaticContactResult
 {
-  StaticContactSolution solution; ///< under the pressure of section Top
+  StaticContactSolution solution;    ///< under the pressure of section Top
+  std::vector<StaticLoadStep> steps; ///< one for each increment of the load
 
-  double normal_force     = 0.; ///< on the flat (N/m)
-  double tangential_force = 0.; ///< of the flat on the body (N/m)
+  double normal_force = 0.; ///< on the flat (N, in 2D N/m)
+  std::array<double, dim - 1>
+    tangential_force; ///< of the flat on the body (N, in 2D N/m)
 
-  std::vector<double> node_pressure; ///< one value a bottom node (Pa)
-  std::vector<double> node_shear;    ///< shear traction of the bottom nodes (Pa)
-  std::vector<double> cell_pressure; ///< mean of -sigma_yy in the bottom cells (Pa)
+  std::vector<double> node_pressure; ///< of the contact nodes (Pa)
+  std::array<std::vector<double>, dim - 1>
+    node_shear; ///< shear traction on the body (Pa)
 
-  PhasePressures phases; ///< from cell_pressure
+  std::vector<double> cell_pressure; ///< of ContactCell, on rank 0 (Pa)
+  PhasePressures phases;             ///< from cell_pressure, on rank 0
 };
 
-/** @throws UserError if supports and loads allow no equilibrium. */
-void check_static_contact(const ContactParameters &parameters,
-                          const BodyDescription &body);
+/** Solves for equilibrium of a body whose elastic() is made. Collective. @throws NotConverged */
+template <int dim>
+StaticContactResult<dim> compute_static_contact(const GivenBody<dim> &body,
+                                                const StaticContactOptions &options);
 
-/** Solves for equilibrium, with the ranks of @p communicator together if the solver is
- * ML. */
-StaticContactResult compute_static_contact(const ContactParameters &parameters,
-                                           const BodyDescription &body,
-                                           const UniformMaterial &material,
-                                           const StaticContactOptions &options,
-                                           const MPI_Comm communicator = MPI_COMM_SELF);
-
-/** Analysis "static contact": static_contact.csv, dynamics.h5 with one snapshot. */
-class StaticContactAnalysis : public BodyAnalysis
+/** Analysis "static contact": static_contact.csv, load_steps.csv, dynamics.h5 with one snapshot. */
+template <int dim>
+class StaticContactAnalysis : public BodyAnalysis<dim>
 {
 public:
   /** @throws UserError if supports and loads allow no equilibrium. */
-  explicit StaticContactAnalysis(const ContactParameters &p)
-    : BodyAnalysis(p)
-  {
-    check_static_contact(parameters, body);
-  }
+  explicit StaticContactAnalysis(std::unique_ptr<GivenBody<dim>> given);
 
   void write_draft(const std::string &folder) const override;
   void run(RunContext &context) override;
 
 private:
+  using BodyAnalysis<dim>::body;
+  using BodyAnalysis<dim>::facts;
+  using BodyAnalysis<dim>::parameters;
+
+  std::optional<double> sliding_friction() const;
   void log_result(RunContext &context) const;
-  void write_table(const RunContext &context) const;
-  void write_file(const RunContext &context) const;
-  void write_summary(nlohmann::json &json) const;
+  void write_contact_table(const RunContext &context,
+                           const std::vector<double> &displaced) const;
+  void write_step_table(const RunContext &context) const;
+  void write_static_file(const RunContext &context) const;
+  void write_contact_group(Hdf5File &file) const;
+  void summarize(RunContext &context) const;
 
   /** Number of distinct nodes in @p state. */
-  unsigned int count(const ContactState state) const;
+  std::size_t count(const ContactState state) const;
 
-  StaticContactResult result;
+  StaticContactResult<dim> result;
 };
 } // namespace mesoslip
 

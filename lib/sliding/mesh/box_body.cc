@@ -8,7 +8,7 @@
 #include "material/plausibility.h"
 #include "program/output_folder.h"
 #include "sliding/body_grid.h"
-#include "sliding/mesh/body_memory.h"
+#include "sliding/body_memory.h"
 
 #include <algorithm>
 #include <cmath>

@@ -49,15 +49,6 @@ Hdf5File create_mesh_file(const std::string &path,
 }
 
 template <int dim>
-void show_mesh_phases(const std::string &path,
-                      const std::string &file,
-                      const MeshMorphology<dim> &morphology)
-{
-  show_body(path, file, morphology,
-            {{"phase", phase_of_cells, XdmfField::Values::phases, {}}}, {});
-}
-
-template <int dim>
 Shape vectors_shape(const MeshMorphology<dim> &morphology)
 {
   if (!morphology.box)
@@ -102,32 +93,30 @@ void write_divided_fields(std::optional<Hdf5File> &file,
 }
 
 template <int dim>
-void show_body(const std::string &path,
-               const std::string &file,
+void show_mesh(const std::string &path,
                const MeshMorphology<dim> &morphology,
                const std::vector<XdmfField> &fields,
                const std::vector<double> &times)
 {
+  const std::vector<XdmfField> phases = {
+    {"phase", phase_of_cells, XdmfField::Values::phases, {}}};
   if constexpr (dim == 3)
     if (morphology.box)
-      return write_xdmf(path, file, morphology.box->grid, fields, times);
-  write_xdmf(path, file, morphology.mesh, fields, times);
+      return show_file(path, morphology.box->grid, fields, times, phases);
+  show_file(path, morphology.mesh, fields, times, phases);
 }
 
-#define MESOSLIP_INSTANTIATE(dim)                                                      \
-  template Hdf5File create_mesh_file(const std::string &, const std::string &,         \
-                                     const MeshMorphology<dim> &,                      \
-                                     const MeshBodyDescription &);                     \
-  template void show_mesh_phases(const std::string &, const std::string &,             \
-                                 const MeshMorphology<dim> &);                         \
-  template Shape vectors_shape(const MeshMorphology<dim> &);                           \
-  template void write_divided_fields(                                                  \
-    std::optional<Hdf5File> &, const std::string &, const std::string &,               \
-    const std::vector<const NodalField<double> *> &, const MeshMorphology<dim> &,      \
-    const MeshBody<dim> &);                                                            \
-  template void show_body(const std::string &, const std::string &,                    \
-                          const MeshMorphology<dim> &, const std::vector<XdmfField> &, \
-                          const std::vector<double> &);
+#define MESOSLIP_INSTANTIATE(dim)                                                 \
+  template Hdf5File create_mesh_file(const std::string &, const std::string &,    \
+                                     const MeshMorphology<dim> &,                 \
+                                     const MeshBodyDescription &);                \
+  template Shape vectors_shape(const MeshMorphology<dim> &);                      \
+  template void write_divided_fields(                                             \
+    std::optional<Hdf5File> &, const std::string &, const std::string &,          \
+    const std::vector<const NodalField<double> *> &, const MeshMorphology<dim> &, \
+    const MeshBody<dim> &);                                                       \
+  template void show_mesh(const std::string &, const MeshMorphology<dim> &,       \
+                          const std::vector<XdmfField> &, const std::vector<double> &);
 MESOSLIP_INSTANTIATE(2)
 MESOSLIP_INSTANTIATE(3)
 #undef MESOSLIP_INSTANTIATE

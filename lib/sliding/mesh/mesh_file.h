@@ -36,19 +36,13 @@ void write_divided_fields(std::optional<Hdf5File> &file,
                           const MeshMorphology<dim> &morphology,
                           const MeshBody<dim> &elastic);
 
-/** Writes @p path for ParaView with @p fields of such a file, which is called @p file. */
+/** Writes NAME.xdmf for ParaView, if there are @p fields of the file NAME.h5 at @p path, and
+ * NAME-phases.xdmf with the phases of the cells: data of nodes and of cells cannot be shown in one. */
 template <int dim>
-void show_body(const std::string &path,
-               const std::string &file,
+void show_mesh(const std::string &path,
                const MeshMorphology<dim> &morphology,
                const std::vector<XdmfField> &fields,
                const std::vector<double> &times);
-
-/** The same with the phases of the cells: data of nodes and of cells cannot be shown in one. */
-template <int dim>
-void show_mesh_phases(const std::string &path,
-                      const std::string &file,
-                      const MeshMorphology<dim> &morphology);
 } // namespace mesoslip
 
 #endif

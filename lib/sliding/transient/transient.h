@@ -5,6 +5,7 @@
 #include "sliding/run_plan.h"
 #include "sliding/transient/run_needs.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -17,11 +18,12 @@ class Keys;
  * dynamics.h5, tables and the summary in the output folder. With RunContext::resume() it
  * continues from the checkpoint there, if all keys that decide the result are the same.
  */
-class TransientAnalysis : public BodyAnalysis
+template <int dim>
+class TransientAnalysis : public BodyAnalysis<dim>
 {
 public:
-  /** @p keys identify the run. @throws UserError */
-  TransientAnalysis(const ContactParameters &parameters, const Keys &keys);
+  /** @p keys identify the run. Collective. @throws UserError */
+  TransientAnalysis(std::unique_ptr<GivenBody<dim>> given, const Keys &keys);
 
   ResourceNeed need() const override
   {
@@ -29,6 +31,7 @@ public:
   }
 
   void describe(std::ostream &out) const override;
+
   unsigned int useful_ranks() const override;
 
   bool resumable() const override
@@ -45,12 +48,16 @@ public:
   void run(RunContext &context) override;
 
 private:
-  RunNeeds needs_of(const double n_steps, const unsigned int interval) const;
+  using BodyAnalysis<dim>::body;
+  using BodyAnalysis<dim>::facts;
+  using BodyAnalysis<dim>::parameters;
+
+  TimeStepChoice time_step() const;
   std::vector<std::string> warnings() const;
 
-  const BodyScales scales;
   const std::string identity; ///< see run_identity()
-  RunNeeds needs;             ///< estimated from above
+  const TimeStepChoice time;
+  const RunNeeds needs;
 };
 } // namespace mesoslip
 

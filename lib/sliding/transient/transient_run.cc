@@ -166,7 +166,8 @@ TransientResult TransientRun<dim>::advance()
   const std::uint64_t n_end = parts.time.n_steps;
   const BodySize &size      = parts.size;
   Timer *const timer        = parts.body.profile.timer;
-  parts.output.begin(stepper, parts.checkpoint.position().snapshots, map.get());
+  parts.output.begin(stepper.step_number(), parts.checkpoint.position().snapshots,
+                     map.get());
   const auto watching = observers();
   context.progress().start("Sliding", n_end, size.n_cells, stepper.step_number());
   counted = std::chrono::steady_clock::now();

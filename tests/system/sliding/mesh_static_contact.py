@@ -29,10 +29,10 @@ def assert_close(one, other, tolerance):
         assert a.shape == b.shape and np.abs(a - b).max() <= tolerance * np.abs(a).max(), np.abs(a - b).max() / np.abs(a).max()
 
 
-def check_grid_as_mesh(folder, velocity, top):
-    """Pressure, shear and states of a sliding or resting body to the tolerance."""
+def check_grid_as_mesh(folder, velocity, top, steps=None):
+    """Pressure, shear and states of a sliding or resting body to the tolerance, and what the flat carries after each of the `steps`."""
     names = ("pressure [Pa]", "displacement_x [m]")
-    common = {**LOADS, "Flat/Velocity": velocity, "Top/Kind": top}
+    common = {**LOADS, "Flat/Velocity": velocity, "Top/Kind": top, **(steps or {})}
     if top == "platen":
         del common["Top/Lateral held"]
     folder.write("grid.prm", prm({**common, "Body/Stiffness": STIFFNESS, "Body/Density": DENSITY, "Body/Size": "0.012, 0.004",
@@ -49,6 +49,15 @@ def check_grid_as_mesh(folder, velocity, top):
         assert_close(expected, found, 1e-6)
         assert states == others, (ranks, states, others)
         assert_same_pressures(folder, 1e-6)
+        if steps:
+            assert_close(load_steps(folder, "grid"), load_steps(folder, "mesh"), 1e-6)
+
+
+def load_steps(folder, run):
+    """Displacements, forces and areas of load_steps.csv."""
+    with open(folder(run, "load_steps.csv"), encoding="ascii") as file:
+        rows = list(csv.reader(file))
+    return [np.array([float(row[column]) for row in rows[1:]]) for column in range(rows[0].index("iterations [-]"))]
 
 
 def assert_same_pressures(folder, tolerance):
@@ -175,6 +184,8 @@ def main():
         check_grid_as_mesh(scenes, 2, "pressure")
         check_grid_as_mesh(scenes, 0, "pressure")
         check_grid_as_mesh(scenes, 2, "platen")
+        for top in ("pressure", "platen"):
+            check_grid_as_mesh(scenes, 0, top, {"Static contact/Load steps": 3, "Static contact/Flat displacement": 1e-7})
         check_steps(scenes)
         check_layer(scenes)
         check_refused(scenes)

@@ -1,4 +1,4 @@
-#include "sliding/mesh/body_memory.h"
+#include "sliding/body_memory.h"
 
 #include "program/output_folder.h"
 #include "sliding/complex/complex_cases.h"

@@ -1,9 +1,8 @@
-#ifndef mesoslip_sliding_mesh_statics_mesh_static_load_h
-#define mesoslip_sliding_mesh_statics_mesh_static_load_h
+#ifndef mesoslip_sliding_analyses_static_load_h
+#define mesoslip_sliding_analyses_static_load_h
 
-#include "body/mesh/mesh_body.h"
 #include "contact/static_contact_solver.h"
-#include "sliding/contact_parameters.h"
+#include "sliding/given_body.h"
 
 #include <array>
 #include <vector>
@@ -22,33 +21,32 @@ struct StaticLoadStep
   unsigned int iterations = 0;  ///< over contact states and friction
 };
 
-/** Normal force of the flat on the body (N, in 2D N/m). */
-double total_normal_force(const StaticContactSolution &solution);
+/** Normal force of the flat on the body (N, in 2D N/m), which has @p n_nodes distinct contact nodes. */
+double total_normal_force(const StaticContactSolution &solution,
+                          const std::size_t n_nodes);
 
 /** Its force along axis @p c of the dim - 1 along the flat. */
 double total_tangential_force(const StaticContactSolution &solution,
+                              const std::size_t n_nodes,
                               const unsigned int c,
                               const unsigned int n_tangents);
 
-/** @throws UserError if supports and loads allow no equilibrium; @p mu are the coefficients of the
- * contact nodes. */
+/** @throws UserError if supports and loads of @p p allow no equilibrium */
 template <int dim>
-void check_mesh_static(const ContactParameters &p, const std::vector<double> &mu);
+void check_static_load(const ContactParameters &p, const BodyFacts<dim> &body);
 
-/** A body on a mesh under a load that grows in increments. */
+/** A body under a load that grows in increments. */
 template <int dim>
-class MeshStaticLoad
+class StaticLoad
 {
 public:
   /**
-   * @p body lists contact nodes in the order of @p elastic, @p held is what groups and top
-   * hold, @p stiffness (Pa) says how far a platen is lowered first. All must outlive it.
+   * Of a @p body whose elastic() is made, with the loads of @p parameters and the coefficients @p friction of its
+   * contact nodes; all must outlive it.
    */
-  MeshStaticLoad(const ContactParameters &parameters,
-                 const MeshBodyDescription &body,
-                 const MeshBody<dim> &elastic,
-                 const DofMask &held,
-                 const double stiffness);
+  StaticLoad(const GivenBody<dim> &body,
+             const ContactParameters &parameters,
+             const std::vector<double> &friction);
 
   /**
    * Presses the body on the flat, then displaces the flat. Iterations are those of all
@@ -72,13 +70,19 @@ private:
   /** Lowers the platen until the flat carries @p share of its pressure. */
   void press(const double share);
 
+  /** The same where everything is proportional to how far it is lowered. */
+  void press_in_proportion();
+
+  double normal_force() const;
+
   /** Adds to steps(). */
   void record(const double share, const double share_of_flat);
 
   const ContactParameters &parameters;
-  const MeshBodyDescription &body;
-  const MeshBody<dim> &elastic;
-  const double stiffness;
+  const BodyFacts<dim> &facts;
+  const ElasticBody<dim> &elastic;
+  const TopNodes top;
+  const double strain; ///< of the body under its pressure, about
   StaticContactOptions options;
   StaticContactProblem problem;
   NodalField<double> whole_load; ///< N, in 2D N/m

@@ -1,13 +1,11 @@
-#include "sliding/mesh/statics/mesh_pressures.h"
-
 #include "base/object_exchange.h"
 #include "mesh/boundary.h"
 #include "mesh/cell_shapes.h"
+#include "sliding/mesh/elastic_mesh.h"
 
 #include <algorithm>
 #include <array>
 #include <map>
-#include <numeric>
 #include <set>
 
 namespace mesoslip
@@ -56,58 +54,43 @@ Displacements<dim> displacements_behind(const std::vector<BoundaryFace<dim>> &fa
 } // namespace
 
 template <int dim>
-PhasePressures mesh_phase_pressures(const MeshMorphology<dim> &morphology,
-                                    const ContactParameters &parameters,
-                                    const MeshBody<dim> &elastic,
-                                    const NodalField<double> &u,
-                                    const double normal_force)
+std::vector<ContactCell> cells_at_contact(const MeshMorphology<dim> &morphology,
+                                          const MeshBodyParameters &parameters,
+                                          const MeshBody<dim> &elastic,
+                                          const NodalField<double> &u)
 {
   const Mesh<dim> &mesh = morphology.mesh;
   std::vector<BoundaryFace<dim>> faces;
   if (!mesh.cells.empty())
     {
       const auto group = std::find(mesh.boundaries.begin(), mesh.boundaries.end(),
-                                   parameters.mesh.contact_boundary);
+                                   parameters.contact_boundary);
       faces            = faces_of_group(mesh, boundary_faces(mesh),
                                         static_cast<unsigned int>(group - mesh.boundaries.begin()));
     }
-  const Displacements<dim> behind = displacements_behind(faces, mesh, elastic, u);
-  if (faces.empty())
-    return {};
-  std::vector<double> area(morphology.phases.size()), force(area.size());
+  const Displacements<dim> behind         = displacements_behind(faces, mesh, elastic, u);
   const std::vector<Phase<dim>> materials = morphology.materials();
+  std::vector<ContactCell> found;
   for (const BoundaryFace<dim> &face : faces)
     {
-      const auto &cell               = mesh.cells[face.cell];
-      const VoigtVector<dim> strain  = mean_strain<dim>(mesh, cell.vertices, behind);
-      const VoigtMatrix<dim> &D      = materials[cell.material_id].stiffness;
-      const unsigned int phase       = morphology.phase_of(cell.material_id);
-      const double pressure          = -D.row(dim - 1).dot(strain);
-      const BoundaryPoints<dim> here = boundary_points<dim>(mesh, {face});
-      for (const auto &of_point : here.normal_area)
-        {
-          area[phase] -= of_point[dim - 1];
-          force[phase] -= of_point[dim - 1] * pressure;
-        }
+      const auto &cell              = mesh.cells[face.cell];
+      const VoigtVector<dim> strain = mean_strain<dim>(mesh, cell.vertices, behind);
+      const VoigtMatrix<dim> &D     = materials[cell.material_id].stiffness;
+      ContactCell &here             = found.emplace_back();
+      here.phase                    = morphology.phase_of(cell.material_id);
+      here.pressure                 = -D.row(dim - 1).dot(strain);
+      for (const auto &of_point : boundary_points<dim>(mesh, {face}).normal_area)
+        here.area -= of_point[dim - 1];
     }
-  const double total = std::accumulate(area.begin(), area.end(), 0.);
-  for (std::size_t p = 0; p < area.size(); ++p)
-    {
-      area[p] /= total;
-      force[p] /= total;
-    }
-  return phase_pressures<dim>(parameters, morphology.phases, area, force,
-                              normal_force / total);
+  return found;
 }
 
-template PhasePressures mesh_phase_pressures(const MeshMorphology<2> &,
-                                             const ContactParameters &,
-                                             const MeshBody<2> &,
-                                             const NodalField<double> &,
-                                             const double);
-template PhasePressures mesh_phase_pressures(const MeshMorphology<3> &,
-                                             const ContactParameters &,
-                                             const MeshBody<3> &,
-                                             const NodalField<double> &,
-                                             const double);
+template std::vector<ContactCell> cells_at_contact(const MeshMorphology<2> &,
+                                                   const MeshBodyParameters &,
+                                                   const MeshBody<2> &,
+                                                   const NodalField<double> &);
+template std::vector<ContactCell> cells_at_contact(const MeshMorphology<3> &,
+                                                   const MeshBodyParameters &,
+                                                   const MeshBody<3> &,
+                                                   const NodalField<double> &);
 } // namespace mesoslip

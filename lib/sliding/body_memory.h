@@ -1,5 +1,5 @@
-#ifndef mesoslip_sliding_mesh_body_memory_h
-#define mesoslip_sliding_mesh_body_memory_h
+#ifndef mesoslip_sliding_body_memory_h
+#define mesoslip_sliding_body_memory_h
 
 #include "base/serialize_members.h"
 #include "grid/uniform_grid.h"

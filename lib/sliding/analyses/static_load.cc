@@ -1,0 +1,287 @@
+#include "sliding/analyses/static_load.h"
+
+#include "base/errors.h"
+#include "material/plausibility.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace mesoslip
+{
+double total_normal_force(const StaticContactSolution &solution,
+                          const std::size_t n_nodes)
+{
+  const std::vector<double> &force = solution.normal_force;
+  return std::accumulate(force.begin(),
+                         force.begin() + static_cast<std::ptrdiff_t>(n_nodes), 0.);
+}
+
+double total_tangential_force(const StaticContactSolution &solution,
+                              const std::size_t n_nodes,
+                              const unsigned int c,
+                              const unsigned int n_tangents)
+{
+  double sum = 0.;
+  for (std::size_t k = 0; k < n_nodes; ++k)
+    sum += solution.tangential_force[n_tangents * k + c];
+  return sum;
+}
+
+namespace
+{
+/** That something holds the body along the flat. */
+void check_lateral_support(const ContactParameters &p, const bool rubs)
+{
+  const double speed                 = p.contact.flat_velocity.amplitude();
+  const std::vector<double> &of_flat = p.static_load.of_flat;
+  for (unsigned int c = 0; c + 1 < p.mesh.mesh.dim; ++c)
+    {
+      const std::string side = p.mesh.is_given()
+                                 ? std::string("a group in Mesh/Held in ") + "xy"[c]
+                                 : std::string("a side in u_") + "xy"[c] + " (Sides)";
+      if (p.top.holds_tangentially() || !p.mesh.held[c].empty())
+        continue;
+      if (rubs && speed * p.contact.flat_direction[c] != 0.)
+        throw UserError(
+          "Nothing holds the body against the friction of the sliding flat: set "
+          "Top/Lateral held, hold " +
+          side + ", use a platen, Friction/Coefficient = 0 or Flat/Velocity = 0");
+      if (c < of_flat.size() && of_flat[c] != 0.)
+        throw UserError(
+          "Static contact/Flat displacement: nothing holds the body against the "
+          "flat; set Top/Lateral held, use a platen or hold " +
+          side);
+    }
+}
+
+/** That the friction under a flat contact does not tip the body: the resultant of the pressure acts in the
+ * middle, the reaction at most half the width from there, and their moment has to hold that of the friction
+ * between the flat and the top. */
+void check_tipping(const ContactParameters &p,
+                   const BodyFacts<2> &body,
+                   const double least_friction)
+{
+  const double height = body.scales.height, half = 0.5 * body.scales.area;
+  const bool held    = !p.mesh.held[0].empty() || !p.mesh.held[1].empty(),
+             may_tip = p.top.kind != TopSetup::Kind::platen && p.top.lateral_held &&
+                       !p.periodic && !held && !p.step.is_heavy() &&
+                       p.contact.flat_velocity.amplitude() != 0.;
+  if (may_tip && least_friction * height > half)
+    throw UserError(
+      "Friction/Coefficient: the friction of the sliding flat tips the body, as a "
+      "coefficient of " +
+      to_text(least_friction) + " times the height of " + to_text(height) +
+      " m is more than half the width, " + to_text(half) +
+      " m: there is no equilibrium; reduce it, or set Top/Kind = platen");
+}
+} // namespace
+
+template <int dim>
+void check_static_load(const ContactParameters &p, const BodyFacts<dim> &body)
+{
+  const bool platen = p.top.kind == TopSetup::Kind::platen;
+  const auto [least, most] =
+    std::minmax_element(body.size.friction.begin(), body.size.friction.end());
+  if (p.top.kind == TopSetup::Kind::held)
+    throw UserError("Top/Kind is held, so nothing presses the body on the flat; use "
+                    "platen or pressure for a static contact analysis");
+  if (!(p.top.pressure.amplitude() > 0.))
+    throw UserError("Top/Pressure is " + to_text(p.top.pressure.amplitude()) +
+                    " Pa; a static contact analysis needs a positive one");
+  if (p.contact.gap != 0.)
+    throw UserError("Flat/Gap is " + to_text(p.contact.gap) +
+                    " m; a static contact analysis starts from a body that touches the "
+                    "flat, set it to 0");
+  if (platen && p.step.is_heavy())
+    throw UserError("Body/Acceleration is not zero, which a static contact analysis "
+                    "under a platen does not take; set it to 0, or Top/Kind = "
+                    "pressure, which loads each node by itself");
+  check_lateral_support(p, *most > 0.);
+  if constexpr (dim == 2)
+    if (body.contact_height.empty())
+      check_tipping(p, body, *least);
+}
+
+template <int dim>
+StaticLoad<dim>::StaticLoad(const GivenBody<dim> &body,
+                            const ContactParameters &parameters,
+                            const std::vector<double> &friction)
+  : parameters(parameters)
+  , facts(body.facts())
+  , elastic(body.elastic())
+  , top(body.top_nodes())
+  , strain(parameters.top.pressure.amplitude() /
+           elastic.phases()[0].stiffness(dim - 1, dim - 1))
+  , whole_load(elastic.zero_field())
+{
+  const double load              = parameters.top.pressure.amplitude(),
+               v                 = parameters.contact.flat_velocity.amplitude();
+  problem.constrained            = body.held(parameters.top, false);
+  problem.displacement           = body.compressed(strain / parameters.static_load.steps);
+  problem.force                  = elastic.zero_field();
+  problem.friction_coefficient   = friction;
+  problem.gap                    = facts.contact_height;
+  problem.sliding                = v > 0. ? 1 : (v < 0. ? -1 : 0);
+  problem.flat_direction         = parameters.contact.flat_direction;
+  const unsigned int n           = elastic.n_columns();
+  const std::vector<double> mass = elastic.lumped_mass();
+  for (unsigned int k = 0; k < mass.size(); ++k)
+    for (unsigned int c = 0; c < dim; ++c)
+      whole_load(c, {k % n, k / n}) = mass[k] * parameters.step.acceleration[c];
+  if (parameters.top.kind == TopSetup::Kind::pressure)
+    for (std::size_t k = 0; k < top.nodes.size(); ++k)
+      whole_load(dim - 1, top.nodes[k]) -= load * top.area[k];
+}
+
+template <int dim>
+StaticContactSolution StaticLoad<dim>::follow(const StaticContactOptions &given)
+{
+  options                          = given;
+  const StaticLoadParameters &load = parameters.static_load;
+  const bool platen                = parameters.top.kind == TopSetup::Kind::platen;
+  for (unsigned int n = 1; n <= load.steps; ++n)
+    {
+      const double share = static_cast<double>(n) / load.steps;
+      stick_where_it_is(0.);
+      problem.force = whole_load;
+      for (std::size_t k = 0; k < problem.force.size(); ++k)
+        problem.force.begin()[k] *= share;
+      if (platen && facts.contact_height.empty() && !load.has_history())
+        press_in_proportion();
+      else if (platen)
+        press(share);
+      else
+        solve();
+      record(share, 0.);
+    }
+  for (unsigned int n = 1; n <= load.steps && load.moves_flat(); ++n)
+    {
+      stick_where_it_is(1. / load.steps);
+      solve();
+      record(1., static_cast<double>(n) / load.steps);
+    }
+  return solution;
+}
+
+template <int dim>
+void StaticLoad<dim>::stick_where_it_is(const double share)
+{
+  if (!parameters.static_load.has_history())
+    return;
+  const std::vector<double> &of_flat = parameters.static_load.of_flat;
+  constexpr unsigned int bottom      = ElasticBody<dim>::bottom;
+  const std::vector<double> u    = elastic.surface_values(bottom, problem.displacement),
+                            held = elastic.surface_values(bottom, problem.constrained);
+  problem.reference.clear();
+  for (std::size_t k = 0; k < u.size(); k += dim)
+    for (unsigned int c = 0; c + 1 < dim; ++c)
+      {
+        const bool moves = c < of_flat.size() && held[k + c] == 0.;
+        problem.reference.push_back(u[k + c] + (moves ? share * of_flat[c] : 0.));
+      }
+}
+
+template <int dim>
+void StaticLoad<dim>::solve()
+{
+  const unsigned int iterations = solution.iterations, changes = solution.state_changes,
+                     of_solver = solution.solver_iterations;
+  solution                     = solve_static_contact(elastic, problem, options);
+  solution.iterations += iterations;
+  solution.state_changes += changes;
+  solution.solver_iterations += of_solver;
+  problem.displacement = solution.displacement;
+  if (!parameters.static_load.has_history())
+    return;
+  problem.state    = solution.state;
+  problem.friction = solution.tangential_force;
+}
+
+template <int dim>
+double StaticLoad<dim>::normal_force() const
+{
+  return total_normal_force(solution, facts.size.n_contact_nodes);
+}
+
+template <int dim>
+void StaticLoad<dim>::press_in_proportion()
+{
+  solve();
+  const double factor =
+    parameters.top.pressure.amplitude() * facts.size.top_area / normal_force();
+  NodalField<double> &u = solution.displacement;
+  for (std::size_t k = 0; k < u.size(); ++k)
+    u.begin()[k] *= factor;
+  for (auto *forces : {&solution.normal_force, &solution.tangential_force})
+    for (double &f : *forces)
+      f *= factor;
+}
+
+template <int dim>
+void StaticLoad<dim>::press(const double share)
+{
+  // The force grows with the displacement, in proportion where there are no gaps: the
+  // secant through the last two.
+  constexpr unsigned int most = 20;
+  const double load           = parameters.top.pressure.amplitude() * share,
+               wanted         = load * facts.size.top_area;
+  if (done.empty())
+    lowered = share * strain * elastic.extent(dim - 1);
+  else
+    {
+      lowered_before = lowered;
+      force_before   = normal_force();
+      lowered *= share / done.back().share;
+    }
+  for (unsigned int n = 0; n < most; ++n)
+    {
+      for (const NodeIndex &node : top.nodes)
+        problem.displacement(dim - 1, node) = -lowered;
+      solve();
+      const double force = normal_force();
+      if (std::fabs(force - wanted) <= 10. * options.tolerance * wanted)
+        return;
+      const double next =
+        lowered + (wanted - force) * (lowered - lowered_before) / (force - force_before);
+      lowered_before = lowered;
+      force_before   = force;
+      lowered        = next;
+    }
+  throw NotConverged(brief_text(6, "static contact: the flat carries ", force_before,
+                                " of ", wanted, " N after lowering the platen ", most,
+                                " times"));
+}
+
+template <int dim>
+void StaticLoad<dim>::record(const double share, const double share_of_flat)
+{
+  const std::vector<double> &of_flat = parameters.static_load.of_flat;
+  StaticLoadStep step;
+  step.share        = share;
+  step.normal_force = normal_force();
+  for (unsigned int c = 0; c + 1 < dim; ++c)
+    {
+      step.displacement[c] = c < of_flat.size() ? share_of_flat * of_flat[c] : 0.;
+      step.tangential_force[c] =
+        total_tangential_force(solution, facts.size.n_contact_nodes, c, dim - 1);
+    }
+  for (std::size_t i = 0; i < facts.size.n_contact_nodes; ++i)
+    {
+      const double area = std::fabs(facts.size.area[i]);
+      if (solution.state[i] == ContactState::stick)
+        step.stick_area += area;
+      if (solution.state[i] != ContactState::separated)
+        step.contact_area += area;
+    }
+  step.iterations = solution.iterations;
+  for (const StaticLoadStep &before : done)
+    step.iterations -= before.iterations;
+  done.push_back(step);
+}
+
+template void check_static_load(const ContactParameters &, const BodyFacts<2> &);
+template void check_static_load(const ContactParameters &, const BodyFacts<3> &);
+template class StaticLoad<2>;
+template class StaticLoad<3>;
+} // namespace mesoslip

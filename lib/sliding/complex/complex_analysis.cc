@@ -1,0 +1,97 @@
+#include "sliding/complex/complex_analysis.h"
+
+#include "base/errors.h"
+#include "body/elastic_body.h"
+#include "sliding/analyses/modal_cases.h"
+#include "sliding/analyses/static_load.h"
+#include "sliding/complex/complex_output.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace mesoslip
+{
+template <int dim>
+ComplexModesAnalysis<dim>::ComplexModesAnalysis(std::unique_ptr<GivenBody<dim>> given)
+  : BodyAnalysis<dim>(std::move(given))
+{
+  check_complex_modes(parameters);
+  try
+    {
+      if (is_pressed())
+        check_static_load(parameters, facts);
+      else if (dim == 3)
+        throw UserError("the top is held, and nothing presses the body on the flat; in "
+                        "3D the drag across the motion of the flat depends on the "
+                        "pressure, set Top/Kind = platen or pressure");
+    }
+  catch (const UserError &e)
+    {
+      throw UserError("The static state of sliding, which complex modes need: " +
+                      std::string(e.what()));
+    }
+}
+
+template <int dim>
+bool ComplexModesAnalysis<dim>::is_pressed() const
+{
+  return top_at_start(parameters).kind != TopSetup::Kind::held;
+}
+
+template <int dim>
+SlidingState ComplexModesAnalysis<dim>::at_rest(const ContactParameters &of_case,
+                                                const double friction_factor,
+                                                RunContext &context) const
+{
+  std::vector<double> friction = facts.size.friction;
+  if (!of_case.friction.coefficient_by_phase)
+    friction.assign(friction.size(), of_case.friction.coefficient);
+  for (double &mu : friction)
+    mu *= friction_factor;
+  StaticContactOptions options = of_case.static_contact;
+  options.before_iteration     = stop_or_report(context, "iteration");
+  StaticContact solve;
+  if (is_pressed())
+    solve = [&](const std::vector<double> &coefficients) {
+      StaticContactSolution found;
+      with_advice(equilibrium_advice(coefficients, true), [&]() {
+        found = StaticLoad<dim>(*body, of_case, coefficients).follow(options);
+      });
+      return found;
+    };
+  return sliding_state<dim>(body->elastic(), of_case,
+                            body->held(top_at_start(of_case), false), friction, solve);
+}
+
+template <int dim>
+void ComplexModesAnalysis<dim>::run(RunContext &context)
+{
+  body->log(context);
+  context.remove_results(complex_modes_files());
+  body->make_elastic(context.communicator(), true);
+  const ElasticBody<dim> &elastic = body->elastic();
+  const auto scope                = context.timer().scope("Complex modes");
+  const auto cases                = compute_complex_modes<dim>(
+    elastic, parameters,
+    highest_frequency_of(parameters, facts.scales.wave_speed, elastic.extent(dim - 1)),
+    [&](const ContactParameters &of_case, const double friction_factor) {
+      return at_rest(of_case, friction_factor, context);
+    },
+    body->contact_parts(), facts.scales.shear_impedance, context);
+  if (!context.root())
+    return;
+  log_complex_modes(cases, parameters, context);
+  body->summarize("complex modes", context);
+  write_complex_tables(cases, parameters, context);
+  const std::string path = context.file("complex_modes.h5");
+  Hdf5File file          = body->create_file(path, "mesoslip-complex-modes");
+  const ShownComplexShapes shown =
+    write_complex_shapes(file, cases, elastic, parameters, body->vectors_shape());
+  file.close();
+  body->show(path, shown.fields, shown.numbers);
+}
+
+template class ComplexModesAnalysis<2>;
+template class ComplexModesAnalysis<3>;
+} // namespace mesoslip

@@ -1,0 +1,84 @@
+#include "sliding/given_body.h"
+
+#include "base/exchange.h"
+#include "material/plausibility.h"
+#include "program/run_context.h"
+#include "sliding/given_grid.h"
+#include "sliding/mesh/given_mesh.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+namespace mesoslip
+{
+template <int dim>
+GivenBody<dim>::GivenBody(const ContactParameters &parameters)
+  : parameters(parameters)
+{
+}
+
+template <int dim>
+void GivenBody<dim>::describe(std::ostream &out, const double more_memory) const
+{
+  for (const std::string &line : known.lines)
+    out << line << '\n';
+  BodyMemory memory = known.memory;
+  memory.on_rank_0 += more_memory;
+  out << dim * known.n_points << " degrees of freedom\n"
+      << memory.text(mpi::n_mpi_processes(MPI_COMM_WORLD)) << '\n';
+  for (const std::string &warning : known.warnings)
+    out << "warning: " << warning << '\n';
+}
+
+template <int dim>
+void GivenBody<dim>::log(RunContext &context) const
+{
+  for (const std::string &line : known.lines)
+    context.log(line);
+  for (const std::string &warning : known.warnings)
+    context.warn(warning);
+}
+
+template <int dim>
+void GivenBody<dim>::summarize(const std::string &analysis, RunContext &context) const
+{
+  nlohmann::json &json = context.summary();
+  json["dim"]          = dim;
+  json["cells"]        = known.size.n_cells;
+  json["dofs"]         = dim * known.n_points;
+  json["analysis"]     = analysis;
+  json["material"]     = known.heterogeneous ? "heterogeneous" : "homogeneous";
+}
+
+template <int dim>
+void GivenBody<dim>::add_implausible(std::vector<std::string> &sentences,
+                                     std::vector<PlausibleRange> ranges,
+                                     const double stiffness) const
+{
+  const FrictionParameters &friction = parameters.friction;
+  if (friction.has_constant_coefficient())
+    ranges.push_back(plausible_friction("Friction/Coefficient", friction.coefficient));
+  if (parameters.analysis == ContactAnalysis::static_contact)
+    ranges.push_back(plausible_pressure(
+      "Top/Pressure", std::fabs(parameters.top.pressure.amplitude()), stiffness));
+  for (const std::string &sentence : implausible(ranges))
+    sentences.push_back(sentence);
+  for (const std::string &sentence : stiffness_warnings<dim>(known.phases))
+    sentences.push_back(sentence);
+}
+
+template <int dim>
+std::unique_ptr<GivenBody<dim>> make_given_body(const ContactParameters &parameters)
+{
+  if constexpr (dim == 2)
+    if (parameters.mesh.is_plane_grid())
+      return std::make_unique<GivenGrid>(parameters);
+  return std::make_unique<GivenMesh<dim>>(parameters);
+}
+
+template class GivenBody<2>;
+template class GivenBody<3>;
+template std::unique_ptr<GivenBody<2>> make_given_body(const ContactParameters &);
+template std::unique_ptr<GivenBody<3>> make_given_body(const ContactParameters &);
+} // namespace mesoslip

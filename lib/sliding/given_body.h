@@ -1,0 +1,216 @@
+#ifndef mesoslip_sliding_given_body_h
+#define mesoslip_sliding_given_body_h
+
+#include "dynamics/deformation.h"
+#include "exchange/xdmf.h"
+#include "observation/probe_recorder.h"
+#include "program/program.h"
+#include "sliding/body_memory.h"
+#include "sliding/complex/contact_parts.h"
+#include "sliding/contact_parameters.h"
+
+#include "sliding/run_plan.h"
+#include "sliding/sliding_body.h"
+
+#include <cstdint>
+#include <functional>
+#include <iosfwd>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace mesoslip
+{
+template <int dim>
+class ElasticBody;
+class DofMask;
+
+/** What is told of a body, and what its runs are planned by; the same on all ranks, but for lines and
+ * warnings, which rank 0 has. */
+template <int dim>
+struct BodyFacts
+{
+  std::vector<std::string> lines;    ///< for the log: shape, materials, boundaries
+  std::vector<std::string> warnings; ///< sentences on what looks like a slip
+  std::uint64_t n_points = 0;        ///< of the whole body
+  bool heterogeneous     = false;    ///< whether it is made of several phases
+  std::vector<Phase<dim>> phases;    ///< without their orientations
+  std::string rve_digest;            ///< of the RVE file; empty without one
+  BodyMemory memory;                 ///< of the analysis without histories
+  BodySize size;                     ///< what statistics and results need to know
+  PlaceText place;                   ///< "cell 12 around x = 1.25 mm, y = 0.05 mm"
+
+  /** What loads, times and lengths are compared with; of a run with the largest frequency. */
+  BodyScales scales;
+
+  double shortest_side = 0.; ///< m
+
+  /** Lines on the content of its files, in which a run that is resumed has to agree. */
+  std::string contents;
+
+  std::vector<ProbePoint> probes; ///< where they are
+
+  /** Heights of the contact nodes above the lowest (m); empty: all touch the flat. */
+  std::vector<double> contact_height;
+
+  std::vector<unsigned int>
+    contact_points; ///< their numbers in the mesh; empty: it is a grid
+
+  double long_run = 0.; ///< steps times cells that keep a core busy for some seconds
+  unsigned int most_ranks = 1; ///< by which a longer run ends sooner, on idle cores
+};
+
+/** Nodes of the top that a rank has. */
+struct TopNodes
+{
+  std::vector<NodeIndex> nodes; ///< of ElasticBody fields
+  std::vector<double> area;     ///< tributary of each (m^2, in 2D m)
+};
+
+/** What a face of the contact carries. */
+struct ContactCell
+{
+  unsigned int phase = 0;  ///< of the cell behind it
+  double area        = 0.; ///< along the normal of the flat (m^2, in 2D m)
+  double pressure    = 0.; ///< -sigma_nn of the mean strain of the cell (Pa)
+};
+
+/** What a rank writes of a field: some rows of the second axis of the dataset. */
+struct FieldRows
+{
+  std::size_t first = 0;      ///< of its rows
+  std::vector<double> values; ///< components of a node together
+};
+
+/** A body in its initial state on the flat, and what is read of it. */
+template <int dim>
+struct BodyInMotion
+{
+  std::unique_ptr<SlidingBody<dim>> body; ///< all of it that moves
+  std::unique_ptr<ProbeRecorder> probes;  ///< refer to the body; null without any
+
+  /** The displacement as it is now, of all ranks together once. Collective. */
+  std::function<FieldRows()> displacement;
+};
+
+/**
+ * The body that parameters and files give, and what analyses ask of it: what it is made of, what
+ * holds it, how it is advanced and solved for, and how its files look. GivenGrid is a plane grid,
+ * GivenMesh a mesh or a box. Members are called by all ranks unless said otherwise.
+ */
+template <int dim>
+class GivenBody
+{
+public:
+  virtual ~GivenBody() = default;
+
+  GivenBody(const GivenBody &)            = delete; ///< is referred to
+  GivenBody &operator=(const GivenBody &) = delete; ///< see the constructor
+
+  /** What is told of it. */
+  const BodyFacts<dim> &facts() const
+  {
+    return known;
+  }
+
+  /** Prints lines, degrees of freedom, memory and warnings for --validate. */
+  void describe(std::ostream &out, const double more_memory = 0.) const;
+
+  /** Writes lines and warnings to the log. */
+  void log(RunContext &context) const;
+
+  /** Puts analysis, material and size of the body into summary.json. */
+  void summarize(const std::string &analysis, RunContext &context) const;
+
+  /** The body at the start of a run; this and @p context must outlive it. */
+  virtual BodyInMotion<dim> start(const SlidingSetup &setup,
+                                  RunContext &context) const = 0;
+
+  /** On rank 0: writes into the group /contact of a run where the nodes of the contact are. */
+  virtual void write_contact(Hdf5File &file) const = 0;
+
+  /**
+   * @name Statics and modes
+   * @{
+   */
+  /** Makes the body that elastic() is from then on, with whole fields on all ranks if @p whole;
+   * contact nodes are then in the order of ElasticBody::surface(). */
+  virtual void make_elastic(const MPI_Comm communicator, const bool whole = false) = 0;
+
+  virtual const ElasticBody<dim> &elastic() const = 0; ///< see make_elastic()
+
+  /** What supports and @p top hold of elastic(), of a platen the normal component as well; with
+   * @p contact_held the contact along the normal of the flat. */
+  virtual DofMask held(const TopSetup &top, const bool contact_held) const = 0;
+
+  /** The nodes of the top that this rank has. */
+  virtual TopNodes top_nodes() const = 0;
+
+  /** A first guess of the displacement (m) under a uniform strain along the normal of the flat, where
+   * all of the contact touches; else zero. */
+  virtual NodalField<double> compressed(const double strain) const = 0;
+
+  /** On rank 0: the cells behind the faces of the contact under a displacement. */
+  virtual std::vector<ContactCell> contact_cells(const NodalField<double> &u) const = 0;
+
+  /** On rank 0: where the contact nodes are (m), along the dim axes, of a plane grid along x. */
+  virtual std::vector<std::vector<double>> contact_places() const = 0;
+
+  /** Share of each phase in the tributary area of each contact node, and their names. */
+  virtual ContactParts contact_parts() const = 0;
+
+  /** Strains and rotations of the cells under a displacement. */
+  virtual Deformation deformation(const NodalField<double> &u) const = 0;
+
+  /** Number of components that all this leaves free, without a platen. */
+  virtual std::size_t n_free(const TopSetup &top, const bool contact_held) const = 0;
+  /** @} */
+
+  /**
+   * @name Files
+   * @{
+   */
+  /** On rank 0: begins a file of contact_dynamics with header, cells and materials. */
+  virtual Hdf5File create_file(const std::string &path,
+                               const std::string &format) const = 0;
+
+  /** On rank 0: extents of a displacement of the nodes in a file. */
+  virtual Shape vectors_shape() const = 0;
+
+  /** Writes displacements of elastic() as dataset @p name into @p file at @p path, which rank 0 has. */
+  virtual void
+  write_fields(std::optional<Hdf5File> &file,
+               const std::string &path,
+               const std::string &name,
+               const std::vector<const NodalField<double> *> &fields) const = 0;
+
+  /** On rank 0: writes NAME.xdmf with @p fields of the file NAME.h5 at @p path, and NAME-phases.xdmf,
+   * as ParaView does not read vectors of nodes and data of cells from one. */
+  virtual void show(const std::string &path,
+                    const std::vector<XdmfField> &fields,
+                    const std::vector<double> &times) const = 0;
+  /** @} */
+
+  const ContactParameters parameters; ///< all of them, checked
+
+protected:
+  /** Of these parameters. */
+  explicit GivenBody(const ContactParameters &parameters);
+
+  /** Adds sentences on @p ranges, friction, a static load and facts().phases that look like another unit, in a body of that
+   * @p stiffness (Pa). */
+  void add_implausible(std::vector<std::string> &sentences,
+                       std::vector<PlausibleRange> ranges,
+                       const double stiffness) const;
+
+  BodyFacts<dim> known; ///< see facts(); for derived classes to set
+};
+
+/** The body that @p parameters and their files give. Collective. @throws UserError for input that no
+ * analysis can work with, or without the memory for it */
+template <int dim>
+std::unique_ptr<GivenBody<dim>> make_given_body(const ContactParameters &parameters);
+} // namespace mesoslip
+
+#endif

@@ -1,0 +1,270 @@
+#include "sliding/given_grid.h"
+
+#include "base/errors.h"
+#include "base/exchange.h"
+#include "base/object_exchange.h"
+#include "body/grid_body.h"
+#include "dynamics/critical_time_step.h"
+#include "eigenvalues/free_dofs.h"
+#include "exchange/datasets.h"
+#include "exchange/dynamics_file.h"
+#include "grid/row_partition.h"
+#include "material/plausibility.h"
+#include "observation/grid_probes.h"
+#include "program/machine.h"
+#include "program/run_context.h"
+#include "sliding/run_plan.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mesoslip
+{
+namespace
+{
+/** Whether each rank does the whole analysis. */
+bool is_repeated(const ContactParameters &parameters)
+{
+  return parameters.analysis != ContactAnalysis::transient &&
+         parameters.static_solver != StaticSolverKind::ml;
+}
+
+BodyDescription make_body_on_root(const ContactParameters &parameters)
+{
+  BodyDescription body;
+  const unsigned int n_copies = is_repeated(parameters) ? ranks_of_this_machine() : 1;
+  on_root(MPI_COMM_WORLD, [&]() { body = make_body(parameters, n_copies); });
+  broadcast_object(MPI_COMM_WORLD, body);
+  return body;
+}
+
+void check_probes(const ObservationParameters &observation, const UniformGrid<2> &grid)
+{
+  for (const ProbePoint &probe : observation.probes)
+    for (unsigned int d = 0; d < 2; ++d)
+      if (!(probe.position[d] >= 0. &&
+            probe.position[d] <= grid.extent(d) * (1. + 1e-12)))
+        throw UserError("Observation/" + probe.name + "/Position: (" +
+                        to_text(probe.position[0]) + ", " + to_text(probe.position[1]) +
+                        ") m lies outside the body, which reaches from (0, 0) to (" +
+                        to_text(grid.extent(0)) + ", " + to_text(grid.extent(1)) +
+                        ") m; positions are in m");
+  const double x = observation.reference_x;
+  if (!std::isnan(x) && !(x >= 0. && x <= grid.extent(0)))
+    throw UserError("Observation/Reference x: " + to_text(x) +
+                    " m lies outside the body, 0 to " + to_text(grid.extent(0)) + " m");
+}
+
+/** The rows of nodes are divided among the ranks. @throws UserError for more than can have some */
+void check_ranks(const UniformGrid<2> &grid)
+{
+  const unsigned int n_rows  = grid.cells[1] + 1,
+                     n_ranks = mpi::n_mpi_processes(MPI_COMM_WORLD),
+                     most    = largest_number_of_ranks(n_rows);
+  if (n_ranks > most)
+    throw UserError(
+      "the body has " + std::to_string(n_rows) +
+      " rows of nodes (Body/Cells), which are divided among the processes, "
+      "two at least each; start " +
+      (most == 1 ? "it without mpirun" : "at most " + std::to_string(most) + " of them") +
+      " instead of " + std::to_string(n_ranks));
+}
+
+/** The reference node, in the column nearest to Reference x or to the middle. */
+ReferenceNode reference_node(const ContactParameters &parameters,
+                             const BodyDescription &body)
+{
+  const UniformGrid<2> &grid = body.grid;
+  const double wanted        = parameters.observation.reference_x;
+  const double x             = std::isnan(wanted) ? 0.5 * grid.extent(0) : wanted;
+  ReferenceNode node;
+  node.number   = std::lround(std::clamp(x, 0., grid.extent(0)) / grid.spacing[0]);
+  node.position = {{node.number * grid.spacing[0], 0., 0.}};
+  // As of a probe there: a point between two cells belongs to the upper one.
+  node.phase =
+    static_cast<unsigned int>(body.phase_of(std::min(node.number, grid.cells[0] - 1)));
+  node.area = tributary_width(grid, node.number, parameters.periodic);
+  return node;
+}
+} // namespace
+
+GivenGrid::GivenGrid(const ContactParameters &given)
+  : GivenGrid(given, make_body_on_root(given))
+{
+}
+
+GivenGrid::GivenGrid(const ContactParameters &given, const BodyDescription &described)
+  : GivenBody<2>(given)
+  , body(described)
+  , material(make_material(body, given.periodic))
+{
+  check_probes(parameters.observation, body.grid);
+  require_frequency(material);
+  if (parameters.analysis == ContactAnalysis::transient)
+    check_ranks(body.grid);
+  known.n_points       = body.grid.n_nodes();
+  known.heterogeneous  = parameters.body.heterogeneous;
+  known.phases         = body.phases;
+  known.scales         = scales();
+  known.lines          = lines();
+  known.warnings       = warnings();
+  known.rve_digest     = body.rve_digest;
+  known.memory.divided = field_memory(parameters, body.grid);
+  known.place          = cell_text(body.grid);
+  known.size           = size();
+  known.shortest_side  = std::min(body.grid.extent(0), body.grid.extent(1));
+  known.contents       = "Content of Body/RVE file = " + body.rve_content + "\n";
+  known.probes         = parameters.observation.probes;
+  for (ProbePoint &probe : known.probes)
+    probe.position = place_of_probe(probe, body.grid);
+  known.long_run   = 6e8;
+  known.most_ranks = std::max(1U, body.grid.cells[1] / 40); // which hide what ranks tell
+}
+
+std::vector<std::string> GivenGrid::lines() const
+{
+  const std::string &file = parameters.body.rve_file;
+  std::string coefficients, names;
+  for (const Phase<2> &phase : body.phases)
+    {
+      const std::string comma = names.empty() ? "" : ", ";
+      names += comma + phase.name;
+      coefficients += comma + phase.name + " " + to_text(phase.friction_coefficient);
+    }
+  const VoigtMatrix<2> &D       = body.phases[0].stiffness;
+  std::vector<std::string> text = {
+    "Body: " + size_text(body.grid),
+    "Material: " +
+      (parameters.body.heterogeneous
+         ? "heterogeneous, the phases " + names
+         : brief_text(4, "homogeneous, D11, D12, D22, D33 = ", 1e-9 * D(0, 0), ", ",
+                      1e-9 * D(0, 1), ", ", 1e-9 * D(1, 1), ", ", 1e-9 * D(2, 2),
+                      " GPa, ", body.phases[0].density, " kg/m^3")) +
+      (file.empty() ? ", from Body/Stiffness and Density (no RVE file)" : " of " + file)};
+  if (mpi::n_mpi_processes(MPI_COMM_WORLD) > 1 && is_repeated(parameters))
+    text.emplace_back(
+      "This analysis runs on one process, all others repeat it; start it without mpirun "
+      "or set Performance/Static solver = ml");
+  if (parameters.friction.coefficient_by_phase)
+    text.push_back("Friction coefficients of the phases: " + coefficients);
+  return text;
+}
+
+std::vector<std::string> GivenGrid::warnings() const
+{
+  const std::string &file = parameters.body.rve_file;
+  const std::string size =
+    file.empty() || parameters.body.size[0] > 0. ? "Body/Size" : "the size in " + file;
+  const FrictionParameters &friction = parameters.friction;
+  std::vector<PlausibleRange> ranges = {
+    plausible_length(size + " along x", body.grid.extent(0)),
+    plausible_length(size + " along y", body.grid.extent(1))};
+  for (const Phase<2> &phase : body.phases)
+    {
+      const std::string of_phase = " of phase '" + phase.name + "'";
+      ranges.push_back(plausible_density(
+        file.empty() ? "Body/Density" : "the density" + of_phase, phase.density));
+      if (friction.coefficient_by_phase)
+        ranges.push_back(plausible_friction("the friction coefficient" + of_phase,
+                                            phase.friction_coefficient));
+    }
+  std::vector<std::string> found = body.warnings;
+  add_implausible(found, ranges, known.scales.stiffness);
+  return found;
+}
+
+BodyScales GivenGrid::scales() const
+{
+  BodyScales found(material);
+  if (parameters.analysis != ContactAnalysis::transient)
+    return found;
+  // Whole on one rank, so that the others do not need its fields.
+  double frequency = 0.;
+  on_root(MPI_COMM_WORLD, [&]() { frequency = largest_frequency(material).upper; });
+  broadcast_object(MPI_COMM_WORLD, frequency);
+  found.highest_frequency = frequency;
+  return found;
+}
+
+BodySize GivenGrid::size() const
+{
+  const UniformGrid<2> &grid = body.grid;
+  BodySize size;
+  size.top_area = grid.extent(0);
+  size.n_cells  = grid.n_cells();
+  size.crossing = known.scales.crossing();
+  size.friction = body.node_friction;
+  for (unsigned int i = 0; i <= grid.cells[0]; ++i)
+    size.area.push_back(tributary_width(grid, i, parameters.periodic));
+  size.n_contact_nodes = grid.cells[0] + (parameters.periodic ? 0 : 1);
+  size.reference       = reference_node(parameters, body);
+  return size;
+}
+
+BodyInMotion<2> GivenGrid::start(const SlidingSetup &setup, RunContext &context) const
+{
+  const ObservationParameters &observation = parameters.observation;
+  auto sliding =
+    std::make_unique<SlidingGrid>(material, setup, context.communicator(), nullptr,
+                                  context.options().profile ? &context.timer() : nullptr);
+  sliding->set_initial_velocity(parameters.body.initial_velocity);
+  BodyInMotion<2> motion;
+  if (!observation.probes.empty())
+    motion.probes =
+      std::make_unique<GridProbes>(observation.probes, material, sliding->stepper,
+                                   sliding->contact, observation.probe_interval);
+  motion.displacement = [&moving = *sliding]() {
+    const NodeRows &rows = moving.rows;
+    return FieldRows{rows.begin,
+                     interleaved(moving.u, rows.local(rows.begin), rows.local(rows.end))};
+  };
+  motion.body = std::move(sliding);
+  return motion;
+}
+
+void GivenGrid::write_contact(Hdf5File &file) const
+{
+  const std::vector<double> x = contact_places()[0];
+  std::vector<double> area    = known.size.area;
+  // Of a node that is written twice each has half.
+  if (parameters.periodic)
+    for (double *end : {&area.front(), &area.back()})
+      *end *= 0.5;
+  write_series(file, "/contact", {{"x", "m", &x}, {"area", "m", &area}});
+}
+
+Hdf5File GivenGrid::create_file(const std::string &path, const std::string &format) const
+{
+  return DynamicsFile::create(path, body, format);
+}
+
+Shape GivenGrid::vectors_shape() const
+{
+  return nodes_shape(body.grid);
+}
+
+void GivenGrid::write_fields(std::optional<Hdf5File> &file,
+                             const std::string & /*path*/,
+                             const std::string &name,
+                             const std::vector<const NodalField<double> *> &fields) const
+{
+  if (!file)
+    return;
+  std::vector<double> values;
+  for (const NodalField<double> *field : fields)
+    {
+      const std::vector<double> one = interleaved(*field);
+      values.insert(values.end(), one.begin(), one.end());
+    }
+  Shape shape = vectors_shape();
+  shape.insert(shape.begin(), fields.size());
+  write_dataset(*file, name, shape, values);
+}
+
+void GivenGrid::show(const std::string &path,
+                     const std::vector<XdmfField> &fields,
+                     const std::vector<double> &times) const
+{
+  show_grid(path, body.grid, !body.phase_id.empty(), fields, times);
+}
+} // namespace mesoslip

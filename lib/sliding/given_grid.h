@@ -1,0 +1,84 @@
+#ifndef mesoslip_sliding_given_grid_h
+#define mesoslip_sliding_given_grid_h
+
+#include "elasticity/dof_mask.h"
+#include "elasticity/uniform_material.h"
+#include "exchange/run_description.h"
+#include "sliding/given_body.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace mesoslip
+{
+/**
+ * The body that parameters and RVE file describe, if there is the memory for its fields.
+ * The coefficient of a bottom node follows from those of the two cells beside it by
+ * FrictionParameters::node_rule: their mean weighted with the stiffness D22 (as the
+ * pressure is shared when both cells are compressed alike, eq. 18), the plain mean, the
+ * largest or the smallest. @p n_copies ranks of this machine keep fields of the whole body.
+ * @throws UserError naming key or file, or if the machine has not the memory
+ */
+BodyDescription make_body(const ContactParameters &parameters,
+                          const unsigned int n_copies);
+
+/** The grid of the body with the materials of its cells. @throws UserError */
+UniformMaterial make_material(const BodyDescription &body, const bool periodic);
+
+/** What sides and top hold, of a platen u_x and u_y; with @p bottom_held u_y of the bottom. */
+DofMask held_by_supports(const UniformMaterial &material,
+                         const SideConstraints &sides,
+                         const TopSetup &top,
+                         const bool bottom_held = false);
+
+/** A plane grid. */
+class GivenGrid : public GivenBody<2>
+{
+public:
+  /** Rank 0 reads the RVE file. @throws UserError for input that no analysis can work with, or
+   * without the memory for its fields */
+  explicit GivenGrid(const ContactParameters &parameters);
+
+  /** The body as it is described. */
+  GivenGrid(const ContactParameters &parameters, const BodyDescription &described);
+
+  BodyInMotion<2> start(const SlidingSetup &setup, RunContext &context) const override;
+  void write_contact(Hdf5File &file) const override;
+
+  void make_elastic(const MPI_Comm communicator, const bool whole) override;
+  const ElasticBody<2> &elastic() const override;
+  DofMask held(const TopSetup &top, const bool contact_held) const override;
+  std::size_t n_free(const TopSetup &top, const bool contact_held) const override;
+  TopNodes top_nodes() const override;
+  NodalField<double> compressed(const double strain) const override;
+  std::vector<ContactCell> contact_cells(const NodalField<double> &u) const override;
+  std::vector<std::vector<double>> contact_places() const override;
+  ContactParts contact_parts() const override;
+  Deformation deformation(const NodalField<double> &u) const override;
+
+  Hdf5File create_file(const std::string &path, const std::string &format) const override;
+  Shape vectors_shape() const override;
+  void write_fields(std::optional<Hdf5File> &file,
+                    const std::string &path,
+                    const std::string &name,
+                    const std::vector<const NodalField<double> *> &fields) const override;
+  void show(const std::string &path,
+            const std::vector<XdmfField> &fields,
+            const std::vector<double> &times) const override;
+
+protected:
+  const BodyDescription body;     ///< the same on all ranks
+  const UniformMaterial material; ///< stiffness and density of its cells
+
+private:
+  std::vector<std::string> lines() const;
+  std::vector<std::string> warnings() const;
+  BodyScales scales() const;
+  BodySize size() const;
+
+  std::unique_ptr<ElasticBody<2>> of_statics; ///< see make_elastic()
+};
+} // namespace mesoslip
+
+#endif

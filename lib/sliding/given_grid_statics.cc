@@ -1,0 +1,100 @@
+#include "body/grid_body.h"
+#include "eigenvalues/free_dofs.h"
+#include "sliding/given_grid.h"
+
+namespace mesoslip
+{
+void GivenGrid::make_elastic(const MPI_Comm communicator, const bool whole)
+{
+  of_statics = mesoslip::make_body(
+    material, whole ? StaticSolverKind::multigrid : parameters.static_solver,
+    communicator);
+}
+
+const ElasticBody<2> &GivenGrid::elastic() const
+{
+  return *of_statics;
+}
+
+DofMask GivenGrid::held(const TopSetup &top, const bool contact_held) const
+{
+  return held_by_supports(material, parameters.sides, top, contact_held);
+}
+
+std::size_t GivenGrid::n_free(const TopSetup &top, const bool contact_held) const
+{
+  return FreeDofs<2>(GridBody<2>(material), held(top, contact_held), std::nullopt).size();
+}
+
+TopNodes GivenGrid::top_nodes() const
+{
+  TopNodes top;
+  for (unsigned int i = 0; i < material.n_columns(); ++i)
+    {
+      top.nodes.push_back({i, body.grid.cells[1]});
+      top.area.push_back(tributary_width(body.grid, i, parameters.periodic));
+    }
+  return top;
+}
+
+NodalField<double> GivenGrid::compressed(const double strain) const
+{
+  const unsigned int n = material.n_columns(), top = body.grid.cells[1];
+  const DofMask held = this->held(parameters.top, false);
+  NodalField<double> u(n, top + 1);
+  for (unsigned int j = 0; j <= top; ++j)
+    for (unsigned int i = 0; i < n; ++i)
+      if (!held.is_constrained(1, {i, j}) || j == top)
+        u.row(1, j)[i] = -strain * j * body.grid.spacing[1];
+  return u;
+}
+
+std::vector<ContactCell> GivenGrid::contact_cells(const NodalField<double> &u) const
+{
+  const unsigned int n = body.grid.cells[0];
+  std::vector<double> exx(n), eyy(n), gxy(n);
+  UniformGridOperator(material).strain(u, 0, exx.data(), eyy.data(), gxy.data());
+  std::vector<ContactCell> cells;
+  for (unsigned int i = 0; i < n; ++i)
+    {
+      const auto phase        = static_cast<unsigned int>(body.phase_of(i));
+      const VoigtMatrix<2> &D = body.phases[phase].stiffness;
+      const double pressure   = -(D(1, 0) * exx[i] + D(1, 1) * eyy[i] + D(1, 2) * gxy[i]);
+      cells.push_back({phase, body.grid.spacing[0], pressure});
+    }
+  return cells;
+}
+
+std::vector<std::vector<double>> GivenGrid::contact_places() const
+{
+  std::vector<std::vector<double>> places(1);
+  for (unsigned int i = 0; i < material.n_columns(); ++i)
+    places[0].push_back(i * body.grid.spacing[0]);
+  return places;
+}
+
+ContactParts GivenGrid::contact_parts() const
+{
+  // A node has half of the cell on either side, those at the ends of a body one cell.
+  const std::size_t n = body.grid.cells[0];
+  const bool periodic = parameters.periodic;
+  ContactParts parts;
+  for (std::size_t p = 0; p < body.phases.size(); ++p)
+    {
+      parts.names.push_back(body.phases[p].name);
+      std::vector<double> &shares = parts.shares.emplace_back();
+      const auto has              = [&](const std::size_t cell) {
+        return body.phase_of(cell) == p ? 0.5 : 0.;
+      };
+      for (std::size_t i = 0; i <= n; ++i)
+        shares.push_back(has(i > 0 ? i - 1 : (periodic ? n - 1 : 0)) +
+                         has(i < n ? i : (periodic ? 0 : n - 1)));
+    }
+  return parts;
+}
+
+Deformation GivenGrid::deformation(const NodalField<double> &u) const
+{
+  return largest_deformation(body.grid, NodeRows::all(u.n_rows()), u, MPI_COMM_SELF);
+}
+} // namespace mesoslip

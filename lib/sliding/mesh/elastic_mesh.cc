@@ -1,0 +1,126 @@
+#include "sliding/mesh/elastic_mesh.h"
+
+#include "base/object_exchange.h"
+
+#include <map>
+#include <set>
+#include <utility>
+
+namespace mesoslip
+{
+namespace
+{
+template <int dim>
+MeshBodyInput<dim> input_without_mesh(const std::vector<ElasticPhase<dim>> &phases,
+                                      const MeshBodyDescription &body,
+                                      const MeshBodyParameters &parameters)
+{
+  MeshBodyInput<dim> input;
+  input.phases      = phases;
+  input.periodicity = {!parameters.periodic[0].empty(), !parameters.periodic[1].empty()};
+  // What the analysis does not need may not be there.
+  if (!body.contact.points.empty())
+    input.contact_boundary = parameters.contact_boundary;
+  if (!body.top.points.empty())
+    input.top_boundary = parameters.top_boundary;
+  return input;
+}
+} // namespace
+
+template <int dim>
+std::unique_ptr<MeshBody<dim>>
+make_mesh_body(const MeshMorphology<dim> &morphology,
+               const std::vector<ElasticPhase<dim>> &phases,
+               const MeshBodyDescription &body,
+               const MeshBodyParameters &parameters,
+               const MPI_Comm communicator,
+               const bool whole)
+{
+  MeshBodyInput<dim> input = input_without_mesh(phases, body, parameters);
+  if (!whole)
+    return MeshBody<dim>::divide(morphology.mesh, input, communicator);
+  input.mesh = morphology.mesh;
+  broadcast_object(communicator, input.mesh);
+  return std::make_unique<MeshBody<dim>>(input, communicator);
+}
+
+template <int dim>
+DofMask held_by_mesh(const MeshBodyDescription &body,
+                     const TopSetup &top,
+                     const bool contact_held,
+                     const MeshBody<dim> &elastic)
+{
+  DofMask held(elastic.n_columns(), 1);
+  const auto hold = [&](const unsigned int c, const unsigned int point) {
+    if (const auto node = elastic.find(point))
+      held.constrain(c, *node);
+  };
+  for (const HeldComponent &h : body.held)
+    hold(h.component, h.point);
+  for (unsigned int c = 0; c < dim; ++c)
+    if (top.is_fixed(c, dim))
+      for (const unsigned int point : body.top.points)
+        hold(c, point);
+  if (contact_held)
+    for (const unsigned int point : body.contact.points)
+      hold(dim - 1, point);
+  return held;
+}
+
+template <int dim>
+std::size_t n_free_on_mesh(const Mesh<dim> &mesh,
+                           const MeshBodyDescription &body,
+                           const TopSetup &top,
+                           const bool contact_held)
+{
+  std::set<std::pair<unsigned int, unsigned int>> held; // point and component
+  for (const HeldComponent &h : body.held)
+    held.emplace(h.point, h.component);
+  for (unsigned int c = 0; c < dim; ++c)
+    if (top.is_fixed(c, dim))
+      for (const unsigned int point : body.top.points)
+        held.emplace(point, c);
+  for (const unsigned int point : body.contact.points)
+    if (contact_held)
+      held.emplace(point, dim - 1);
+  // Nothing holds copies but their originals.
+  std::size_t n_copies = 0;
+  for (unsigned int p = 0; p < mesh.points.size(); ++p)
+    n_copies += mesh.original(p) == p ? 0 : 1;
+  broadcast_object(MPI_COMM_WORLD, n_copies);
+  return dim * (body.n_points - n_copies) - held.size();
+}
+
+template <int dim>
+void order_contact(MeshBodyDescription &body, const MeshBody<dim> &elastic)
+{
+  const MeshBoundary contact         = body.contact;
+  const std::vector<double> friction = body.friction;
+  std::map<unsigned int, std::size_t> place;
+  for (std::size_t k = 0; k < contact.points.size(); ++k)
+    place[contact.points[k]] = k;
+  const std::vector<unsigned int> &points = elastic.contact_points();
+  for (std::size_t k = 0; k < points.size(); ++k)
+    {
+      const std::size_t old  = place.at(points[k]);
+      body.contact.points[k] = contact.points[old];
+      body.contact.area[k]   = contact.area[old];
+      body.contact.height[k] = contact.height[old];
+      body.friction[k]       = friction[old];
+    }
+}
+
+#define MESOSLIP_INSTANTIATE(dim)                                                     \
+  template std::unique_ptr<MeshBody<dim>> make_mesh_body(                             \
+    const MeshMorphology<dim> &, const std::vector<ElasticPhase<dim>> &,              \
+    const MeshBodyDescription &, const MeshBodyParameters &, const MPI_Comm,          \
+    const bool);                                                                      \
+  template DofMask held_by_mesh(const MeshBodyDescription &, const TopSetup &,        \
+                                const bool, const MeshBody<dim> &);                   \
+  template std::size_t n_free_on_mesh(const Mesh<dim> &, const MeshBodyDescription &, \
+                                      const TopSetup &, const bool);                  \
+  template void order_contact(MeshBodyDescription &, const MeshBody<dim> &);
+MESOSLIP_INSTANTIATE(2)
+MESOSLIP_INSTANTIATE(3)
+#undef MESOSLIP_INSTANTIATE
+} // namespace mesoslip

@@ -1,0 +1,349 @@
+#include "sliding/mesh/given_mesh.h"
+
+#include "base/errors.h"
+#include "base/object_exchange.h"
+#include "exchange/datasets.h"
+#include "material/plausibility.h"
+#include "mesh/point_blocks.h"
+#include "program/machine.h"
+#include "program/run_context.h"
+#include "sliding/mesh/box_body.h"
+#include "sliding/mesh/contact_area.h"
+#include "sliding/mesh/elastic_mesh.h"
+#include "sliding/mesh/mesh_file.h"
+#include "sliding/run_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace mesoslip
+{
+namespace
+{
+/** The mesh, or the box, for which the memory of a machine with @p n_here of all @p n_ranks is
+ * enough; @p memory becomes what it takes. */
+template <int dim>
+MeshMorphology<dim> read_body(const ContactParameters &parameters,
+                              const unsigned int n_here,
+                              const unsigned int n_ranks,
+                              BodyMemory &memory)
+{
+  const MeshBodyParameters &mesh = parameters.mesh;
+  if constexpr (dim == 3)
+    if (mesh.is_box())
+      {
+        auto box = make_box(parameters, n_here, n_ranks);
+        memory   = memory_of_box(parameters, box.box->grid);
+        return box;
+      }
+  auto body = read_mesh<dim>(mesh.mesh, mesh.mesh.files[0], mesh.phases);
+  memory    = memory_on_mesh(parameters, body.mesh);
+  require_memory({memory.on_machine(n_here, n_ranks),
+                  "take a coarser mesh, or divide it among more machines"});
+  return body;
+}
+} // namespace
+
+template <int dim>
+GivenMesh<dim>::GivenMesh(const ContactParameters &given)
+  : GivenBody<dim>(with_phases<dim>(given))
+{
+  parameters.mesh.check();
+  known.phases               = make_phases<dim>(parameters.mesh.phases);
+  const unsigned int n_here  = ranks_of_this_machine(),
+                     n_ranks = mpi::n_mpi_processes(MPI_COMM_WORLD);
+  on_root(MPI_COMM_WORLD, [&]() {
+    morphology = read_body<dim>(parameters, n_here, n_ranks, known.memory);
+    join_periodic_sides(morphology, parameters.mesh);
+    body = describe_body(morphology, parameters);
+    if (const std::string sentence =
+          standing_faces_warning(body.contact, parameters.mesh);
+        !sentence.empty())
+      morphology.warnings.push_back(sentence);
+    if (!parameters.mesh.rve_note.empty())
+      morphology.warnings.push_back(parameters.mesh.rve_note);
+    this->add_implausible(morphology.warnings, plausible_phases<dim>(morphology.phases),
+                          body.scales.stiffness);
+  });
+  broadcast_object(MPI_COMM_WORLD, body);
+  broadcast_object(MPI_COMM_WORLD, known.memory);
+  broadcast_object(MPI_COMM_WORLD, morphology.oriented);
+  // Only steps are divided before all else is made on rank 0.
+  if constexpr (dim == 3)
+    if (parameters.mesh.is_box() && parameters.analysis == ContactAnalysis::transient)
+      share_box(parameters.body, morphology);
+  for (const Phase<dim> &phase :
+       oriented_phases(make_phases<dim>(parameters.mesh.phases), morphology.oriented))
+    phases.push_back({phase.stiffness, phase.density});
+  if (n_ranks > body.n_cells)
+    throw UserError("the mesh has " + std::to_string(body.n_cells) +
+                    " cells, which are divided among the processes; start fewer than " +
+                    std::to_string(n_ranks));
+  if (parameters.analysis == ContactAnalysis::transient)
+    {
+      distributed = distribute_body(morphology, body.contact.points, body.probes, phases,
+                                    parameters.sweep.isa);
+      body.scales.highest_frequency = distributed->largest_frequency().upper;
+      if (parameters.map.interval > 0. || parameters.wants_node_loads())
+        require_contact_area(body);
+    }
+  known.lines         = lines();
+  known.warnings      = morphology.warnings;
+  known.n_points      = body.n_points;
+  known.heterogeneous = phases.size() > 1;
+  known.rve_digest    = body.rve_digest;
+  known.place         = cell_text(dim);
+  known.scales        = body.scales;
+  describe_contact();
+  known.shortest_side = body.shortest_side;
+  known.contents      = "Content of Mesh/File = " + body.digest +
+                   "\nContent of Body/RVE file = " + parameters.mesh.rve_content + "\n";
+  known.probes     = probe_places();
+  known.long_run   = 2e8;
+  known.most_ranks = most_ranks();
+}
+
+template <int dim>
+void GivenMesh<dim>::describe_contact()
+{
+  known.size           = size();
+  known.contact_height = body.contact.height;
+  known.contact_points = body.contact.points;
+}
+
+template <int dim>
+std::vector<std::string> GivenMesh<dim>::lines() const
+{
+  std::vector<std::string> text = morphology.description;
+  const auto add                = [&](const std::string &what, const std::string &name,
+                       const MeshBoundary &boundary) {
+    const double area =
+      std::fabs(std::accumulate(boundary.area.begin(), boundary.area.end(), 0.));
+    if (!boundary.points.empty())
+      text.push_back(brief_text(6, what, " '", name, "': ", boundary.points.size(),
+                                               " nodes, ", area, dim == 2 ? " m" : " m^2",
+                                               " seen along the normal of the flat"));
+  };
+  add("Contact", parameters.mesh.contact_boundary, body.contact);
+  add("Top", parameters.mesh.top_boundary, body.top);
+  return text;
+}
+
+template <int dim>
+BodySize GivenMesh<dim>::size() const
+{
+  BodySize size;
+  size.dim             = dim;
+  size.top_area        = std::accumulate(body.top.area.begin(), body.top.area.end(), 0.);
+  size.n_cells         = body.n_cells;
+  size.crossing        = body.scales.crossing();
+  size.friction        = body.friction;
+  size.n_contact_nodes = body.contact.points.size();
+  for (const double area : body.contact.area)
+    size.area.push_back(-area);
+  size.reference = body.reference;
+  return size;
+}
+
+template <int dim>
+unsigned int GivenMesh<dim>::most_ranks() const
+{
+  constexpr unsigned int of_a_rank = 2000; // cells that hide what ranks tell each other
+  unsigned int most                = static_cast<unsigned int>(body.n_cells / of_a_rank);
+  if constexpr (dim == 3)
+    if (morphology.box)
+      most = std::min(most, morphology.box->grid.cells[2] / 4);
+  return std::max(1U, most);
+}
+
+template <int dim>
+BodyInMotion<dim> GivenMesh<dim>::start(const SlidingSetup &setup,
+                                        RunContext &context) const
+{
+  auto sliding = std::make_unique<SlidingMesh<dim>>(
+    *distributed, body.contact, body.top, body.held, setup,
+    context.options().profile ? &context.timer() : nullptr);
+  sliding->set_initial_velocity(parameters.body.initial_velocity, body.held, body.top);
+  BodyInMotion<dim> motion;
+  if (!body.probes.empty())
+    motion.probes = std::make_unique<MeshProbes<dim>>(
+      body.probes, distributed->part(), phases, sliding->stepper,
+      typename MeshProbes<dim>::Contact{sliding->contact, sliding->contact_nodes,
+                                        body.contact.points, body.contact.area},
+      parameters.observation.probe_interval);
+  motion.displacement = displacement_rows(*sliding);
+  motion.body         = std::move(sliding);
+  return motion;
+}
+
+template <int dim>
+std::function<FieldRows()>
+GivenMesh<dim>::displacement_rows(const SlidingMesh<dim> &moving) const
+{
+  // Made when there is something to write. Planes of a box are written as wholes.
+  std::size_t n_together = 0;
+  std::shared_ptr<const PointBlocks<dim>> blocks;
+  return [this, &u = moving.u, n_together, blocks]() mutable {
+    if (!blocks)
+      {
+        on_root(MPI_COMM_WORLD,
+                [&]() { n_together = body.n_points / vectors_shape()[0]; });
+        broadcast_object(MPI_COMM_WORLD, n_together);
+        blocks = std::make_shared<const PointBlocks<dim>>(
+          distributed->part(), body.n_points, distributed->communicator(), n_together);
+      }
+    std::array<const double *, dim> components;
+    for (unsigned int c = 0; c < dim; ++c)
+      components[c] = u.row(c, 0);
+    return FieldRows{blocks->first() / n_together, blocks->gather(components)};
+  };
+}
+
+template <int dim>
+void GivenMesh<dim>::write_contact(Hdf5File &file) const
+{
+  std::vector<double> position;
+  for (const unsigned int point : body.contact.points)
+    for (unsigned int d = 0; d < dim; ++d)
+      position.push_back(morphology.point(point)[d]);
+  write_dataset(file, "/contact/point", {body.contact.points.size()},
+                body.contact.points);
+  write_series(file, "/contact",
+               {{"position", "m", &position, dim},
+                {"area", dim == 2 ? "m" : "m^2", &known.size.area},
+                {"height", "m", &body.contact.height}});
+}
+
+template <int dim>
+std::vector<ProbePoint> GivenMesh<dim>::probe_places() const
+{
+  std::vector<ProbePoint> places;
+  for (const MeshPlace &place : body.probes)
+    {
+      ProbePoint &point = places.emplace_back();
+      point.name        = place.point.name;
+      std::copy_n(place.point.position.begin(), dim, point.position.begin());
+    }
+  return places;
+}
+
+template <int dim>
+void GivenMesh<dim>::make_elastic(const MPI_Comm communicator, const bool whole)
+{
+  of_statics =
+    make_mesh_body(morphology, phases, body, parameters.mesh, communicator, whole);
+  if (body.contact.points.empty())
+    return;
+  order_contact(body, *of_statics);
+  describe_contact();
+}
+
+template <int dim>
+const ElasticBody<dim> &GivenMesh<dim>::elastic() const
+{
+  return *of_statics;
+}
+
+template <int dim>
+DofMask GivenMesh<dim>::held(const TopSetup &top, const bool contact_held) const
+{
+  return held_by_mesh(body, top, contact_held, *of_statics);
+}
+
+template <int dim>
+std::size_t GivenMesh<dim>::n_free(const TopSetup &top, const bool contact_held) const
+{
+  return n_free_on_mesh(morphology.mesh, body, top, contact_held);
+}
+
+template <int dim>
+TopNodes GivenMesh<dim>::top_nodes() const
+{
+  TopNodes top;
+  for (std::size_t k = 0; k < body.top.points.size(); ++k)
+    if (const auto node = of_statics->find(body.top.points[k]))
+      {
+        top.nodes.push_back(*node);
+        top.area.push_back(body.top.area[k]);
+      }
+  return top;
+}
+
+template <int dim>
+NodalField<double> GivenMesh<dim>::compressed(const double) const
+{
+  return of_statics->zero_field();
+}
+
+template <int dim>
+std::vector<ContactCell> GivenMesh<dim>::contact_cells(const NodalField<double> &u) const
+{
+  return cells_at_contact(morphology, parameters.mesh, *of_statics, u);
+}
+
+template <int dim>
+std::vector<std::vector<double>> GivenMesh<dim>::contact_places() const
+{
+  std::vector<std::vector<double>> places(dim);
+  for (const unsigned int point : body.contact.points)
+    for (unsigned int c = 0; c < dim; ++c)
+      places[c].push_back(morphology.mesh.points[point][c]);
+  return places;
+}
+
+template <int dim>
+ContactParts GivenMesh<dim>::contact_parts() const
+{
+  ContactParts parts;
+  for (const Phase<dim> &phase : known.phases)
+    parts.names.push_back(phase.name);
+  on_root(MPI_COMM_WORLD, [&]() {
+    parts.shares = contact_shares(morphology, parameters.mesh, body.contact);
+  });
+  broadcast_object(MPI_COMM_WORLD, parts.shares);
+  return parts;
+}
+
+template <int dim>
+Deformation GivenMesh<dim>::deformation(const NodalField<double> &u) const
+{
+  const Mesh<dim> &mesh = of_statics->local_mesh();
+  return largest_deformation(mesh.points, mesh.cells, of_statics->cell_numbers(), u,
+                             of_statics->communicator());
+}
+
+template <int dim>
+Hdf5File GivenMesh<dim>::create_file(const std::string &path,
+                                     const std::string &format) const
+{
+  return create_mesh_file(path, format, morphology, body);
+}
+
+template <int dim>
+Shape GivenMesh<dim>::vectors_shape() const
+{
+  return mesoslip::vectors_shape(morphology);
+}
+
+template <int dim>
+void GivenMesh<dim>::write_fields(
+  std::optional<Hdf5File> &file,
+  const std::string &path,
+  const std::string &name,
+  const std::vector<const NodalField<double> *> &fields) const
+{
+  write_divided_fields(file, path, name, fields, morphology, *of_statics);
+}
+
+template <int dim>
+void GivenMesh<dim>::show(const std::string &path,
+                          const std::vector<XdmfField> &fields,
+                          const std::vector<double> &times) const
+{
+  show_mesh(path, morphology, fields, times);
+}
+
+template class GivenMesh<2>;
+template class GivenMesh<3>;
+} // namespace mesoslip

@@ -1,0 +1,73 @@
+#ifndef mesoslip_sliding_mesh_given_mesh_h
+#define mesoslip_sliding_mesh_given_mesh_h
+
+#include "body/mesh/mesh_body.h"
+#include "elasticity/dof_mask.h"
+#include "sliding/body_memory.h"
+#include "sliding/given_body.h"
+#include "sliding/mesh/distributed_body.h"
+#include "sliding/mesh/mesh_body.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace mesoslip
+{
+/** A mesh, or a grid in 3D. */
+template <int dim>
+class GivenMesh : public GivenBody<dim>
+{
+public:
+  /**
+   * Rank 0 reads the mesh; all know what is described of it. For steps it is divided among the
+   * ranks. @throws UserError for input that no analysis can work with
+   */
+  explicit GivenMesh(const ContactParameters &given);
+
+  BodyInMotion<dim> start(const SlidingSetup &setup, RunContext &context) const override;
+  void write_contact(Hdf5File &file) const override;
+
+  void make_elastic(const MPI_Comm communicator, const bool whole) override;
+  const ElasticBody<dim> &elastic() const override;
+  DofMask held(const TopSetup &top, const bool contact_held) const override;
+  std::size_t n_free(const TopSetup &top, const bool contact_held) const override;
+  TopNodes top_nodes() const override;
+  NodalField<double> compressed(const double strain) const override;
+  std::vector<ContactCell> contact_cells(const NodalField<double> &u) const override;
+  std::vector<std::vector<double>> contact_places() const override;
+  ContactParts contact_parts() const override;
+  Deformation deformation(const NodalField<double> &u) const override;
+
+  Hdf5File create_file(const std::string &path, const std::string &format) const override;
+  Shape vectors_shape() const override;
+  void write_fields(std::optional<Hdf5File> &file,
+                    const std::string &path,
+                    const std::string &name,
+                    const std::vector<const NodalField<double> *> &fields) const override;
+  void show(const std::string &path,
+            const std::vector<XdmfField> &fields,
+            const std::vector<double> &times) const override;
+
+private:
+  using GivenBody<dim>::known;
+  using GivenBody<dim>::parameters;
+
+  /** On rank 0; of a box that is advanced in time all ranks have what reads its cells. */
+  MeshMorphology<dim> morphology;
+  MeshBodyDescription body;              ///< the same on all ranks
+  std::vector<ElasticPhase<dim>> phases; ///< of the cells, the same on all ranks
+
+  std::vector<std::string> lines() const;
+  BodySize size() const;
+  std::vector<ProbePoint> probe_places() const;
+  unsigned int most_ranks() const;
+  std::function<FieldRows()> displacement_rows(const SlidingMesh<dim> &moving) const;
+  void describe_contact();
+
+  std::unique_ptr<DistributedBody<dim>> distributed; ///< of steps
+  std::unique_ptr<MeshBody<dim>> of_statics;         ///< see make_elastic()
+};
+} // namespace mesoslip
+
+#endif
