@@ -255,11 +255,6 @@ void check_mesh(const Keys &keys, const ContactParameters &p)
     "Modal/Bottom",
     "it is '" + p.modal_bottom + "', but the normal of the flat is " + held.back() +
       " as Dimension is " + std::to_string(p.mesh.mesh.dim) + "; use '" + held + "'");
-  keys.require(p.mesh.is_plane_grid() || p.friction.node_rule == "stiffness" ||
-                 p.friction.node_rule == "mean",
-               "Friction/Node rule",
-               "it is " + p.friction.node_rule +
-                 "; on a mesh and in 3D there are stiffness and mean");
 }
 
 /** What each analysis makes use of. */

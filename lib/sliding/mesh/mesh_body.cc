@@ -102,6 +102,9 @@ std::vector<double> friction_of_points(const MeshMorphology<dim> &morphology,
       weight.push_back(
         friction.node_rule == "stiffness" ? phase.stiffness(dim - 1, dim - 1) : 1.);
     }
+  const bool largest = friction.node_rule == "largest";
+  if (largest || friction.node_rule == "smallest")
+    return extreme_of_phases(morphology.mesh, faces, contact, coefficient, largest);
   return mean_of_phases(morphology.mesh, faces, contact, coefficient, weight);
 }
 
@@ -334,16 +337,13 @@ MeshBodyDescription describe_body(const MeshMorphology<dim> &morphology,
   return body;
 }
 
-template void join_periodic_sides(MeshMorphology<2> &, const MeshBodyParameters &);
-template void join_periodic_sides(MeshMorphology<3> &, const MeshBodyParameters &);
-template std::vector<std::vector<double>> contact_shares(const MeshMorphology<2> &,
-                                                         const MeshBodyParameters &,
-                                                         const MeshBoundary &);
-template std::vector<std::vector<double>> contact_shares(const MeshMorphology<3> &,
-                                                         const MeshBodyParameters &,
-                                                         const MeshBoundary &);
-template MeshBodyDescription describe_body(const MeshMorphology<2> &,
-                                           const ContactParameters &);
-template MeshBodyDescription describe_body(const MeshMorphology<3> &,
-                                           const ContactParameters &);
+#define MESOSLIP_INSTANTIATE(dim)                                                       \
+  template void join_periodic_sides(MeshMorphology<dim> &, const MeshBodyParameters &); \
+  template std::vector<std::vector<double>> contact_shares(                             \
+    const MeshMorphology<dim> &, const MeshBodyParameters &, const MeshBoundary &);     \
+  template MeshBodyDescription describe_body(const MeshMorphology<dim> &,               \
+                                             const ContactParameters &);
+MESOSLIP_INSTANTIATE(2)
+MESOSLIP_INSTANTIATE(3)
+#undef MESOSLIP_INSTANTIATE
 } // namespace mesoslip

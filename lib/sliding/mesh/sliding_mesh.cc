@@ -114,6 +114,29 @@ std::vector<double> mean_of_phases(const Mesh<dim> &mesh,
 }
 
 template <int dim>
+std::vector<double> extreme_of_phases(const Mesh<dim> &mesh,
+                                      const std::vector<BoundaryFace<dim>> &faces,
+                                      const MeshBoundary &boundary,
+                                      const std::vector<double> &property,
+                                      const bool largest)
+{
+  std::unordered_map<unsigned int, double> found;
+  for (const BoundaryFace<dim> &face : faces)
+    {
+      const double here = property[mesh.cells[face.cell].material_id];
+      for (const unsigned int point : boundary_points<dim>(mesh, {face}).points)
+        {
+          double &extreme = found.emplace(mesh.original(point), here).first->second;
+          extreme         = largest ? std::max(extreme, here) : std::min(extreme, here);
+        }
+    }
+  std::vector<double> extremes;
+  for (const unsigned int point : boundary.points)
+    extremes.push_back(found.at(point));
+  return extremes;
+}
+
+template <int dim>
 SlidingMesh<dim>::SlidingMesh(const DistributedBody<dim> &body,
                               const MeshBoundary &contact,
                               const MeshBoundary &top,
@@ -208,6 +231,9 @@ void SlidingMesh<dim>::set_initial_velocity(const std::array<double, 3> &velocit
   template std::vector<double> mean_of_phases(                                       \
     const Mesh<dim> &, const std::vector<BoundaryFace<dim>> &, const MeshBoundary &, \
     const std::vector<double> &, const std::vector<double> &);                       \
+  template std::vector<double> extreme_of_phases(                                    \
+    const Mesh<dim> &, const std::vector<BoundaryFace<dim>> &, const MeshBoundary &, \
+    const std::vector<double> &, const bool);                                        \
   template class SlidingMesh<dim>;
 MESOSLIP_INSTANTIATE(2)
 MESOSLIP_INSTANTIATE(3)

@@ -51,6 +51,15 @@ std::vector<double> mean_of_phases(const Mesh<dim> &mesh,
                                    const std::vector<double> &property,
                                    const std::vector<double> &weight);
 
+/** The largest property of the phases behind the @p faces around each point of the boundary, or the
+ * smallest. */
+template <int dim>
+std::vector<double> extreme_of_phases(const Mesh<dim> &mesh,
+                                      const std::vector<BoundaryFace<dim>> &faces,
+                                      const MeshBoundary &boundary,
+                                      const std::vector<double> &property,
+                                      const bool largest);
+
 /**
  * A body of any shape on the moving flat, as SlidingGrid on a grid. Each rank has the nodes
  * of contact and top that are in its part of the mesh, see SharedNodes.

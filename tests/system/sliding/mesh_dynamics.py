@@ -233,7 +233,6 @@ def check_refused(folder):
     refused(["Observation/inside/Position", "give x, y and z"], "Observation/inside/Position=0.001, 0.002")
     refused(["Observation/inside/Position", "too many", "give x and y"], "Observation/inside/Position=0.001, 0.002, 0", prm_file="grid.prm")
     refused(["Body/Cells", "the body is a mesh"], "Body/Cells=3, 4")
-    refused(["Friction/Node rule"], "Friction/Coefficient=0.25", "Friction/Coefficient from=phases", "Friction/Node rule=largest")
     refused(["Mesh/Held in z", "platen"], "Mesh/Held in z=Top", "Top/Kind=platen")
     refused(["Snapshots/From: 1 s is after the end of the run (Time/End time = "], "Snapshots/From=1")
     refused(["Time/Time step", "above the critical"], "Time/Time step=1e-6")

@@ -90,6 +90,17 @@ def check_two_phases(folder):
         assert found["phase_pressure_imbalance"] < 1e-6
 
 
+def check_node_rules(folder):
+    """Between two phases a node has the coefficient of either, or a mean of both."""
+    box = Box([8, 2, 3], [8, 2, 3], lambda x: "soft" if x[0] < 6 else "stiff")
+    box.name_side("Contact", 2, False).name_side("Top", 2, True).write(folder("mesh.msh"))
+    for rule, between in (("largest", 0.5), ("smallest", 0.1), ("mean", 0.3), ("stiffness", (10 * 0.1 + 30 * 0.5) / 40)):
+        folder.run(0, "contact_dynamics", "columns.prm", "--output", "rules", f"--set=Friction/Node rule={rule}", ranks=2)
+        (x, mu), _ = columns(folder, "rules", "x [m]", "friction_coefficient [-]")
+        expected = np.where(x < 0.0059, 0.1, np.where(x > 0.0061, 0.5, between))
+        assert np.abs(mu - expected).max() < 1e-12, (rule, mu)
+
+
 def check_steps(folder):
     """Where nothing but the size of the load changes steps are as good as one; back and forth again; the same on 1, 2 and 3 ranks."""
     names = ("pressure [Pa]", "displacement_x [m]", "shear_traction [Pa]")
@@ -192,6 +203,7 @@ def main():
         check_along_the_motion(scenes)
         check_standing_faces(scenes)
         check_two_phases(scenes)
+        check_node_rules(scenes)
 
 
 if __name__ == "__main__":
