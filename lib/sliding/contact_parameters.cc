@@ -283,8 +283,8 @@ void check_analysis(const Keys &keys)
   only_with({"transient", "static contact", "complex modes"},
             {"Body/Acceleration", "Flat/", "Top/Pressure", "Friction/"});
   only_with({"transient", "modal", "static contact", "complex modes"},
-            {"Body/Material", "Body/Stiffness from", "Body/Stiffness", "Body/Density",
-             "Body/Size", "Body/Cells", "Top/", "Sides/"});
+            {"Body/RVE file", "Body/Material", "Body/Stiffness from", "Body/Stiffness",
+             "Body/Density", "Body/Size", "Body/Cells", "Top/", "Sides/"});
   only_with({"modal", "static contact"}, {"Performance/Static solver"});
   only_with({"modal"}, {"Modal/"});
   only_with({"static contact", "complex modes"}, {"Static contact/"});

@@ -36,10 +36,12 @@ struct BodyFacts
   std::uint64_t n_points = 0;        ///< of the whole body
   bool heterogeneous     = false;    ///< whether it is made of several phases
   std::vector<Phase<dim>> phases;    ///< without their orientations
-  std::string rve_digest;            ///< of the RVE file; empty without one
-  BodyMemory memory;                 ///< of the analysis without histories
-  BodySize size;                     ///< what statistics and results need to know
-  PlaceText place;                   ///< "cell 12 around x = 1.25 mm, y = 0.05 mm"
+
+  std::vector<double> volume_fractions; ///< of the phases, on rank 0
+  std::string rve_digest;               ///< of the RVE file; empty without one
+  BodyMemory memory;                    ///< of the analysis without histories
+  BodySize size;                        ///< what statistics and results need to know
+  PlaceText place;                      ///< "cell 12 around x = 1.25 mm, y = 0.05 mm"
 
   /** What loads, times and lengths are compared with; of a run with the largest frequency. */
   BodyScales scales;

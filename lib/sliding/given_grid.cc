@@ -7,7 +7,7 @@
 #include "dynamics/critical_time_step.h"
 #include "eigenvalues/free_dofs.h"
 #include "exchange/datasets.h"
-#include "exchange/dynamics_file.h"
+#include "exchange/grid_file.h"
 #include "grid/row_partition.h"
 #include "material/plausibility.h"
 #include "observation/grid_probes.h"
@@ -102,19 +102,25 @@ GivenGrid::GivenGrid(const ContactParameters &given, const BodyDescription &desc
   require_frequency(material);
   if (parameters.analysis == ContactAnalysis::transient)
     check_ranks(body.grid);
-  known.n_points       = body.grid.n_nodes();
-  known.heterogeneous  = parameters.body.heterogeneous;
-  known.phases         = body.phases;
-  known.scales         = scales();
-  known.lines          = lines();
-  known.warnings       = warnings();
-  known.rve_digest     = body.rve_digest;
-  known.memory.divided = field_memory(parameters, body.grid);
-  known.place          = cell_text(body.grid);
-  known.size           = size();
-  known.shortest_side  = std::min(body.grid.extent(0), body.grid.extent(1));
-  known.contents       = "Content of Body/RVE file = " + body.rve_content + "\n";
-  known.probes         = parameters.observation.probes;
+  const double bytes = field_memory(parameters, body.grid);
+  (is_repeated(parameters) ? known.memory.on_each : known.memory.divided) = bytes;
+  // Rank 0 looks for the largest frequency of the whole body.
+  if (parameters.analysis == ContactAnalysis::transient)
+    known.memory.on_rank_0 =
+      bytes - known.memory.on_other_rank(mpi::n_mpi_processes(MPI_COMM_WORLD));
+  known.n_points         = body.grid.n_nodes();
+  known.heterogeneous    = parameters.body.heterogeneous;
+  known.phases           = body.phases;
+  known.volume_fractions = body.fractions(body.grid.n_cells());
+  known.scales           = scales();
+  known.lines            = lines();
+  known.warnings         = warnings();
+  known.rve_digest       = body.rve_digest;
+  known.place            = cell_text(body.grid);
+  known.size             = size();
+  known.shortest_side    = std::min(body.grid.extent(0), body.grid.extent(1));
+  known.contents         = "Content of Body/RVE file = " + body.rve_content + "\n";
+  known.probes           = parameters.observation.probes;
   for (ProbePoint &probe : known.probes)
     probe.position = place_of_probe(probe, body.grid);
   known.long_run   = 6e8;
@@ -235,7 +241,7 @@ void GivenGrid::write_contact(Hdf5File &file) const
 
 Hdf5File GivenGrid::create_file(const std::string &path, const std::string &format) const
 {
-  return DynamicsFile::create(path, body, format);
+  return create_grid_file(path, body, format);
 }
 
 Shape GivenGrid::vectors_shape() const

@@ -52,7 +52,7 @@ mesoslip_python_tests(system 1 chains/chain_inputs chains/python_module chains/p
                       report/report_layout report/report_modes sliding/complex_modes_growth sliding/complex_modes_laws)
 mesoslip_python_tests(system 2 chains/chain chains/chain_validation chains/drafts chains/package homogenization/mesh localization/mesh_localization localization/voxels
                       pages/first_steps pages/guide pages/paper pages/tomogram programs/command_line programs/files programs/other_processors
-                      programs/ranks programs/xdmf sliding/boxes sliding/complex_modes sliding/contact_map sliding/mesh_dynamics
+                      programs/ranks programs/xdmf sliding/boxes sliding/complex_modes sliding/contact_map sliding/friction_homogenization sliding/mesh_dynamics
                       sliding/mesh_flat sliding/mesh_modes sliding/mesh_periodic sliding/mesh_static_contact sliding/one_run sliding/oriented_boxes
                       sliding/resume sliding/start sliding/steady_part)
 mesoslip_python_tests(verification 1 stability contact/hertz contact/hertz_sphere contact/incremental_friction contact/incremental_sphere

@@ -203,7 +203,7 @@ chosen_estimate(const std::vector<FrictionEstimate> &estimates,
       (parameters.static_contact.empty()
          ? ", but Static contact is empty; name the folder of such an analysis"
          : ", but the Static contact has other contact nodes than the "
-           "heterogeneous run; run both with the same Body/Cells"));
+           "heterogeneous run; run both on the same cells"));
   if (parameters.calibrate && !chosen->calibrated)
     throw UserError(
       "Friction homogenization/Calibrate is true, but that needs a Homogeneous run with "
@@ -226,7 +226,7 @@ FrictionHomogenizationAnalysis::FrictionHomogenizationAnalysis(const ContactPara
   : parameters(p.homogenization)
 {
   on_root(MPI_COMM_WORLD, [&]() {
-    input     = read_friction_homogenization(parameters, p.body.rve_file);
+    input     = read_friction_homogenization(parameters);
     estimates = friction_estimates(input);
   });
 }

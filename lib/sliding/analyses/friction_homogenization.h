@@ -102,13 +102,10 @@ struct FrictionEstimate
   std::optional<double> calibrated; ///< s, eq. (13) scaled to the homogeneous run
 };
 
-/**
- * Reads the folders of section Friction homogenization; friction coefficients by phase
- * come from @p rve_file. @throws UserError naming key, file and what is missing
- */
+/** Reads the folders of section Friction homogenization. @throws UserError naming key, file and what is
+ * missing */
 FrictionHomogenizationInput
-read_friction_homogenization(const FrictionHomogenizationParameters &parameters,
-                             const std::string &rve_file);
+read_friction_homogenization(const FrictionHomogenizationParameters &parameters);
 
 /**
  * All estimates that the input allows: mu_homo by eqs (17) to (21), delta by inverting

@@ -1,19 +1,19 @@
 #include "base/errors.h"
 #include "base/files.h"
-#include "exchange/dynamics_file.h"
-#include "exchange/rve_file.h"
 #include "io/drafts.h"
-#include "material/engineering_constants.h"
 #include "sliding/analyses/friction_homogenization.h"
-#include "sliding/analyses/static_contact.h"
+#include "sliding/analyses/phases_of_contact.h"
 
 #include <filesystem>
+#include <map>
+#include <numeric>
 
 namespace mesoslip
 {
 namespace
 {
 const std::string section = "Friction homogenization/";
+const char again[]        = "run contact_dynamics again";
 
 /** A file in the folder stands for the folder, as elsewhere. */
 std::string folder_of(const std::string &given)
@@ -24,15 +24,18 @@ std::string folder_of(const std::string &given)
            : given;
 }
 
-DynamicsFile open_dynamics(const RunSummary &summary)
+Hdf5File open_dynamics(const RunSummary &summary)
 {
-  return DynamicsFile::open(summary.file("dynamics.h5"),
-                            "a transient run of contact_dynamics writes it");
+  Hdf5File file = Hdf5File::open(summary.file("dynamics.h5"),
+                                 "a transient run of contact_dynamics writes it");
+  file.check_header(file.exists("/mesh") ? "mesoslip-dynamics-mesh" : "mesoslip-dynamics",
+                    2, 0, "contact_dynamics writes such a file");
+  return file;
 }
 
 /** Adds to @p warnings if the file has changed. */
 FrictionRun read_run(const RunSummary &summary,
-                     const DynamicsFile &file,
+                     const Hdf5File &file,
                      std::vector<std::string> &warnings)
 {
   summary.require_analysis("transient");
@@ -45,14 +48,15 @@ FrictionRun read_run(const RunSummary &summary,
     throw UserError(
       summary.key + ": " + summary.file("summary.json") + " has no number " + mu + ": " +
       (why.empty() ? "the run has no steady part; give it a longer Time/End time" : why));
-  run.mu_inter         = *mu_inter;
-  run.contact_duration = if_positive(summary.find_number("mean_contact_duration"));
-  run.duration_warning = summary.text("mean_contact_duration_warning");
-  if (!file.conditions)
+  run.mu_inter          = *mu_inter;
+  run.contact_duration  = if_positive(summary.find_number("mean_contact_duration"));
+  run.duration_warning  = summary.text("mean_contact_duration_warning");
+  const auto conditions = read_run_conditions(file);
+  if (!conditions)
     throw UserError(file.path() +
                     " does not tell its loads and its friction law, as an earlier "
                     "version wrote it; run contact_dynamics again");
-  run.conditions = *file.conditions;
+  run.conditions = *conditions;
   if (const auto law = run.conditions.find("coefficient_law");
       law != run.conditions.end())
     throw UserError(
@@ -62,8 +66,8 @@ FrictionRun read_run(const RunSummary &summary,
       "with Coefficient law = constant");
   run.friction_coefficient = number_of(run.conditions, "friction_coefficient");
   run.regularization_time = if_positive(number_of(run.conditions, "regularization_time"));
-  if (!file.change_note().empty())
-    warnings.push_back(file.change_note());
+  if (const std::string note = file.change_note("contact_dynamics"); !note.empty())
+    warnings.push_back(note);
   return run;
 }
 
@@ -89,12 +93,11 @@ FrictionRun read_homogeneous(const std::string &folder,
                              std::vector<std::string> &warnings)
 {
   const RunSummary summary(section + "Homogeneous run", folder);
-  const FrictionRun run = read_run(summary, open_dynamics(summary), warnings);
-  if (const auto material = run.conditions.find("material");
-      material != run.conditions.end() &&
-      std::get<std::string>(material->second) == "heterogeneous")
+  const Hdf5File file   = open_dynamics(summary);
+  const FrictionRun run = read_run(summary, file, warnings);
+  if (file.exists("/contact/phases"))
     throw UserError(summary.key + ": the body of " + run.folder +
-                    " is heterogeneous; name a run with Body/Material = homogeneous");
+                    " is heterogeneous; name a run of a homogeneous one");
   const std::string loads = differences_text(
     condition_differences(run.conditions, heterogeneous.conditions), true);
   if (!loads.empty())
@@ -104,72 +107,105 @@ FrictionRun read_homogeneous(const std::string &folder,
   return run;
 }
 
-void set_friction_coefficients(BodyDescription &body,
-                               const FrictionRun &run,
-                               const std::string &rve_file,
-                               std::vector<std::string> &warnings)
+/** What eqs (17) and (19) need of a contact. */
+struct ContactNodes
 {
-  if (run.friction_coefficient)
-    {
-      for (Phase<2> &phase : body.phases)
-        phase.friction_coefficient = *run.friction_coefficient;
-      return;
-    }
-  if (rve_file.empty())
-    throw UserError("Body/RVE file is empty, but " + run.folder +
-                    " took its friction coefficients from the phases of one; name it");
-  require_readable_file("Body/RVE file: ", rve_file, "run rve_homogenization first");
-  const RveFile<2> rve(rve_file);
-  if (rve.digest != body.rve_digest)
-    throw UserError("Body/RVE file: " + rve_file + " is not the one that " + run.folder +
-                    " was run with (digest " + rve.digest + ", there " + body.rve_digest +
-                    "); name that one");
-  if (rve.phases.size() != body.phases.size())
-    throw UserError("Body/RVE file: " + rve_file + " has " +
-                    std::to_string(rve.phases.size()) + " phases, but " + run.folder +
-                    " was run with " + std::to_string(body.phases.size()) +
-                    "; run contact_dynamics again");
-  for (std::size_t p = 0; p < body.phases.size(); ++p)
-    body.phases[p].friction_coefficient = rve.phases[p].friction_coefficient;
-  if (!rve.change_note().empty())
-    warnings.push_back(rve.change_note());
+  std::vector<double> area;        ///< tributary (m^2, in 2D m)
+  std::vector<double> mu;          ///< coefficients of friction
+  std::vector<unsigned int> point; ///< of a mesh; empty on a plane grid
+};
+
+std::vector<unsigned int> points_of(const Hdf5File &file, const std::string &group)
+{
+  return file.exists(group + "/point")
+           ? file.read<unsigned int>(group + "/point", {any_extent}, again)
+           : std::vector<unsigned int>();
 }
 
-/** Eq. (17) over nodes; the ends stand for half a cell (also of a periodic body). */
-double coefficient_of_nodes(const std::vector<double> &mu,
+ContactNodes read_nodes(const Hdf5File &file, const std::size_t n)
+{
+  return {file.read<double>("/contact/area", {n}, again),
+          file.read<double>("/contact/friction_coefficient", {n}, again),
+          points_of(file, "/contact")};
+}
+
+/** Eq. (17) over nodes. */
+double coefficient_of_nodes(const ContactNodes &nodes,
                             const std::vector<double> &pressure)
 {
   double friction = 0., force = 0.;
-  for (std::size_t i = 0; i < mu.size(); ++i)
+  for (std::size_t i = 0; i < nodes.mu.size(); ++i)
     {
-      const double f = (i == 0 || i + 1 == mu.size() ? 0.5 : 1.) * pressure[i];
+      const double f = nodes.area[i] * pressure[i];
       force += f;
-      friction += f * mu[i];
+      friction += f * nodes.mu[i];
     }
   return friction / force;
 }
 
-/** Eq. (19): the pressure of a node goes with the moduli of the cells beside it. */
-std::vector<double> moduli_of_nodes(const BodyDescription &body)
+/** Eq. (19): the pressure of a node goes with the moduli of the phases around it. */
+std::vector<double> moduli_of_nodes(const PhasesOfContact &phases)
 {
-  const std::size_t n = body.grid.cells[0];
-  std::vector<double> cells, nodes;
-  for (std::size_t i = 0; i < n; ++i)
-    cells.push_back(
-      closest_isotropic<2>(body.phases[body.phase_of(i)].stiffness).young_modulus);
-  for (std::size_t i = 0; i <= n; ++i)
-    nodes.push_back(0.5 * (cells[i > 0 ? i - 1 : 0] + cells[i < n ? i : n - 1]));
-  return nodes;
+  std::vector<double> moduli(phases.share[0].size());
+  for (std::size_t p = 0; p < phases.share.size(); ++p)
+    for (std::size_t i = 0; i < moduli.size(); ++i)
+      moduli[i] += phases.share[p][i] * phases.youngs_modulus[p];
+  return moduli;
+}
+
+/** Of each phase the share of the contact. */
+std::vector<double> surface_fractions(const PhasesOfContact &phases,
+                                      const std::vector<double> &area)
+{
+  const double total = std::accumulate(area.begin(), area.end(), 0.);
+  std::vector<double> fractions;
+  for (const std::vector<double> &share : phases.share)
+    fractions.push_back(std::inner_product(share.begin(), share.end(), area.begin(), 0.) /
+                        total);
+  return fractions;
+}
+
+/** The phases with these fractions as areas, without those that have none. */
+std::vector<ContactPhase> with_areas(const PhasesOfContact &phases,
+                                     const std::vector<double> &friction,
+                                     const std::vector<double> &fractions)
+{
+  std::vector<ContactPhase> result;
+  for (std::size_t p = 0; p < fractions.size(); ++p)
+    if (fractions[p] > 0.)
+      result.push_back({fractions[p], phases.youngs_modulus[p], friction[p]});
+  return result;
+}
+
+/** The pressures at rest in the order of the @p nodes of the run; empty unless the nodes are the same. */
+std::vector<double> pressures_at_rest(const Hdf5File &file, const ContactNodes &nodes)
+{
+  const auto pressure = file.read<double>("/static_contact/pressure", {any_extent},
+                                          "run the static contact analysis again");
+  const std::vector<unsigned int> point = points_of(file, "/static_contact");
+  if (pressure.size() != nodes.mu.size() || point.size() != nodes.point.size())
+    return {};
+  if (point.empty())
+    return pressure;
+  std::map<unsigned int, double> at;
+  for (std::size_t i = 0; i < point.size(); ++i)
+    at[point[i]] = pressure[i];
+  std::vector<double> in_order;
+  for (const unsigned int p : nodes.point)
+    if (const auto found = at.find(p); found != at.end())
+      in_order.push_back(found->second);
+  return in_order.size() == nodes.mu.size() ? in_order : std::vector<double>();
 }
 
 void read_static_contact(const std::string &folder,
-                         const BodyDescription &body,
+                         const std::string &rve_digest,
+                         const ContactNodes &nodes,
                          FrictionHomogenizationInput &input)
 {
   const std::string key = section + "Static contact";
   const RunSummary summary(key, folder);
   summary.require_analysis("static contact");
-  if (!body.rve_digest.empty() && summary.text("rve_digest") != body.rve_digest)
+  if (!rve_digest.empty() && summary.text("rve_digest") != rve_digest)
     throw UserError(
       key + ": " + folder +
       " is an analysis of another RVE file than the heterogeneous run's; run it "
@@ -182,26 +218,22 @@ void read_static_contact(const std::string &folder,
                         name + ", which is in contact in the heterogeneous run");
       input.static_pressures.push_back(*found);
     }
-  const DynamicsFile file = open_dynamics(summary);
-  if (file.conditions)
+  const Hdf5File file = open_dynamics(summary);
+  if (const auto conditions = read_run_conditions(file))
     if (const std::string loads =
-          differences_at_rest(*file.conditions, input.heterogeneous.conditions);
+          differences_at_rest(*conditions, input.heterogeneous.conditions);
         !loads.empty())
       input.warnings.push_back(
         key + ": " + folder + " and " + input.heterogeneous.folder +
         " were made under different conditions (" + loads +
         "), and the pressures of phases and nodes are those of the former");
-  const auto pressure = file.read<double>("/static_contact/pressure", {any_extent},
-                                          "run the static contact analysis again");
-  if (pressure.size() == body.node_friction.size())
-    input.static_mu_of_nodes = coefficient_of_nodes(body.node_friction, pressure);
+  const std::vector<double> pressure = pressures_at_rest(file, nodes);
+  if (!pressure.empty())
+    input.static_mu_of_nodes = coefficient_of_nodes(nodes, pressure);
   else
-    input.warnings.push_back(
-      key + ": " + folder + " has " + std::to_string(pressure.size()) +
-      " contact nodes and " + input.heterogeneous.folder + " " +
-      std::to_string(body.node_friction.size()) +
-      ", so there is no estimate by the pressures of nodes; run both with the same "
-      "Body/Cells");
+    input.warnings.push_back(key + ": " + folder + " and " + input.heterogeneous.folder +
+                             " have not the same contact nodes, so there is no estimate "
+                             "by the pressures of nodes; run both on the same cells");
 }
 } // namespace
 
@@ -259,8 +291,7 @@ std::optional<double> RunSummary::find_number(const std::string &name,
 }
 
 FrictionHomogenizationInput
-read_friction_homogenization(const FrictionHomogenizationParameters &parameters,
-                             const std::string &rve_file)
+read_friction_homogenization(const FrictionHomogenizationParameters &parameters)
 {
   if (parameters.heterogeneous_run.empty())
     throw UserError(section +
@@ -268,26 +299,30 @@ read_friction_homogenization(const FrictionHomogenizationParameters &parameters,
                     "run of the heterogeneous body");
   FrictionHomogenizationInput input;
   const RunSummary summary(section + "Heterogeneous run", parameters.heterogeneous_run);
-  if (summary.find_number("dim").value_or(2.) != 2.)
-    throw UserError(summary.key + ": " + summary.folder +
-                    " is a run in 3D, but friction is homogenized of plane grids only");
-  const DynamicsFile file = open_dynamics(summary);
-  input.heterogeneous     = read_run(summary, file, input.warnings);
+  const Hdf5File file = open_dynamics(summary);
+  input.heterogeneous = read_run(summary, file, input.warnings);
   if (!parameters.homogeneous_run.empty())
     input.homogeneous =
       read_homogeneous(parameters.homogeneous_run, input.heterogeneous, input.warnings);
 
-  BodyDescription body = file.heterogeneous_body();
-  set_friction_coefficients(body, input.heterogeneous, rve_file, input.warnings);
-  const std::vector<double> of_surface = body.fractions(body.grid.cells[0]);
-  input.surface                        = contact_phases<2>(body.phases, of_surface);
-  input.volume = contact_phases<2>(body.phases, body.fractions(body.grid.n_cells()));
-  for (std::size_t p = 0; p < body.phases.size(); ++p)
+  const PhasesOfContact phases = read_phases_of_contact(file);
+  const ContactNodes nodes     = read_nodes(file, phases.share[0].size());
+  const std::vector<double> friction =
+    phases.friction.empty()
+      ? std::vector<double>(phases.names.size(),
+                            input.heterogeneous.friction_coefficient.value_or(0.))
+      : phases.friction;
+  const std::vector<double> of_surface = surface_fractions(phases, nodes.area);
+  input.surface                        = with_areas(phases, friction, of_surface);
+  input.volume = with_areas(phases, friction, phases.volume_fraction);
+  for (std::size_t p = 0; p < of_surface.size(); ++p)
     if (of_surface[p] > 0.)
-      input.phase_names.push_back(body.phases[p].name);
-  input.mu_of_nodes = coefficient_of_nodes(body.node_friction, moduli_of_nodes(body));
+      input.phase_names.push_back(phases.names[p]);
+  input.mu_of_nodes = coefficient_of_nodes(nodes, moduli_of_nodes(phases));
   if (!parameters.static_contact.empty())
-    read_static_contact(parameters.static_contact, body, input);
+    read_static_contact(parameters.static_contact,
+                        file.read_attribute<std::string>("/material", "rve_digest"),
+                        nodes, input);
   return input;
 }
 } // namespace mesoslip

@@ -3,7 +3,7 @@
 #include "base/errors.h"
 #include "base/text.h"
 #include "exchange/datasets.h"
-#include "exchange/dynamics_file.h"
+#include "exchange/grid_file.h"
 #include "io/table.h"
 #include "material/plausibility.h"
 #include "sliding/body_analysis.h"

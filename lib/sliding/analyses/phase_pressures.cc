@@ -11,6 +11,12 @@
 
 namespace mesoslip
 {
+namespace
+{
+/**
+ * The phases that take part in the contact with @p fractions of it as areas, Young's moduli
+ * of the closest isotropic solids, friction coefficients. Absent phases are left out.
+ */
 template <int dim>
 std::vector<ContactPhase> contact_phases(const std::vector<Phase<dim>> &phases,
                                          const std::vector<double> &fractions)
@@ -24,6 +30,7 @@ std::vector<ContactPhase> contact_phases(const std::vector<Phase<dim>> &phases,
       }
   return result;
 }
+} // namespace
 
 template <int dim>
 PhasePressures phase_pressures(const ContactParameters &parameters,
@@ -95,11 +102,9 @@ void add_pressures(const PhasePressures &found, nlohmann::json &json)
     }
 }
 
-#define MESOSLIP_INSTANTIATE(dim)                                  \
-  template std::vector<ContactPhase> contact_phases<dim>(          \
-    const std::vector<Phase<dim>> &, const std::vector<double> &); \
-  template PhasePressures phase_pressures<dim>(                    \
-    const ContactParameters &, const std::vector<Phase<dim>> &,    \
+#define MESOSLIP_INSTANTIATE(dim)                               \
+  template PhasePressures phase_pressures<dim>(                 \
+    const ContactParameters &, const std::vector<Phase<dim>> &, \
     const std::vector<double> &, const std::vector<double> &, const double);
 MESOSLIP_INSTANTIATE(2)
 MESOSLIP_INSTANTIATE(3)

@@ -39,14 +39,6 @@ PhasePressures phase_pressures(const ContactParameters &parameters,
                                const std::vector<double> &sum,
                                const double mean_pressure);
 
-/**
- * The phases that take part in the contact with @p fractions of it as areas, Young's moduli
- * of the closest isotropic solids, friction coefficients. Absent phases are left out.
- */
-template <int dim>
-std::vector<ContactPhase> contact_phases(const std::vector<Phase<dim>> &phases,
-                                         const std::vector<double> &fractions);
-
 /** Lines for the log; @p sliding is the tangential over the normal force of a sliding body.
  */
 std::vector<std::string> pressure_lines(const PhasePressures &found,

@@ -2,7 +2,7 @@
 
 #include "eigenvalues/free_dofs.h"
 #include "exchange/datasets.h"
-#include "exchange/dynamics_file.h"
+#include "exchange/grid_file.h"
 #include "io/table.h"
 #include "material/plausibility.h"
 #include "sliding/complex/mode_branches.h"

@@ -96,6 +96,7 @@ void order_contact(MeshBodyDescription &body, const MeshBody<dim> &elastic)
 {
   const MeshBoundary contact         = body.contact;
   const std::vector<double> friction = body.friction;
+  const auto shares                  = body.shares;
   std::map<unsigned int, std::size_t> place;
   for (std::size_t k = 0; k < contact.points.size(); ++k)
     place[contact.points[k]] = k;
@@ -107,6 +108,8 @@ void order_contact(MeshBodyDescription &body, const MeshBody<dim> &elastic)
       body.contact.area[k]   = contact.area[old];
       body.contact.height[k] = contact.height[old];
       body.friction[k]       = friction[old];
+      for (std::size_t p = 0; p < shares.size(); ++p)
+        body.shares[p][k] = shares[p][old];
     }
 }
 

@@ -88,13 +88,14 @@ GivenMesh<dim>::GivenMesh(const ContactParameters &given)
       if (parameters.map.interval > 0. || parameters.wants_node_loads())
         require_contact_area(body);
     }
-  known.lines         = lines();
-  known.warnings      = morphology.warnings;
-  known.n_points      = body.n_points;
-  known.heterogeneous = phases.size() > 1;
-  known.rve_digest    = body.rve_digest;
-  known.place         = cell_text(dim);
-  known.scales        = body.scales;
+  known.lines            = lines();
+  known.warnings         = morphology.warnings;
+  known.n_points         = body.n_points;
+  known.heterogeneous    = phases.size() > 1;
+  known.rve_digest       = parameters.mesh.rve_digest;
+  known.volume_fractions = morphology.fractions;
+  known.place            = cell_text(dim);
+  known.scales           = body.scales;
   describe_contact();
   known.shortest_side = body.shortest_side;
   known.contents      = "Content of Mesh/File = " + body.digest +
@@ -298,10 +299,7 @@ ContactParts GivenMesh<dim>::contact_parts() const
   ContactParts parts;
   for (const Phase<dim> &phase : known.phases)
     parts.names.push_back(phase.name);
-  on_root(MPI_COMM_WORLD, [&]() {
-    parts.shares = contact_shares(morphology, parameters.mesh, body.contact);
-  });
-  broadcast_object(MPI_COMM_WORLD, parts.shares);
+  parts.shares = body.shares;
   return parts;
 }
 
@@ -317,7 +315,8 @@ template <int dim>
 Hdf5File GivenMesh<dim>::create_file(const std::string &path,
                                      const std::string &format) const
 {
-  return create_mesh_file(path, format, morphology, body);
+  return create_mesh_file(path, format, morphology, body.digest,
+                          parameters.mesh.rve_digest);
 }
 
 template <int dim>

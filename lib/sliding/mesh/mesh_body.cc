@@ -108,6 +108,26 @@ std::vector<double> friction_of_points(const MeshMorphology<dim> &morphology,
   return mean_of_phases(morphology.mesh, faces, contact, coefficient, weight);
 }
 
+/** Of each phase its share of the area of the faces around each point of @p contact. */
+template <int dim>
+std::vector<std::vector<double>>
+shares_of_phases(const MeshMorphology<dim> &morphology,
+                 const std::vector<BoundaryFace<dim>> &faces,
+                 const MeshBoundary &contact)
+{
+  const std::size_t n = morphology.materials().size();
+  std::vector<std::vector<double>> shares;
+  for (std::size_t p = 0; p < morphology.phases.size(); ++p)
+    {
+      std::vector<double> is_phase(n);
+      for (unsigned int m = 0; m < n; ++m)
+        is_phase[m] = morphology.phase_of(m) == p ? 1. : 0.;
+      shares.push_back(mean_of_phases(morphology.mesh, faces, contact, is_phase,
+                                      std::vector<double>(n, 1.)));
+    }
+  return shares;
+}
+
 /** Whether anything happens at the contact: not to modes with a free bottom. */
 bool needs_contact(const ContactParameters &parameters)
 {
@@ -260,25 +280,6 @@ void join_periodic_sides(MeshMorphology<dim> &morphology,
 }
 
 template <int dim>
-std::vector<std::vector<double>> contact_shares(const MeshMorphology<dim> &morphology,
-                                                const MeshBodyParameters &parameters,
-                                                const MeshBoundary &contact)
-{
-  const auto faces    = group_faces(morphology, faces_of(morphology),
-                                    "Mesh/Contact boundary", parameters.contact_boundary);
-  const std::size_t n = morphology.phases.size();
-  std::vector<std::vector<double>> shares;
-  for (std::size_t p = 0; p < n; ++p)
-    {
-      std::vector<double> is_phase(n, 0.);
-      is_phase[p] = 1.;
-      shares.push_back(mean_of_phases(morphology.mesh, faces, contact, is_phase,
-                                      std::vector<double>(n, 1.)));
-    }
-  return shares;
-}
-
-template <int dim>
 MeshBodyDescription describe_body(const MeshMorphology<dim> &morphology,
                                   const ContactParameters &given)
 {
@@ -304,6 +305,7 @@ MeshBodyDescription describe_body(const MeshMorphology<dim> &morphology,
           "' does not face down; the flat is below the body, its normal is " + normal);
       body.friction =
         friction_of_points(morphology, bottom, body.contact, given.friction);
+      body.shares = shares_of_phases(morphology, bottom, body.contact);
       body.reference =
         reference_node(morphology, body.contact, given.observation.reference_x);
     }
@@ -327,7 +329,6 @@ MeshBodyDescription describe_body(const MeshMorphology<dim> &morphology,
   if (!morphology.file.empty())
     digest.add_file(morphology.file);
   body.digest               = digest.add(parameters.rve_digest).hex();
-  body.rve_digest           = parameters.rve_digest;
   const auto [lower, upper] = dealii::BoundingBox<dim>(mesh.points).get_boundary_points();
   const dealii::Tensor<1, dim> sides = upper - lower;
   body.scales = scales_of(morphology, sides, body.top, given.contact.flat_direction);
@@ -339,8 +340,6 @@ MeshBodyDescription describe_body(const MeshMorphology<dim> &morphology,
 
 #define MESOSLIP_INSTANTIATE(dim)                                                       \
   template void join_periodic_sides(MeshMorphology<dim> &, const MeshBodyParameters &); \
-  template std::vector<std::vector<double>> contact_shares(                             \
-    const MeshMorphology<dim> &, const MeshBodyParameters &, const MeshBoundary &);     \
   template MeshBodyDescription describe_body(const MeshMorphology<dim> &,               \
                                              const ContactParameters &);
 MESOSLIP_INSTANTIATE(2)

@@ -86,14 +86,17 @@ void join_periodic_sides(MeshMorphology<dim> &morphology,
 /** What all ranks know of a body on a mesh. */
 struct MeshBodyDescription
 {
-  MeshBoundary contact;            ///< on the flat
-  MeshBoundary top;                ///< loaded
-  std::vector<double> friction;    ///< Coulomb's coefficient of the contact nodes
+  MeshBoundary contact;         ///< on the flat
+  MeshBoundary top;             ///< loaded
+  std::vector<double> friction; ///< Coulomb's coefficient of the contact nodes
+
+  /** Of each phase its share of the tributary area of the contact nodes. */
+  std::vector<std::vector<double>> shares;
+
   std::vector<HeldComponent> held; ///< never moved
   std::uint64_t n_points = 0;      ///< of the mesh
   std::uint64_t n_cells  = 0;      ///< of the mesh
   std::string digest;              ///< of the file
-  std::string rve_digest;          ///< see MeshBodyParameters
   std::vector<MeshPlace> probes;   ///< where they are in the mesh
   ReferenceNode reference;         ///< of the contact
 
@@ -107,12 +110,6 @@ struct MeshBodyDescription
     serialize_members<12>(archive, *this);
   }
 };
-
-/** For each phase, its share of the area of the faces around each point of @p contact. */
-template <int dim>
-std::vector<std::vector<double>> contact_shares(const MeshMorphology<dim> &morphology,
-                                                const MeshBodyParameters &parameters,
-                                                const MeshBoundary &contact);
 
 /**
  * Contact, top, friction and held points of the mesh that was read; no contact and no top

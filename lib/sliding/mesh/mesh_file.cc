@@ -37,13 +37,14 @@ template <int dim>
 Hdf5File create_mesh_file(const std::string &path,
                           const std::string &format,
                           const MeshMorphology<dim> &morphology,
-                          const MeshBodyDescription &body)
+                          const std::string &digest,
+                          const std::string &rve_digest)
 {
   Hdf5File file = Hdf5File::create(path);
   file.write_header(morphology.box ? format : format + "-mesh",
-                    morphology.oriented.empty() ? 1 : 2, dim, body.digest);
+                    morphology.oriented.empty() ? 1 : 2, dim, digest);
   write_phases(file, "/material", morphology.phases, true);
-  file.write_attribute("/material", "rve_digest", body.rve_digest);
+  file.write_attribute("/material", "rve_digest", rve_digest);
   write_cells(file, morphology);
   return file;
 }
@@ -106,16 +107,16 @@ void show_mesh(const std::string &path,
   show_file(path, morphology.mesh, fields, times, phases);
 }
 
-#define MESOSLIP_INSTANTIATE(dim)                                                 \
-  template Hdf5File create_mesh_file(const std::string &, const std::string &,    \
-                                     const MeshMorphology<dim> &,                 \
-                                     const MeshBodyDescription &);                \
-  template Shape vectors_shape(const MeshMorphology<dim> &);                      \
-  template void write_divided_fields(                                             \
-    std::optional<Hdf5File> &, const std::string &, const std::string &,          \
-    const std::vector<const NodalField<double> *> &, const MeshMorphology<dim> &, \
-    const MeshBody<dim> &);                                                       \
-  template void show_mesh(const std::string &, const MeshMorphology<dim> &,       \
+#define MESOSLIP_INSTANTIATE(dim)                                                      \
+  template Hdf5File create_mesh_file(const std::string &, const std::string &,         \
+                                     const MeshMorphology<dim> &, const std::string &, \
+                                     const std::string &);                             \
+  template Shape vectors_shape(const MeshMorphology<dim> &);                           \
+  template void write_divided_fields(                                                  \
+    std::optional<Hdf5File> &, const std::string &, const std::string &,               \
+    const std::vector<const NodalField<double> *> &, const MeshMorphology<dim> &,      \
+    const MeshBody<dim> &);                                                            \
+  template void show_mesh(const std::string &, const MeshMorphology<dim> &,            \
                           const std::vector<XdmfField> &, const std::vector<double> &);
 MESOSLIP_INSTANTIATE(2)
 MESOSLIP_INSTANTIATE(3)

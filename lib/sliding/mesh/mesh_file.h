@@ -13,12 +13,13 @@
 namespace mesoslip
 {
 /** Begins a file of contact_dynamics on a box or a mesh: header, cells and materials. The name of its
- * format is @p format, of a mesh with "-mesh" behind. */
+ * format is @p format, of a mesh with "-mesh" behind; digests are that of its content and of its RVE file. */
 template <int dim>
 Hdf5File create_mesh_file(const std::string &path,
                           const std::string &format,
                           const MeshMorphology<dim> &morphology,
-                          const MeshBodyDescription &body);
+                          const std::string &digest,
+                          const std::string &rve_digest);
 
 /** Extents of a vector for each point: of a box [nz + 1][ny + 1][nx + 1][3], else [points][dim]. */
 template <int dim>

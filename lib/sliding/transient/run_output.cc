@@ -3,7 +3,9 @@
 #include "base/errors.h"
 #include "base/exchange.h"
 #include "exchange/datasets.h"
+#include "material/engineering_constants.h"
 #include "program/run_context.h"
+#include "sliding/analyses/phases_of_contact.h"
 #include "sliding/transient/result_file.h"
 
 #include <algorithm>
@@ -44,6 +46,7 @@ RunOutput<dim>::RunOutput(RunContext &context,
   , displacement(displacement)
   , steps(snapshot_steps(body.parameters, time))
   , path(context.file("dynamics.h5"))
+  , parts(body.facts().heterogeneous ? body.contact_parts() : ContactParts())
 {
 }
 
@@ -80,6 +83,23 @@ void RunOutput<dim>::begin(const std::uint64_t step,
                             const std::vector<double> &values) {
       rows.at(name)->write_rows(first, values);
     });
+}
+
+template <int dim>
+void RunOutput<dim>::write_phases()
+{
+  PhasesOfContact phases;
+  phases.names           = parts.names;
+  phases.share           = parts.shares;
+  phases.volume_fraction = body.facts().volume_fractions;
+  for (const Phase<dim> &phase : body.facts().phases)
+    {
+      phases.youngs_modulus.push_back(
+        closest_isotropic<dim>(phase.stiffness).young_modulus);
+      if (body.parameters.friction.coefficient_by_phase)
+        phases.friction.push_back(phase.friction_coefficient);
+    }
+  write_phases_of_contact(*file, phases);
 }
 
 template <int dim>
@@ -145,6 +165,8 @@ void RunOutput<dim>::write(const TransientResult &result,
     map->complete(*file, result.steps_done, time.step.dt);
   write_result(*file, result, context);
   body.write_contact(*file);
+  if (body.facts().heterogeneous)
+    write_phases();
   const std::vector<double> times = snapshot_times();
   if (has_snapshots())
     {

@@ -26,7 +26,8 @@ template <int dim>
 class RunOutput : public StepObserver
 {
 public:
-  /** Snapshots are those that the parameters of the @p body ask for; references are kept. */
+  /** Snapshots are those that the parameters of the @p body ask for; references are kept.
+   * Collective. */
   RunOutput(RunContext &context,
             const GivenBody<dim> &body,
             const TimeStepChoice &time,
@@ -71,6 +72,7 @@ public:
 private:
   /** Rank 0 begins the file, or goes on with it. */
   void open(const bool resumed);
+  void write_phases();
   Shape snapshots_shape(const std::size_t n) const;
   std::vector<double> snapshot_times() const;
 
@@ -80,6 +82,7 @@ private:
   const std::function<FieldRows()> displacement;
   const std::vector<std::uint64_t> steps; ///< of all snapshots, those to come as well
   const std::string path;                 ///< of the file
+  const ContactParts parts;               ///< of a heterogeneous body
   std::uint64_t n_written = 0;            ///< see n_snapshots()
   std::optional<Hdf5File> file;           ///< on rank 0, but not while all write rows
 

@@ -15,7 +15,7 @@ from scenes import Folder, prm
 
 GRAINS = 12
 FINE = tuple(2 * n for n in CELLS)  # of a body that is refined
-SEARCH = ("inputs", "iterations", "state_changes", "solver_iterations", "residual", "friction_change")  # how statics were found
+SEARCH = ("rve_digest", "inputs", "iterations", "state_changes", "solver_iterations", "residual", "friction_change")  # how statics were found
 CRYSTAL = {"Type": "orthotropic", "Young moduli": "240e9, 60e9, 90e9", "Poisson ratios": "0.2, 0.25, 0.3", "Shear moduli": "40e9, 30e9, 50e9",
            "Density": 2600, "Friction coefficient": 0.5}
 MATRIX = {"Young modulus": "30e9", "Poisson ratio": 0.2, "Density": 1800}

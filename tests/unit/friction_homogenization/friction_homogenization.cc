@@ -5,9 +5,9 @@
 #include "../io/io_testing.h"
 #include "base/files.h"
 #include "exchange/datasets.h"
-#include "exchange/dynamics_file.h"
-#include "exchange/rve_file.h"
+#include "exchange/grid_file.h"
 #include "material/stiffness.h"
+#include "sliding/analyses/phases_of_contact.h"
 
 #include <gtest/gtest.h>
 
@@ -62,42 +62,38 @@ protected:
     at_rest                              = under_het;
     at_rest["analysis"]                  = "static contact";
     at_rest["velocity"]                  = 1e-3;
-    write_rve("abc");
+    phases.names                         = {"matrix", "fibre"};
+    phases.youngs_modulus                = {30e9, 240e9};
+    phases.volume_fraction               = {0.9, 0.1};
+    phases.friction                      = {0.12, 0.3};
+    phases.share = {std::vector<double>(11, 1.), std::vector<double>(11, 0.)};
+    for (const std::size_t k : {2, 3, 7, 8})
+      phases.share[0][k] = phases.share[1][k] = 0.5;
     write_static_contact();
-  }
-
-  void write_rve(const std::string &digest, const std::size_t n_phases = 2) const
-  {
-    RveContent<2> content;
-    content.digest   = digest;
-    content.grid     = body.grid;
-    content.phases   = body.phases;
-    content.phase_id = body.phase_id;
-    content.phases.resize(n_phases);
-    write_rve_file<2>(rve(), content);
   }
 
   void write_dynamics(const std::string &run, const RunConditions &conditions) const
   {
-    DynamicsFile file = DynamicsFile::create(folder / run + "/dynamics.h5", body);
+    Hdf5File file = create_grid_file(folder / run + "/dynamics.h5", body);
+    std::vector<double> area(11, 1e-4);
+    area.front() = area.back() = 0.5e-4;
     write_run_conditions(file, conditions);
-    write_series(file, "/contact", {{"friction_coefficient", "-", &body.node_friction}});
+    write_series(
+      file, "/contact",
+      {{"friction_coefficient", "-", &body.node_friction}, {"area", "m", &area}});
+    if (run == "het" || both_heterogeneous)
+      write_phases_of_contact(file, phases);
     file.close();
   }
 
   void write_static_contact() const
   {
     std::vector<double> pressure(11, 1e5);
-    pressure[2]       = 3e5;
-    DynamicsFile file = DynamicsFile::create(folder / "sca/dynamics.h5", body);
+    pressure[2]   = 3e5;
+    Hdf5File file = create_grid_file(folder / "sca/dynamics.h5", body);
     write_run_conditions(file, at_rest);
     write_series(file, "/static_contact", {{"pressure", "Pa", &pressure}});
     file.close();
-  }
-
-  std::string rve() const
-  {
-    return folder / "rve.h5";
   }
 
   FrictionHomogenizationInput read() const
@@ -107,7 +103,7 @@ protected:
     write_file(folder / "sca/summary.json", static_contact.dump());
     write_dynamics("het", under_het);
     write_dynamics("hom", under_hom);
-    return read_friction_homogenization(parameters, rve());
+    return read_friction_homogenization(parameters);
   }
 
   std::string reading_error() const
@@ -117,6 +113,8 @@ protected:
 
   TemporaryFolder folder;
   BodyDescription body;
+  PhasesOfContact phases;
+  bool both_heterogeneous = false;
   nlohmann::json heterogeneous, homogeneous, static_contact;
   RunConditions under_het, under_hom, at_rest;
   FrictionHomogenizationParameters parameters;
@@ -226,14 +224,14 @@ TEST_F(FrictionHomogenization, ChoosesStaticContactIfThereIsOne)
 
 TEST_F(FrictionHomogenization, OneCoefficientForAllPhases)
 {
-  under_het["coefficient_from"]     = "constant";
+  under_het["coefficient_from"] = "constant";
+  phases.friction.clear();
   under_het["friction_coefficient"] = 0.25;
   write_file(folder / "het/summary.json", heterogeneous.dump());
   write_dynamics("het", under_het);
   parameters.homogeneous_run.clear();
   parameters.static_contact.clear();
-  // No RVE file is needed then.
-  const auto input = read_friction_homogenization(parameters, "");
+  const auto input = read_friction_homogenization(parameters);
   for (const FrictionEstimate &e : friction_estimates(input))
     {
       if (e.pressures != "nodes") // whose coefficients stand in the file
@@ -266,11 +264,10 @@ TEST_F(FrictionHomogenization, WhatIsMissingIsNamed)
   expect_contains(reading_error(), "no contact pressure of the phase fibre");
   static_contact["phase_contact_pressures"]["fibre"] = 2e6;
 
-  write_rve("else");
-  expect_contains(reading_error(), "Body/RVE file");
-  write_rve("abc", 1); // once an std::out_of_range
-  expect_contains(reading_error(), "has 1 phases, but");
-  write_rve("abc");
+  parameters.heterogeneous_run = folder / "hom";
+  parameters.homogeneous_run.clear();
+  expect_contains(reading_error(), "has no /contact/phases, as its body is homogeneous");
+  parameters.heterogeneous_run = folder / "het";
 
   parameters.homogeneous_run = folder / "nowhere";
   expect_contains(reading_error(),
@@ -294,8 +291,8 @@ TEST_F(FrictionHomogenization, AStaticContactUnderOtherLoadsIsTold)
 
 TEST_F(FrictionHomogenization, TheHomogeneousRunHasToBeThat)
 {
-  under_hom["material"] = "heterogeneous";
-  expect_contains(reading_error(), "is heterogeneous; name a run with");
+  both_heterogeneous = true;
+  expect_contains(reading_error(), "is heterogeneous; name a run of a homogeneous one");
 }
 
 TEST_F(FrictionHomogenization, WarnsWhenContactDurationsRestOnFewNodes)

@@ -1,7 +1,6 @@
-#include "exchange/dynamics_file.h"
+#include "exchange/grid_file.h"
 
 #include "base/digest.h"
-#include "base/errors.h"
 #include "exchange/datasets.h"
 
 namespace mesoslip
@@ -10,10 +9,7 @@ namespace
 {
 constexpr int newest_dynamics_version = 1;
 
-const char dynamics_program[] = "contact_dynamics";
-const char phases_name[]      = "/material/phase_id";
-
-const char file_hint[] = "contact_dynamics writes such a file";
+const char phases_name[] = "/material/phase_id";
 
 std::string digest_of(const BodyDescription &body)
 {
@@ -62,12 +58,11 @@ interleaved(const NodalField<double> &u, const unsigned int begin, const unsigne
   return values;
 }
 
-DynamicsFile DynamicsFile::create(const std::string &path,
-                                  const BodyDescription &body,
-                                  const std::string &format)
+Hdf5File create_grid_file(const std::string &path,
+                          const BodyDescription &body,
+                          const std::string &format)
 {
-  DynamicsFile file(Hdf5File::create(path));
-  file.grid = body.grid;
+  Hdf5File file = Hdf5File::create(path);
   file.write_header(format, newest_dynamics_version, 2, digest_of(body));
   write_grid(file, body.grid);
   write_phases(file, "/material", body.phases, false);
@@ -76,45 +71,5 @@ DynamicsFile DynamicsFile::create(const std::string &path,
     write_dataset(file, phases_name, {body.grid.cells[1], body.grid.cells[0]},
                   body.phase_id);
   return file;
-}
-
-DynamicsFile DynamicsFile::open(const std::string &path, const std::string &hint)
-{
-  DynamicsFile file(Hdf5File::open(path, hint));
-  file.digest =
-    file.check_header("mesoslip-dynamics", newest_dynamics_version, 2, file_hint);
-  file.grid       = read_grid<2>(file, dynamics_program);
-  file.conditions = read_run_conditions(file);
-  return file;
-}
-
-std::string DynamicsFile::rve_digest() const
-{
-  return has_attribute("/material", "rve_digest")
-           ? read_attribute<std::string>("/material", "rve_digest")
-           : "";
-}
-
-std::vector<std::uint8_t> DynamicsFile::phase_id() const
-{
-  return exists(phases_name)
-           ? read<std::uint8_t>(phases_name, {grid.cells[1], grid.cells[0]})
-           : std::vector<std::uint8_t>();
-}
-
-BodyDescription DynamicsFile::heterogeneous_body() const
-{
-  BodyDescription body;
-  body.grid     = grid;
-  body.phases   = read_phases<2>(*this, "/material", false, dynamics_program);
-  body.phase_id = phase_id();
-  if (body.phase_id.empty())
-    throw UserError(path() + " has no " + phases_name +
-                    ", as its body is homogeneous; name the run of a heterogeneous one");
-  require_phases(*this, phases_name, body.phase_id, body.phases.size(), dynamics_program);
-  body.node_friction = read<double>("/contact/friction_coefficient",
-                                    {grid.cells[0] + std::size_t(1)}, file_hint);
-  body.rve_digest    = rve_digest();
-  return body;
 }
 } // namespace mesoslip
