@@ -38,10 +38,10 @@ class GivenGrid : public GivenBody<2>
 public:
   /** Rank 0 reads the RVE file. @throws UserError for input that no analysis can work with, or
    * without the memory for its fields */
-  explicit GivenGrid(const ContactParameters &parameters);
+  explicit GivenGrid(const ContactParameters &given);
 
   /** The body as it is described. */
-  GivenGrid(const ContactParameters &parameters, const BodyDescription &described);
+  GivenGrid(const ContactParameters &given, const BodyDescription &described);
 
   BodyInMotion<2> start(const SlidingSetup &setup, RunContext &context) const override;
   void write_contact(Hdf5File &file) const override;

@@ -67,7 +67,7 @@ public:
 
   /** On rank 0, after end(): writes everything else, once, replacing what was there; @p map may
    * be null. */
-  void write(const TransientResult &run, const ContactMapOutput<dim> *map);
+  void write(const TransientResult &result, const ContactMapOutput<dim> *map);
 
 private:
   /** Rank 0 begins the file, or goes on with it. */
