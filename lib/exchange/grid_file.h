@@ -6,12 +6,7 @@
 #include "grid/nodal_field.h"
 #include "io/hdf5_file.h"
 
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace mesoslip
@@ -32,7 +27,7 @@ std::vector<double> interleaved(const NodalField<double> &u,
                                 const unsigned int begin,
                                 const unsigned int end);
 
-/** The same of all rows. */
+/** Values [rows][columns][components] of all rows of a nodal field. */
 inline std::vector<double> interleaved(const NodalField<double> &u)
 {
   return interleaved(u, 0, u.n_rows());

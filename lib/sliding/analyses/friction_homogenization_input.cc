@@ -177,6 +177,17 @@ std::vector<ContactPhase> with_areas(const PhasesOfContact &phases,
   return result;
 }
 
+/** The coefficient of each phase: its own, or the one of the @p run. */
+std::vector<double> friction_of_phases(const PhasesOfContact &phases,
+                                       const FrictionRun &run)
+{
+  if (!phases.friction.empty())
+    return phases.friction;
+  if (!run.friction_coefficient)
+    throw UserError(run.folder + " does not tell its coefficient of friction; " + again);
+  return std::vector<double>(phases.names.size(), *run.friction_coefficient);
+}
+
 /** The pressures at rest in the order of the @p nodes of the run; empty unless the nodes are the same. */
 std::vector<double> pressures_at_rest(const Hdf5File &file, const ContactNodes &nodes)
 {
@@ -305,13 +316,9 @@ read_friction_homogenization(const FrictionHomogenizationParameters &parameters)
     input.homogeneous =
       read_homogeneous(parameters.homogeneous_run, input.heterogeneous, input.warnings);
 
-  const PhasesOfContact phases = read_phases_of_contact(file);
-  const ContactNodes nodes     = read_nodes(file, phases.share[0].size());
-  const std::vector<double> friction =
-    phases.friction.empty()
-      ? std::vector<double>(phases.names.size(),
-                            input.heterogeneous.friction_coefficient.value_or(0.))
-      : phases.friction;
+  const PhasesOfContact phases         = read_phases_of_contact(file);
+  const ContactNodes nodes             = read_nodes(file, phases.share[0].size());
+  const std::vector<double> friction   = friction_of_phases(phases, input.heterogeneous);
   const std::vector<double> of_surface = surface_fractions(phases, nodes.area);
   input.surface                        = with_areas(phases, friction, of_surface);
   input.volume = with_areas(phases, friction, phases.volume_fraction);

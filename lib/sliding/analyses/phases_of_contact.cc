@@ -45,6 +45,8 @@ PhasesOfContact read_phases_of_contact(const Hdf5File &file)
     phases.friction = of_phases("friction_coefficient");
   const auto shares =
     file.read<double>(share_of_phases, {n_phases[0], any_extent}, run_again);
+  if (shares.empty())
+    throw UserError(file.path() + ": " + share_of_phases + " is empty; " + run_again);
   const auto n_nodes = static_cast<std::ptrdiff_t>(shares.size() / n_phases[0]);
   for (auto first = shares.begin(); first != shares.end(); first += n_nodes)
     phases.share.emplace_back(first, first + n_nodes);

@@ -12,9 +12,9 @@ namespace mesoslip
  * dynamics.h5 of a transient run. */
 struct PhasesOfContact
 {
-  std::vector<std::string> names;      ///< of the phases
+  std::vector<std::string> names;      ///< of the phases, as all lists here have them
   std::vector<double> youngs_modulus;  ///< of the closest isotropic solid (Pa)
-  std::vector<double> volume_fraction; ///< of the body
+  std::vector<double> volume_fraction; ///< share of the body's area (2D) or volume [-]
   std::vector<double> friction; ///< Coulomb's coefficient; empty: one for all phases
 
   /** Of each phase its share of the tributary area of each contact node, as in /contact/area. */

@@ -73,8 +73,7 @@ GivenMesh<dim>::GivenMesh(const ContactParameters &given)
   if constexpr (dim == 3)
     if (parameters.mesh.is_box() && parameters.analysis == ContactAnalysis::transient)
       share_box(parameters.body, morphology);
-  for (const Phase<dim> &phase :
-       oriented_phases(make_phases<dim>(parameters.mesh.phases), morphology.oriented))
+  for (const Phase<dim> &phase : oriented_phases(known.phases, morphology.oriented))
     phases.push_back({phase.stiffness, phase.density});
   if (n_ranks > body.n_cells)
     throw UserError("the mesh has " + std::to_string(body.n_cells) +

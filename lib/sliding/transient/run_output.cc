@@ -46,7 +46,6 @@ RunOutput<dim>::RunOutput(RunContext &context,
   , displacement(displacement)
   , steps(snapshot_steps(body.parameters, time))
   , path(context.file("dynamics.h5"))
-  , parts(body.facts().heterogeneous ? body.contact_parts() : ContactParts())
 {
 }
 
@@ -88,6 +87,7 @@ void RunOutput<dim>::begin(const std::uint64_t step,
 template <int dim>
 void RunOutput<dim>::write_phases()
 {
+  const ContactParts parts = body.contact_parts();
   PhasesOfContact phases;
   phases.names           = parts.names;
   phases.share           = parts.shares;

@@ -26,8 +26,7 @@ template <int dim>
 class RunOutput : public StepObserver
 {
 public:
-  /** Snapshots are those that the parameters of the @p body ask for; references are kept.
-   * Collective. */
+  /** Snapshots are those that the parameters of the @p body ask for; references are kept. */
   RunOutput(RunContext &context,
             const GivenBody<dim> &body,
             const TimeStepChoice &time,
@@ -82,7 +81,6 @@ private:
   const std::function<FieldRows()> displacement;
   const std::vector<std::uint64_t> steps; ///< of all snapshots, those to come as well
   const std::string path;                 ///< of the file
-  const ContactParts parts;               ///< of a heterogeneous body
   std::uint64_t n_written = 0;            ///< see n_snapshots()
   std::optional<Hdf5File> file;           ///< on rank 0, but not while all write rows
 
