@@ -62,8 +62,6 @@ sanitize() {
   phase "tests with sanitizers"
   # Memory that cannot be had is a failed allocation, as without the sanitizers.
   export ASAN_OPTIONS=allocator_may_return_null=1:detect_stack_use_after_return=1:strict_string_checks=1
-  # Whole stacks, also through libraries without frame pointers, for the names in leaks.txt.
-  ASAN_OPTIONS+=:fast_unwind_on_malloc=0
   export LSAN_OPTIONS=suppressions=$PWD/tests/lint/leaks.txt:print_suppressions=0
   export UBSAN_OPTIONS=print_stacktrace=1
   ctest --test-dir build-sanitize --output-on-failure -j "$(n_cores)" --label-regex '^sanitize$' "$@"

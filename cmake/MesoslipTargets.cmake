@@ -28,7 +28,9 @@ function(mesoslip_sanitize target)
     -g1 -fno-omit-frame-pointer -U_FORTIFY_SOURCE -D_GLIBCXX_ASSERTIONS -DBOOST_DISABLE_ASSERTS -DEIGEN_MALLOC_ALREADY_ALIGNED=1 -DXXH_NO_INLINE_HINTS=1 ${sanitizers}
     $<$<CXX_COMPILER_ID:GNU>:-Og;--param=asan-instrumentation-with-call-threshold=0;-fno-sanitize=null,alignment,object-size,vptr;-Wno-error>
     $<$<CXX_COMPILER_ID:Clang>:-O1;-fsanitize=fuzzer-no-link;-Wno-unknown-warning-option;-Wno-ignored-optimization-argument>)
-  target_link_options(${target} PRIVATE ${sanitizers})
+  target_link_options(${target} PRIVATE ${sanitizers} LINKER:--export-dynamic-symbol=event_base_loop)
+  target_sources(${target} PRIVATE
+    $<$<STREQUAL:$<TARGET_PROPERTY:TYPE>,EXECUTABLE>:${PROJECT_SOURCE_DIR}/tests/lint/leaks_of_mpi.cc>)
 endfunction()
 
 # Options of the row kernels. Sanitizers make clang compile them for minutes; its builds are for the fuzzers of the readers.
