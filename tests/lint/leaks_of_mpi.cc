@@ -27,9 +27,8 @@ int MPI_Finalize()
 // Of libevent; the linker exports it, so that the library of MPI calls this one.
 extern "C" int event_base_loop(void *base, int flags)
 {
-  using Loop = int (*)(void *, int);
-  static const Loop loop =
-    reinterpret_cast<Loop>(dlsym(RTLD_NEXT, "event_base_loop"));
+  using Loop             = int (*)(void *, int);
+  static const Loop loop = reinterpret_cast<Loop>(dlsym(RTLD_NEXT, "event_base_loop"));
   __lsan::ScopedDisabler no_leaks;
   return loop(base, flags);
 }
