@@ -4,7 +4,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <body/grid_body.h>
-#include <homogenization/ensemble.h>
+#include <homogenization/volumes/grid_volume.h>
 #include <material/stiffness.h>
 
 #include <cstdio>
@@ -32,7 +32,7 @@ int main(int argc, char **argv)
   for (const LoadCaseSolutions &solutions :
        solve_load_cases(body, {BoundaryCondition::PBC}, 1e-10, MPI_COMM_SELF))
     {
-      const VoigtMatrix<2> D = homogenize(body, solutions, false).stiffness;
+      const VoigtMatrix<2> D = homogenize<2>(sum_up(body, solutions), phases).stiffness;
       // In the plane k = lambda + G and 1/(k + G) averages.
       const double exact = 2. / (1. / (lambda[0] + 2. * G) + 1. / (lambda[1] + 2. * G));
       std::printf("D11 = %.6f GPa, exact %.6f; D33 = %.6f GPa, exact %.6f\n",

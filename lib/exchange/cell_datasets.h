@@ -14,6 +14,13 @@ inline constexpr char phases_dataset[] = "/phase/id";
 /** Dataset of the orientations of cells. */
 inline constexpr char orientations_dataset[] = "/orientation/id";
 
+/** How many rows of a dataset of cells in an array of that @p shape are kept together: cells of a mesh are short
+ * rows. */
+inline std::size_t rows_together(const Shape &shape)
+{
+  return shape.size() == 1 ? 1024 : 1;
+}
+
 /** Makes room in @p file for a dataset @p phases of the phases of cells in an array of that @p shape,
  * and for their orientations. */
 void reserve_cells(Hdf5File &file,

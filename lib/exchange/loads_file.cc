@@ -39,7 +39,6 @@ void write_group(Hdf5File &file, const LoadGroup &group)
 
 void reserve_load_fields(const std::string &path,
                          const Shape &shape,
-                         const std::size_t n_together,
                          const std::vector<LoadField> &fields)
 {
   Hdf5File file = Hdf5File::create(path);
@@ -48,7 +47,7 @@ void reserve_load_fields(const std::string &path,
       Shape extent = shape;
       if (field.components > 1)
         extent.push_back(field.components);
-      file.reserve_rows(field.name, extent, n_together);
+      file.reserve_rows(field.name, extent, rows_together(shape));
       file.write_unit(field.name, field.unit);
     }
   file.leave();

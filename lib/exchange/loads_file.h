@@ -63,11 +63,10 @@ struct LoadsContent
 
 /**
  * Begins loads.h5, of which @p path is the name, with room for the @p fields of cells of
- * that @p shape, which ParallelRows fills; @p n_together rows are kept together.
+ * that @p shape, which ParallelRows fills.
  */
 void reserve_load_fields(const std::string &path,
                          const Shape &shape,
-                         const std::size_t n_together,
                          const std::vector<LoadField> &fields);
 
 /** Completes loads.h5, of which @p path is the name, and writes `NAME.xdmf` for ParaView

@@ -55,39 +55,22 @@ UniformGrid<dim> read_extent(const Hdf5File &file)
   return box;
 }
 
-/** Begins the file with room for the tensors of cells of that @p shape. */
-template <int dim>
-void reserve(const std::string &path,
-             Shape shape,
-             const std::size_t n_together,
-             const std::vector<std::string> &conditions)
-{
-  Hdf5File file = Hdf5File::create(path);
-  shape.insert(shape.end(), {n_voigt<dim>, n_voigt<dim>});
-  for (const std::string &condition : conditions)
-    {
-      file.reserve_rows(concentration_dataset(condition), shape, n_together);
-      file.write_unit(concentration_dataset(condition), "-");
-    }
-  file.leave();
-}
 } // namespace
 
 template <int dim>
 void reserve_concentration(const std::string &path,
-                           const UniformGrid<dim> &grid,
+                           const Shape &cells,
                            const std::vector<std::string> &conditions)
 {
-  reserve<dim>(path, shape_of_cells(grid), 1, conditions);
-}
-
-template <int dim>
-void reserve_concentration(const std::string &path,
-                           const std::size_t n_cells,
-                           const std::vector<std::string> &conditions)
-{
-  constexpr std::size_t tensors_together = 1024;
-  reserve<dim>(path, {n_cells}, tensors_together, conditions);
+  Hdf5File file = Hdf5File::create(path);
+  Shape shape   = cells;
+  shape.insert(shape.end(), {n_voigt<dim>, n_voigt<dim>});
+  for (const std::string &condition : conditions)
+    {
+      file.reserve_rows(concentration_dataset(condition), shape, rows_together(cells));
+      file.write_unit(concentration_dataset(condition), "-");
+    }
+  file.leave();
 }
 
 template <int dim>
@@ -130,19 +113,11 @@ void write_rve_file(const std::string &path, const RveContent<dim> &content)
     write_dataset(file, "/stiffness/" + of, {v, v},
                   std::vector<double>(D.data(), D.data() + D.size()), "Pa");
   std::vector<XdmfField> shown = {{"phase", phases_dataset, Values::phases}};
-  const auto show              = [&](const std::string &of) {
-    const std::string dataset = concentration_dataset(of);
-    shown.push_back({dataset.substr(1), dataset, Values::cells, {v, v}});
-  };
-  for (const auto &[of, tensors] : content.concentration)
-    {
-      Shape shape = cells;
-      shape.insert(shape.end(), {v, v});
-      write_dataset(file, concentration_dataset(of), shape, *tensors);
-      show(of);
-    }
   for (const std::string &of : content.reserved)
-    show(of);
+    {
+      const std::string dataset = concentration_dataset(of);
+      shown.push_back({dataset.substr(1), dataset, Values::cells, {v, v}});
+    }
   file.close();
   const std::string xdmf = path.substr(0, path.rfind('.')) + ".xdmf",
                     name = std::filesystem::path(path).filename();
@@ -288,17 +263,11 @@ template struct RveContent<2>;
 template struct RveContent<3>;
 template class RveFile<2>;
 template class RveFile<3>;
-template void reserve_concentration(const std::string &,
-                                    const UniformGrid<2> &,
-                                    const std::vector<std::string> &);
-template void reserve_concentration(const std::string &,
-                                    const UniformGrid<3> &,
-                                    const std::vector<std::string> &);
 template void reserve_concentration<2>(const std::string &,
-                                       const std::size_t,
+                                       const Shape &,
                                        const std::vector<std::string> &);
 template void reserve_concentration<3>(const std::string &,
-                                       const std::size_t,
+                                       const Shape &,
                                        const std::vector<std::string> &);
 template void write_rve_file(const std::string &, const RveContent<2> &);
 template void write_rve_file(const std::string &, const RveContent<3> &);

@@ -50,15 +50,7 @@ struct RveContent
 
   std::map<std::string, VoigtMatrix<dim>> stiffness; ///< KUBC, SUBC, PBC, effective (Pa)
 
-  /**
-   * Concentration tensors of the cells, in Voigt components, of KUBC and PBC (strain: row
-   * local, column macroscopic component) and of SUBC (stress), as far as they are to be
-   * stored: [ny][nx][3][3] or [nz][ny][nx][6][6] on a grid, [n][3][3] or [n][6][6] on a
-   * mesh.
-   */
-  std::map<std::string, const std::vector<double> *> concentration;
-
-  /** Whose tensors are in the file since reserve_concentration(). */
+  /** Conditions whose concentration tensors are in the file since reserve_concentration(). */
   std::vector<std::string> reserved;
 };
 
@@ -66,19 +58,15 @@ struct RveContent
 std::string concentration_dataset(const std::string &condition);
 
 /**
- * Begins rve.h5, of which @p path is the name, and leaves it, with room for the concentration tensors of
- * all cells of a grid under @p conditions, which ParallelRows fills plane by plane before
- * write_rve_file() adds the rest.
+ * Begins rve.h5, of which @p path is the name, and leaves it, with room for the concentration tensors of all
+ * cells under @p conditions, which ParallelRows fills before write_rve_file() adds the rest: in Voigt
+ * components of strain (KUBC, PBC, MUBC: row local, column macroscopic) or stress (SUBC). @p cells is the
+ * shape of an array with a number for each cell: the datasets are [ny][nx][3][3] or [nz][ny][nx][6][6] on a
+ * grid, [n][3][3] or [n][6][6] on a mesh.
  */
 template <int dim>
 void reserve_concentration(const std::string &path,
-                           const UniformGrid<dim> &grid,
-                           const std::vector<std::string> &conditions);
-
-/** The same for the @p n_cells cells of a mesh, cell by cell. */
-template <int dim>
-void reserve_concentration(const std::string &path,
-                           const std::size_t n_cells,
+                           const Shape &cells,
                            const std::vector<std::string> &conditions);
 
 /**

@@ -197,7 +197,7 @@ solve_load_cases(const ElasticBody<2> &body,
                  const std::vector<BoundaryCondition> &conditions,
                  const double tolerance,
                  const MPI_Comm communicator,
-                 const LoadCaseProgress &progress,
+                 const std::function<void()> &case_done,
                  Timer *timer)
 {
   int rank = 0, n_ranks = 1;
@@ -221,8 +221,8 @@ solve_load_cases(const ElasticBody<2> &body,
           const auto scope = optional_scope(timer, to_string(solution.condition).c_str());
           solution.reports[n % 3] =
             solver.solve(solution.condition, n % 3, solution.displacement[n % 3]);
-          if (progress)
-            progress(n + 1, n_cases);
+          if (case_done)
+            case_done();
         }
       else if (rank == 0)
         solution.displacement[n % 3] = body.zero_field();

@@ -70,14 +70,12 @@ struct LoadCaseSolutions
   std::array<SolverReport, 3> reports; ///< iterations and residuals of the three solves
 };
 
-/** Called after each finished load case with the number of those done and all. */
-using LoadCaseProgress = std::function<void(const unsigned int, const unsigned int)>;
-
 /**
  * Solves the three load cases of each condition. The cases are dealt out to the ranks of
  * @p communicator and collected on rank 0; the other ranks return reports only. On a
  * distributed body the ranks solve each case together and all return everything.
- * @p timer, if any, gets a section for each condition.
+ * @p case_done, if any, is called after each load case of this rank; @p timer, if any, gets a section for
+ * each condition.
  * @throws NotConverged
  */
 std::vector<LoadCaseSolutions>
@@ -85,8 +83,8 @@ solve_load_cases(const ElasticBody<2> &body,
                  const std::vector<BoundaryCondition> &conditions,
                  const double tolerance,
                  const MPI_Comm communicator,
-                 const LoadCaseProgress &progress = LoadCaseProgress(),
-                 Timer *timer                     = nullptr);
+                 const std::function<void()> &case_done = {},
+                 Timer *timer                           = nullptr);
 
 } // namespace mesoslip
 

@@ -12,70 +12,6 @@ namespace mesoslip
 {
 namespace
 {
-/** Integrals of the strain in the phases; their unit of volume is that of a mean cell. */
-std::vector<PhaseSums<2>> sum_over_cells(const ElasticBody<2> &body,
-                                         const LoadCaseSolutions &solutions,
-                                         std::vector<double> *concentration)
-{
-  const bool stresses = solutions.condition == BoundaryCondition::SUBC;
-  std::vector<PhaseSums<2>> sums(body.phases().size());
-  std::array<ElasticBody<2>::Cells, 3> cells;
-  for (std::size_t group = 0; group < body.n_cell_groups(); ++group)
-    {
-      for (unsigned int k = 0; k < 3; ++k)
-        body.evaluate(solutions.displacement[k], group, cells[k]);
-      std::vector<PhaseSums<2>> part(sums.size());
-      for (std::size_t i = 0; i < cells[0].phase.size(); ++i)
-        {
-          const unsigned int phase = cells[0].phase[i];
-          VoigtMatrix<2> local;
-          for (unsigned int k = 0; k < 3; ++k)
-            local.col(k) = cells[k].strain[i];
-          part[phase].strain += local * cells[0].volume[i];
-          part[phase].volume += cells[0].volume[i];
-          if (concentration != nullptr)
-            {
-              if (stresses)
-                local = body.phases()[phase].stiffness * local;
-              concentration->insert(concentration->end(), local.data(), local.data() + 9);
-            }
-        }
-      for (std::size_t p = 0; p < sums.size(); ++p)
-        {
-          sums[p].strain += part[p].strain;
-          sums[p].volume += part[p].volume;
-        }
-    }
-  return sums;
-}
-
-// u_k.K u_l / V
-VoigtMatrix<2> energy_products(const ElasticBody<2> &body,
-                               const LoadCaseSolutions &solutions)
-{
-  VoigtMatrix<2> products;
-  const auto &u         = solutions.displacement;
-  NodalField<double> Ku = body.zero_field();
-  for (unsigned int l = 0; l < 3; ++l)
-    {
-      body.vmult(Ku, u[l]);
-      for (unsigned int k = 0; k < 3; ++k)
-        {
-          double sum = 0.;
-          for (unsigned int c = 0; c < 2; ++c)
-            for (unsigned int j = 0; j < Ku.n_rows(); ++j)
-              {
-                double row = 0.;
-                for (unsigned int i = 0; i < Ku.n_columns(); ++i)
-                  row += u[k].row(c, j)[i] * Ku.row(c, j)[i];
-                sum += row;
-              }
-          products(k, l) = sum;
-        }
-    }
-  return products / body.volume();
-}
-
 // Means of the tensors over two phases against what the stiffness says they are.
 template <int dim>
 std::optional<double> two_phase_residual(const VolumeSums<dim> &sums,
@@ -189,29 +125,33 @@ HomogenizedResponse<dim> homogenize(const VolumeSums<dim> &sums,
   return response;
 }
 
-HomogenizedResponse<2> homogenize(const ElasticBody<2> &body,
-                                  const LoadCaseSolutions &solutions,
-                                  const bool keep_concentration)
+template <int dim>
+void gather_parts(HomogenizedResponse<dim> &response,
+                  const VolumeSums<dim> &sums,
+                  const std::vector<unsigned int> &part,
+                  const std::size_t n_parts)
 {
-  std::vector<double> concentration;
-  if (keep_concentration)
-    concentration.reserve(9 * body.n_cells());
-  VolumeSums<2> sums;
-  sums.condition = solutions.condition;
-  sums.reports   = solutions.reports;
-  sums.phases =
-    sum_over_cells(body, solutions, keep_concentration ? &concentration : nullptr);
-  sums.volume                     = body.n_cells();
-  sums.energy                     = energy_products(body, solutions);
-  HomogenizedResponse<2> response = homogenize<2>(sums, body.phases());
-  response.concentration          = std::move(concentration);
-  return response;
+  std::vector<VoigtMatrix<dim>> means(n_parts, VoigtMatrix<dim>::Zero());
+  std::vector<double> volumes(n_parts, 0.);
+  for (std::size_t m = 0; m < part.size(); ++m)
+    {
+      means[part[m]] += sums.phases[m].volume * response.phase_means[m];
+      volumes[part[m]] += sums.phases[m].volume;
+    }
+  for (std::size_t p = 0; p < n_parts; ++p)
+    if (volumes[p] > 0.)
+      means[p] /= volumes[p];
+  response.phase_means = std::move(means);
 }
 
-template double scaled_difference<2>(const VoigtMatrix<2> &, const VoigtMatrix<2> &);
-template double scaled_difference<3>(const VoigtMatrix<3> &, const VoigtMatrix<3> &);
-template HomogenizedResponse<2> homogenize<2>(const VolumeSums<2> &,
-                                              const std::vector<ElasticPhase<2>> &);
-template HomogenizedResponse<3> homogenize<3>(const VolumeSums<3> &,
-                                              const std::vector<ElasticPhase<3>> &);
+#define MESOSLIP_INSTANTIATE(dim)                                                      \
+  template double scaled_difference<dim>(const VoigtMatrix<dim> &,                     \
+                                         const VoigtMatrix<dim> &);                    \
+  template HomogenizedResponse<dim> homogenize<dim>(                                   \
+    const VolumeSums<dim> &, const std::vector<ElasticPhase<dim>> &);                  \
+  template void gather_parts<dim>(HomogenizedResponse<dim> &, const VolumeSums<dim> &, \
+                                  const std::vector<unsigned int> &, const std::size_t);
+MESOSLIP_INSTANTIATE(2)
+MESOSLIP_INSTANTIATE(3)
+#undef MESOSLIP_INSTANTIATE
 } // namespace mesoslip

@@ -79,13 +79,9 @@ struct HomogenizedResponse
   std::optional<double> two_phase_residual;
 
   /**
-   * Cell means of the concentration tensor, Voigt components of the row local, of the
-   * column macroscopic: strain L (KUBC, PBC, MUBC) or stress B (SUBC). On a plane grid
-   * [ny][nx][3][3], on a mesh [n][3][3] or [n][6][6]. Empty if not asked for.
+   * Volume mean of the concentration tensor over each phase, Voigt components of the row local, of the
+   * column macroscopic: strain L (KUBC, PBC, MUBC) or stress B (SUBC); zero for absent phases.
    */
-  std::vector<double> concentration;
-
-  /** Volume mean of the concentration tensor over each phase; Zero for absent phases. */
   std::vector<VoigtMatrix<dim>> phase_means;
 
   std::array<SolverReport, n_voigt<dim>>
@@ -95,7 +91,7 @@ struct HomogenizedResponse
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    serialize_members<12>(archive, *this);
+    serialize_members<11>(archive, *this);
   }
 };
 
@@ -109,13 +105,14 @@ template <int dim>
 HomogenizedResponse<dim> homogenize(const VolumeSums<dim> &sums,
                                     const std::vector<ElasticPhase<dim>> &phases);
 
-/**
- * Evaluates the solutions on the rank that holds them; collective on a distributed body.
- * Fields are kept only if @p keep_concentration.
- */
-HomogenizedResponse<2> homogenize(const ElasticBody<2> &body,
-                                  const LoadCaseSolutions &solutions,
-                                  const bool keep_concentration);
+/** Where the cells of a phase are several materials, these in orientations of their own: takes the means
+ * over the @p n_parts phases in place of those over the materials, of which number m belongs to phase
+ * @p part [m]. @p sums are what the response follows from. */
+template <int dim>
+void gather_parts(HomogenizedResponse<dim> &response,
+                  const VolumeSums<dim> &sums,
+                  const std::vector<unsigned int> &part,
+                  const std::size_t n_parts);
 } // namespace mesoslip
 
 #endif

@@ -154,12 +154,7 @@ void write_rve_results(RveResults<dim> &results, RunContext &context)
   content.summary                = context.summary().dump();
   content.stiffness["effective"] = results.effective;
   for (const HomogenizedResponse<dim> &response : results.members[0].responses)
-    {
-      const std::string name  = to_string(response.condition);
-      content.stiffness[name] = response.stiffness;
-      if (!response.concentration.empty())
-        content.concentration[name] = &response.concentration;
-    }
+    content.stiffness[to_string(response.condition)] = response.stiffness;
   write_rve_file(context.file("rve.h5"), content);
 }
 

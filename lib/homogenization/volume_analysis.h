@@ -1,64 +1,141 @@
 #ifndef mesoslip_homogenization_volume_analysis_h
 #define mesoslip_homogenization_volume_analysis_h
 
+#include "exchange/datasets.h"
 #include "homogenization/rve_program.h"
+#include "homogenization/volumes/volume_element.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace mesoslip
 {
-/** What rve_homogenization does whatever the volume lies on; grid and mesh differ in how
- * they make and solve their volumes. */
+/** What rve_homogenization does whatever the volume lies on. Plane grids, voxels and meshes differ in how they
+ * make their morphologies and the volume elements of these. */
 template <int dim>
 class VolumeAnalysis : public Analysis
 {
 public:
   ResourceNeed need() const override;
+  void describe(std::ostream &out) const override;
   void run(RunContext &context) override;
   void write_draft(const std::string &folder) const override;
 
 protected:
-  /** @p digest identifies parameters and input files. */
-  VolumeAnalysis(const RveParameters &parameters, const std::string &digest)
+  /** @p digest identifies parameters and input files; @p grid is that of the cells, unless they are those of
+   * a mesh. */
+  VolumeAnalysis(const RveParameters &parameters,
+                 const std::string &digest,
+                 const std::optional<UniformGrid<dim>> &grid)
     : parameters(parameters)
     , digest(digest)
+    , grid(grid)
   {
   }
 
   /** Number of cells of the first member. */
-  virtual double n_cells() const = 0;
+  virtual std::size_t n_cells() const
+  {
+    return grid->n_cells();
+  }
 
-  /** Writes what the cells are made of into rve.h5, of which @p path is the name, where morphology()
-   * leaves it out. Collective. */
-  virtual void write_cells_of_draft(const std::string & /*path*/) const
+  /** How much memory the load cases take, and what the ranks divide, for --validate. */
+  virtual std::string memory() const = 0;
+
+  /** Lines on the morphologies, for --validate, and sentences of warning on them. On rank 0. */
+  virtual std::vector<std::string>
+  describe_morphologies(std::vector<std::string> &warnings) const = 0;
+
+  /** Grid or mesh of the first member, its phases, where they are and their fractions, its rectangles and
+   * number of nodes; on rank 0. */
+  virtual RveResults<dim> morphology() const = 0;
+
+  /** Whether the ranks write what their cells are made of, which morphology() then leaves out in a run. */
+  virtual bool are_cells_divided() const = 0;
+
+  /** Writes what the cells of the first member are made of into room that was made for it in @p path:
+   * their phases and, if @p with_orientations, which of the oriented materials they are. Collective. */
+  virtual void write_cells(const std::string & /*path*/,
+                           const bool /*with_orientations*/) const
   {
   }
 
-  /** Grid or mesh of the first member, its phases, where they are and their fractions; on
-   * rank 0. */
-  virtual RveContent<dim> morphology() const = 0;
+  /** The rank that solves member @p m alone; empty: all solve it together. */
+  virtual std::optional<int> owner(const unsigned int /*m*/) const
+  {
+    return std::nullopt;
+  }
+
+  /** Makes the morphology of member @p m, after which the one before is not needed; sets where it comes from,
+   * its fractions and warnings, and returns lines for the log. Collective among the ranks that solve it;
+   * what is set and returned is that of rank 0. */
+  virtual std::vector<std::string> make_morphology(const unsigned int m,
+                                                   EnsembleMember<dim> &member) = 0;
+
+  /** The volume element of the morphology that was made last, of @p materials (stiffness in Pa). Collective among those that
+   * solve it. */
+  virtual std::unique_ptr<VolumeElement<dim>>
+  make_volume(const std::vector<ElasticPhase<dim>> &materials,
+              const std::function<void()> &case_done,
+              Timer &timer) = 0;
+
+  /** What the cells are made of, as LocalFields needs it: the phases, or these in all orientations of the
+   * morphology that was made last. */
+  virtual std::vector<LoadedPhase<dim>> materials() const
+  {
+    return loaded_phases<dim>(parameters.microstructure.phases);
+  }
+
+  /** What explains a solve that failed, or helps; empty: nothing is known. */
+  virtual std::string advice(const NotConverged &failure) const;
+
+  const RveParameters parameters;             ///< checked
+  const std::string digest;                   ///< of all inputs
+  const std::optional<UniformGrid<dim>> grid; ///< of the cells; empty: a mesh
+
+private:
+  /** Number of load cases of a member. */
+  std::uint64_t n_cases() const
+  {
+    return std::uint64_t{n_voigt<dim>} * parameters.conditions.size();
+  }
+
+  /** Of an array with a number for each cell. */
+  Shape shape() const
+  {
+    return grid ? shape_of_cells(*grid) : Shape{n_cells()};
+  }
 
   /** Sentences on what looks like another unit. */
-  virtual std::vector<std::string> slips() const = 0;
+  std::vector<std::string> slips() const;
+
+  /** Conditions whose concentration tensors are written, in the order of their names. */
+  std::vector<std::string> reserved_conditions() const;
+
+  /** Makes room in rve.h5 and loads.h5 for what the ranks write of the first member; returns where the fields
+   * of loads go (empty: nowhere). Collective. */
+  std::string reserve_fields(const RunContext &context) const;
+
+  /** Makes the morphology of member @p m and tells of it; @p results get that of the first one. */
+  void begin_member(const unsigned int m,
+                    EnsembleMember<dim> &member,
+                    RveResults<dim> &results,
+                    RunContext &context);
+
+  /** Solves its load cases; fields are written of the first one, those of loads to @p loads_file. */
+  void solve_member(const unsigned int m,
+                    const std::string &loads_file,
+                    EnsembleMember<dim> &member,
+                    RunContext &context);
 
   /** Solves all load cases of all members. Collective; results are those of rank 0.
    * @throws NotConverged */
-  virtual RveResults<dim> compute(RunContext &context) = 0;
-
-  /** What explains a solve that failed, or helps; empty: nothing is known. */
-  virtual std::string advice(const NotConverged &failure) const = 0;
-
-  /** What is hard about phases and cells @p aspect times as long as wide, and the
-   * tolerance that the solve would have met. */
-  std::string causes(const NotConverged &failure, const double aspect) const;
-
-  const RveParameters parameters; ///< checked
-  const std::string digest;       ///< of all inputs
+  RveResults<dim> compute(RunContext &context);
 };
 
-/** The analysis of volumes on a grid. @throws UserError */
+/** The analysis of volumes on a plane grid. @throws UserError */
 std::unique_ptr<Analysis> make_grid_analysis(const RveParameters &parameters,
                                              const std::string &digest);
 

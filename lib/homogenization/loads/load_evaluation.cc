@@ -16,7 +16,7 @@ class LoadSurvey
 public:
   LoadSurvey(const LoadParameters &loads,
              const LocalFields<dim> &fields,
-             const VolumeElementCells<dim> &cells,
+             const VolumeElement<dim> &cells,
              const std::vector<VoigtVector<dim>> &amplitudes)
     : loads(loads)
     , fields(fields)
@@ -129,7 +129,7 @@ private:
 
   const LoadParameters &loads;
   const LocalFields<dim> &fields;
-  const VolumeElementCells<dim> &cells;
+  const VolumeElement<dim> &cells;
   const std::vector<VoigtVector<dim>> &amplitudes;
   std::vector<std::vector<PhaseUnderLoad>> parts;   ///< of each load and phase
   std::vector<std::vector<std::vector<Bins>>> bins; ///< of each load, phase and quantity
@@ -161,7 +161,7 @@ void write_fields(const std::string &file,
                   const LoadParameters &loads,
                   const BoundaryCondition condition,
                   const LocalFields<dim> &fields,
-                  const VolumeElementCells<dim> &cells,
+                  const VolumeElement<dim> &cells,
                   const std::vector<VoigtVector<dim>> &amplitudes)
 {
   std::vector<CellDataset> datasets;
@@ -219,7 +219,7 @@ template <int dim>
 std::vector<LoadResult<dim>> evaluate_loads(const LoadParameters &loads,
                                             const HomogenizedResponse<dim> &response,
                                             const std::vector<LoadedPhase<dim>> &phases,
-                                            const VolumeElementCells<dim> &cells,
+                                            const VolumeElement<dim> &cells,
                                             const std::string &file)
 {
   const bool stresses = response.condition == BoundaryCondition::SUBC;
@@ -248,13 +248,13 @@ std::vector<LoadResult<dim>> evaluate_loads(const LoadParameters &loads,
   return results;
 }
 
-#define MESOSLIP_INSTANTIATE(dim)                                           \
-  template struct LoadResult<dim>;                                          \
-  template std::vector<LoadedPhase<dim>> loaded_phases<dim>(                \
-    const std::vector<PhaseParameters> &);                                  \
-  template std::vector<LoadResult<dim>> evaluate_loads<dim>(                \
-    const LoadParameters &, const HomogenizedResponse<dim> &,               \
-    const std::vector<LoadedPhase<dim>> &, const VolumeElementCells<dim> &, \
+#define MESOSLIP_INSTANTIATE(dim)                                      \
+  template struct LoadResult<dim>;                                     \
+  template std::vector<LoadedPhase<dim>> loaded_phases<dim>(           \
+    const std::vector<PhaseParameters> &);                             \
+  template std::vector<LoadResult<dim>> evaluate_loads<dim>(           \
+    const LoadParameters &, const HomogenizedResponse<dim> &,          \
+    const std::vector<LoadedPhase<dim>> &, const VolumeElement<dim> &, \
     const std::string &);
 MESOSLIP_INSTANTIATE(2)
 MESOSLIP_INSTANTIATE(3)

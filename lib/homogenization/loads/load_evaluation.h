@@ -85,7 +85,7 @@ template <int dim>
 std::vector<LoadResult<dim>> evaluate_loads(const LoadParameters &loads,
                                             const HomogenizedResponse<dim> &response,
                                             const std::vector<LoadedPhase<dim>> &phases,
-                                            const VolumeElementCells<dim> &cells,
+                                            const VolumeElement<dim> &cells,
                                             const std::string &file);
 } // namespace mesoslip
 

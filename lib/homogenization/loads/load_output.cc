@@ -177,12 +177,11 @@ void write_ensemble(const RveParameters &parameters,
 template <int dim>
 std::string reserve_loads(const RveParameters &parameters,
                           const std::string &path,
-                          const Shape &shape,
-                          const std::size_t n_together)
+                          const Shape &shape)
 {
   if (parameters.loads.loads.empty() || !parameters.loads.write_fields)
     return {};
-  reserve_load_fields(path, shape, n_together, load_fields<dim>(parameters));
+  reserve_load_fields(path, shape, load_fields<dim>(parameters));
   return path;
 }
 
@@ -273,7 +272,7 @@ void write_loads(const RveParameters &parameters,
 
 #define MESOSLIP_INSTANTIATE(dim)                                                     \
   template std::string reserve_loads<dim>(const RveParameters &, const std::string &, \
-                                          const Shape &, const std::size_t);          \
+                                          const Shape &);                             \
   template double bytes_of_loads<dim>(const RveParameters &, const double);           \
   template std::vector<std::string> load_warnings<dim>(                               \
     const RveParameters &, const std::vector<EnsembleMember<dim>> &);                 \

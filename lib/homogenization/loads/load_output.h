@@ -15,8 +15,7 @@ namespace mesoslip
 template <int dim>
 std::string reserve_loads(const RveParameters &parameters,
                           const std::string &path,
-                          const Shape &shape,
-                          const std::size_t n_together = 1);
+                          const Shape &shape);
 
 /** Bytes of the fields in loads.h5 of @p n_cells cells. */
 template <int dim>

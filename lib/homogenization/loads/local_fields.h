@@ -1,7 +1,7 @@
 #ifndef mesoslip_homogenization_loads_local_fields_h
 #define mesoslip_homogenization_loads_local_fields_h
 
-#include "homogenization/loads/volume_element_cells.h"
+#include "homogenization/volumes/volume_element.h"
 #include "material/voigt.h"
 
 #include <optional>

@@ -30,7 +30,7 @@ SEND = {"base/exchange.cc", "elasticity/brick/plane_exchange.cc", "statics/voxel
 HEAVY = {
     "deal.II/": {"mesh/cell_locator.h", "mesh/linear_cell.h", "mesh/mesh.h", "mesh/point_blocks.h", "mesh/triangulation_cells.h", "body/mesh/cell_values.h",
                  "body/mesh/condensed_cells.h", "body/mesh/distributed_mesh.h", "body/mesh/mesh_discretization.h", "body/mesh/algebraic_multigrid.h",
-                 "eigenvalues/free_dofs.h", "homogenization/mesh_volume.h", "localization/strain/cell_set.h"},
+                 "eigenvalues/free_dofs.h", "homogenization/volumes/mesh_volume.h", "localization/strain/cell_set.h"},
     "boost/": {"base/archives.h", "base/object_exchange.h"},
     "nlohmann/json.hpp": {"io/json.h", "sliding/analyses/friction_homogenization.h"},
 }

@@ -108,11 +108,15 @@ struct TestRve
   void write(const std::string &path) const
   {
     RveContent<2> content;
-    content.digest                = "0123456789abcdef";
-    content.grid                  = grid;
-    content.phases                = test_phases();
-    content.phase_id              = phase;
-    content.concentration["KUBC"] = &L;
+    content.digest   = "0123456789abcdef";
+    content.grid     = grid;
+    content.phases   = test_phases();
+    content.phase_id = phase;
+    content.reserved = {"KUBC"};
+    reserve_concentration<2>(path, shape_of_cells(grid), content.reserved);
+    Hdf5File file = Hdf5File::resume(path);
+    file.write_row(concentration_dataset("KUBC"), 0, L);
+    file.leave();
     write_rve_file<2>(path, content);
   }
 };

@@ -158,7 +158,7 @@ private:
     const UniformMaterial material = c.volume.material();
     const GridBody<2> body(material, solver);
     const auto solutions = solve_load_cases(body, {condition}, tolerance, MPI_COMM_SELF);
-    const HomogenizedResponse<2> response = homogenize(body, solutions[0], false);
+    const HomogenizedResponse<2> response = respond(body, solutions[0]);
     const std::string warning             = check_response<2>(response, tolerance);
     const double error                    = scaled_difference<2>(response.stiffness, D);
     EXPECT_LT(error, warning.empty() ? 1e-5 : 100. * response.hill_mandel_residual);
@@ -248,7 +248,7 @@ struct Errors
     const UniformMaterial material = volume.material();
     const GridBody<2> body(material);
     const auto solutions = solve_load_cases(body, {condition}, tolerance, MPI_COMM_SELF);
-    const HomogenizedResponse<2> r = homogenize(body, solutions[0], false);
+    const HomogenizedResponse<2> r = respond(body, solutions[0]);
     const VoigtMatrix<2> D         = independent_statics::stiffness(volume, condition);
     energy                         = scaled_difference<2>(r.stiffness, D);
     mean                           = scaled_difference<2>(r.stiffness_from_mean, D);

@@ -3,6 +3,7 @@
 
 #include "body/grid_body.h"
 #include "homogenization/ensemble.h"
+#include "homogenization/volumes/grid_volume.h"
 #include "material/stiffness.h"
 
 #include <cstdlib>
@@ -77,6 +78,13 @@ inline void make_random(Volume &volume)
     phase = static_cast<std::uint8_t>(random() % volume.stiffness.size());
 }
 
+/** The response that @p solutions on @p body sum up to. */
+inline HomogenizedResponse<2> respond(const ElasticBody<2> &body,
+                                      const LoadCaseSolutions &solutions)
+{
+  return homogenize<2>(sum_up(body, solutions), body.phases());
+}
+
 /** Responses of all three conditions. */
 inline std::vector<HomogenizedResponse<2>>
 respond(const Volume &volume,
@@ -92,7 +100,7 @@ respond(const Volume &volume,
   for (const LoadCaseSolutions &solutions :
        solve_load_cases(*body, all_conditions, tolerance, communicator))
     if (rank == 0 || body->is_distributed())
-      responses.push_back(homogenize(*body, solutions, false));
+      responses.push_back(respond(*body, solutions));
   return responses;
 }
 

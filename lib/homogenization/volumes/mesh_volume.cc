@@ -1,4 +1,4 @@
-#include "homogenization/mesh_volume.h"
+#include "homogenization/volumes/mesh_volume.h"
 
 #include "base/errors.h"
 #include "base/exchange.h"

@@ -4,8 +4,7 @@
 #include "body/mesh/algebraic_multigrid.h"
 #include "body/mesh/distributed_mesh.h"
 #include "elasticity/uniform_material.h"
-#include "homogenization/loads/volume_element_cells.h"
-#include "homogenization/response.h"
+#include "homogenization/volumes/volume_element.h"
 
 #include <deal.II/lac/affine_constraints.h>
 
@@ -23,48 +22,32 @@ namespace mesoslip
  * part of the mesh and of the fields.
  */
 template <int dim>
-class MeshVolume
+class MeshVolume : public VolumeElement<dim>
 {
 public:
+  using typename VolumeElement<dim>::Action;
+  using typename VolumeElement<dim>::Values;
+
   /** @p given is the mesh of rank 0; @p the_phases (stiffness in Pa) are those of its
    * cells. Collective. @throws UserError if the body is no box */
   MeshVolume(const Mesh<dim> &given,
              const std::vector<ElasticPhase<dim>> &the_phases,
              const MPI_Comm communicator);
 
-  /**
-   * Solves the load cases of @p wanted: unit strains (KUBC, PBC, MUBC; engineering shear) or stresses of
-   * 1 Pa (SUBC). Collective. @throws NotConverged, which names condition and load case
-   * @throws UserError if opposite sides have points that are not opposite (PBC)
-   * @p case_done, if any, is called after each load case.
-   */
+  /** @throws NotConverged, UserError if opposite sides have points that are not opposite (PBC) */
   VolumeSums<dim> solve(const BoundaryCondition wanted,
                         const double tolerance,
-                        const std::function<void()> &case_done = {});
+                        const std::function<void()> &case_done = {}) override;
 
-  /** Concentration tensors, as HomogenizedResponse has them, of consecutive cells. */
-  struct CellTensors
-  {
-    std::size_t first = 0;      ///< the first of these cells
-    std::vector<double> values; ///< tensor after tensor
-  };
-
-  /**
-   * Those of the condition that was solved last, in the order of the mesh: each rank has a
-   * block of cells, see NumberedBlocks. Collective.
-   */
-  CellTensors concentration() const;
-
-  /** Calls action(number in the mesh, cell) with each cell of this rank under the condition
-   * that was solved last. Not collective. */
-  void for_each_cell(
-    const std::function<void(const std::uint64_t, const LocalCell<dim> &)> &action) const;
-
-  /** The ranks that have the parts of the mesh. */
-  MPI_Comm communicator() const
+  MPI_Comm communicator() const override
   {
     return mesh.communicator();
   }
+  void for_each(const Action &action) const override;
+  void write(const std::string &path,
+             const std::vector<CellDataset> &datasets,
+             const std::size_t n,
+             const Values &values) const override;
 
 private:
   using Index                           = typename DistributedMesh<dim>::Index;
@@ -77,12 +60,15 @@ private:
   std::vector<Vector> rigid_motions() const;
   SolverReport solve_case(const unsigned int k, const double tolerance);
   VolumeSums<dim> integrate() const;
-  std::pair<std::vector<std::uint64_t>, std::vector<double>> own_concentration() const;
+
+  /** Calls action(number in the mesh, cell) with each cell of this rank. */
+  void for_each_cell(
+    const std::function<void(const std::uint64_t, const LocalCell<dim> &)> &action) const;
 
   /** Strain tensor (row local, column load case) times JxW at each quadrature point of a
    * cell of this rank, and JxW. */
-  template <typename Action>
-  void for_each_point(const Action &action) const;
+  template <typename Visit>
+  void for_each_point(const Visit &visit) const;
 
   /** Points of a side and their degrees of freedom, on all ranks. */
   struct Side

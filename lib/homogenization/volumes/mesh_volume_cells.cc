@@ -1,7 +1,8 @@
 #include "base/exchange.h"
 #include "body/mesh/cell_values.h"
 #include "body/mesh/condensed_cells.h"
-#include "homogenization/mesh_volume.h"
+#include "homogenization/volumes/mesh_volume.h"
+#include "io/parallel_rows.h"
 #include "mesh/point_blocks.h"
 
 #include <deal.II/base/mpi.h>
@@ -56,8 +57,8 @@ void MeshVolume<dim>::assemble()
 }
 
 template <int dim>
-template <typename Action>
-void MeshVolume<dim>::for_each_point(const Action &action) const
+template <typename Visit>
+void MeshVolume<dim>::for_each_point(const Visit &visit) const
 {
   VoigtMatrix<dim> applied = VoigtMatrix<dim>::Zero();
   if (condition != BoundaryCondition::SUBC)
@@ -70,8 +71,8 @@ void MeshVolume<dim>::for_each_point(const Action &action) const
         for (unsigned int k = 0; k < n_loads; ++k)
           u(i, k) = solutions[k](indices[i]);
       for (const unsigned int q : values.quadrature_point_indices())
-        action(cell, VoigtMatrix<dim>(applied + shape_strains(values, q) * u),
-               values.JxW(q));
+        visit(cell, VoigtMatrix<dim>(applied + shape_strains(values, q) * u),
+              values.JxW(q));
     });
 }
 
@@ -131,42 +132,45 @@ void MeshVolume<dim>::for_each_cell(
   finish();
 }
 
-/** Of the cells of this rank, in their order: numbers in the mesh, and tensors. */
 template <int dim>
-std::pair<std::vector<std::uint64_t>, std::vector<double>>
-MeshVolume<dim>::own_concentration() const
+void MeshVolume<dim>::for_each(const Action &action) const
 {
-  std::pair<std::vector<std::uint64_t>, std::vector<double>> part;
-  for_each_cell([&](const std::uint64_t number, const LocalCell<dim> &cell) {
-    part.first.push_back(number);
-    const VoigtMatrix<dim> tensor =
-      condition == BoundaryCondition::SUBC
-        ? VoigtMatrix<dim>(phases[cell.phase].stiffness * cell.strain)
-        : cell.strain;
-    part.second.insert(part.second.end(), tensor.data(), tensor.data() + tensor.size());
-  });
-  return part;
+  for_each_cell(
+    [&action](const std::uint64_t, const LocalCell<dim> &cell) { action(cell); });
 }
 
+// Each rank writes a block of cells of the order of the mesh.
 template <int dim>
-typename MeshVolume<dim>::CellTensors MeshVolume<dim>::concentration() const
+void MeshVolume<dim>::write(const std::string &path,
+                            const std::vector<CellDataset> &datasets,
+                            const std::size_t n,
+                            const Values &values) const
 {
-  constexpr std::size_t n_entries = n_voigt<dim> * n_voigt<dim>;
-  const auto [numbers, own]       = own_concentration();
+  std::vector<std::uint64_t> numbers;
+  std::vector<double> own;
+  for_each_cell([&](const std::uint64_t number, const LocalCell<dim> &cell) {
+    numbers.push_back(number);
+    own.resize(own.size() + n);
+    values(cell, &own[own.size() - n]);
+  });
   const NumberedBlocks blocks(
-    numbers, mpi::sum<std::uint64_t>(numbers.size(), mesh.communicator()),
-    mesh.communicator());
-  return {blocks.first(), blocks.gather(own, n_entries, 0, n_entries)};
+    numbers, mpi::sum<std::uint64_t>(numbers.size(), communicator()), communicator());
+  for (const CellDataset &dataset : datasets)
+    ParallelRows(path, dataset.name, communicator())
+      .write_rows(blocks.first(),
+                  blocks.gather(own, n, dataset.first, dataset.components));
 }
 
 template void MeshVolume<2>::assemble();
 template void MeshVolume<3>::assemble();
 template VolumeSums<2> MeshVolume<2>::integrate() const;
 template VolumeSums<3> MeshVolume<3>::integrate() const;
-template void MeshVolume<2>::for_each_cell(
-  const std::function<void(const std::uint64_t, const LocalCell<2> &)> &) const;
-template void MeshVolume<3>::for_each_cell(
-  const std::function<void(const std::uint64_t, const LocalCell<3> &)> &) const;
-template MeshVolume<2>::CellTensors MeshVolume<2>::concentration() const;
-template MeshVolume<3>::CellTensors MeshVolume<3>::concentration() const;
+#define MESOSLIP_INSTANTIATE(dim)                                        \
+  template void MeshVolume<dim>::for_each(const Action &) const;         \
+  template void MeshVolume<dim>::write(const std::string &,              \
+                                       const std::vector<CellDataset> &, \
+                                       const std::size_t, const Values &) const;
+MESOSLIP_INSTANTIATE(2)
+MESOSLIP_INSTANTIATE(3)
+#undef MESOSLIP_INSTANTIATE
 } // namespace mesoslip

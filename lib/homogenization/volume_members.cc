@@ -1,0 +1,159 @@
+#include "base/object_exchange.h"
+#include "exchange/cell_datasets.h"
+#include "exchange/loads_file.h"
+#include "homogenization/loads/load_output.h"
+#include "homogenization/volume_analysis.h"
+#include "program/run_context.h"
+
+#include <algorithm>
+
+namespace mesoslip
+{
+namespace
+{
+/** Writes the concentration tensors of the cells for the @p condition that @p volume has solved last.
+ * Collective among the ranks that have them. */
+template <int dim>
+void write_concentration(const VolumeElement<dim> &volume,
+                         const BoundaryCondition condition,
+                         const std::vector<ElasticPhase<dim>> &phases,
+                         const std::string &path)
+{
+  constexpr std::size_t n = n_voigt<dim> * n_voigt<dim>;
+  volume.write(path, {{concentration_dataset(to_string(condition)), n}}, n,
+               [&](const LocalCell<dim> &cell, double *out) {
+                 const VoigtMatrix<dim> tensor =
+                   condition == BoundaryCondition::SUBC
+                     ? VoigtMatrix<dim>(phases[cell.phase].stiffness * cell.strain)
+                     : cell.strain;
+                 std::copy_n(tensor.data(), n, out);
+               });
+}
+} // namespace
+
+template <int dim>
+std::string VolumeAnalysis<dim>::reserve_fields(const RunContext &context) const
+{
+  std::string loads_file;
+  on_root(context.communicator(), [&]() {
+    const std::string rve = context.file("rve.h5"), loads = context.file("loads.h5");
+    if (parameters.write_concentration || are_cells_divided())
+      reserve_concentration<dim>(rve, shape(), reserved_conditions());
+    if (are_cells_divided())
+      reserve_cells(rve, shape(), !parameters.microstructure.orientation.file.empty());
+    loads_file = reserve_loads<dim>(parameters, loads, shape());
+    if (parameters.loads.loads.empty() || !are_cells_divided())
+      return;
+    if (loads_file.empty())
+      reserve_load_fields(loads, shape(), {});
+    reserve_cells(loads, shape(), false);
+  });
+  broadcast(context.communicator(), loads_file);
+  return loads_file;
+}
+
+template <int dim>
+void VolumeAnalysis<dim>::begin_member(const unsigned int m,
+                                       EnsembleMember<dim> &member,
+                                       RveResults<dim> &results,
+                                       RunContext &context)
+{
+  const auto scope                     = context.timer().scope("Microstructure");
+  const std::vector<std::string> lines = make_morphology(m, member);
+  if (!context.root())
+    return;
+  if (m == 0)
+    {
+      for (const std::string &line : lines)
+        context.log(line);
+      results = morphology();
+      if (are_cells_divided())
+        results.first.phase_id.clear();
+    }
+  if (parameters.n_members == 1) // those of several are told apart when all are known
+    for (const std::string &warning : member.warnings)
+      context.warn(warning);
+}
+
+template <int dim>
+void VolumeAnalysis<dim>::solve_member(const unsigned int m,
+                                       const std::string &loads_file,
+                                       EnsembleMember<dim> &member,
+                                       RunContext &context)
+{
+  Timer &timer                                 = context.timer();
+  const auto scope                             = timer.scope("Load cases");
+  const std::vector<LoadedPhase<dim>> of_cells = materials();
+  std::vector<ElasticPhase<dim>> phases;
+  std::vector<unsigned int> part;
+  for (const LoadedPhase<dim> &material : of_cells)
+    {
+      phases.push_back({material.stiffness, 0.}); // at rest
+      part.push_back(material.part);
+    }
+  std::uint64_t done   = m * n_cases();
+  const auto case_done = [&]() { context.progress().update(++done); };
+  const auto volume    = make_volume(phases, case_done, timer);
+  if (m == 0 && are_cells_divided())
+    {
+      write_cells(context.file("rve.h5"), true);
+      if (!parameters.loads.loads.empty())
+        write_cells(context.file("loads.h5"), false);
+    }
+  for (const BoundaryCondition condition : parameters.conditions)
+    {
+      const VolumeSums<dim> sums = [&]() {
+        const auto one = timer.scope(to_string(condition).c_str());
+        return volume->solve(condition, parameters.tolerance, case_done);
+      }();
+      if (!volume->is_here())
+        continue;
+      const auto rest                   = timer.scope("Responses");
+      HomogenizedResponse<dim> response = homogenize<dim>(sums, phases);
+      gather_parts(response, sums, part, parameters.microstructure.phases.size());
+      if (parameters.write_concentration && m == 0)
+        write_concentration(*volume, condition, phases, context.file("rve.h5"));
+      if (!parameters.loads.loads.empty() && parameters.loads.uses(condition))
+        for (LoadResult<dim> &result :
+             evaluate_loads(parameters.loads, response, of_cells, *volume,
+                            m == 0 ? loads_file : std::string()))
+          member.loads.push_back(std::move(result));
+      member.responses.push_back(std::move(response));
+    }
+}
+
+template <int dim>
+RveResults<dim> VolumeAnalysis<dim>::compute(RunContext &context)
+{
+  RveResults<dim> results;
+  const unsigned int n = parameters.n_members;
+  context.progress().start("Load cases", n_cases() * n);
+  const std::string loads_file = reserve_fields(context);
+  for (unsigned int m = 0; m < n; ++m)
+    {
+      EnsembleMember<dim> member;
+      if (!owner(m) || *owner(m) == context.rank())
+        {
+          begin_member(m, member, results, context);
+          solve_member(m, loads_file, member, context);
+        }
+      results.members.push_back(std::move(member));
+    }
+  context.progress().finish();
+  for (unsigned int m = 0; m < n; ++m)
+    if (const auto rank = owner(m))
+      bring_object_to_root(context.communicator(), results.members[m], *rank);
+  results.first.reserved = reserved_conditions();
+  if (n > 1 && context.root())
+    for (const std::string &warning : morphology_warnings<dim>(results.members))
+      context.warn(warning);
+  return results;
+}
+
+#define MESOSLIP_INSTANTIATE(dim)                                                     \
+  template std::string VolumeAnalysis<dim>::reserve_fields(const RunContext &) const; \
+  template RveResults<dim> VolumeAnalysis<dim>::compute(RunContext &);
+MESOSLIP_INSTANTIATE(2)
+MESOSLIP_INSTANTIATE(3)
+#undef MESOSLIP_INSTANTIATE
+} // namespace mesoslip

@@ -1,0 +1,139 @@
+#include "homogenization/volumes/grid_volume.h"
+
+#include "base/exchange.h"
+
+namespace mesoslip
+{
+namespace
+{
+/** Integrals of the strain in the phases; their unit of volume is that of a mean cell. */
+std::vector<PhaseSums<2>> sum_over_cells(const ElasticBody<2> &body,
+                                         const LoadCaseSolutions &solutions)
+{
+  std::vector<PhaseSums<2>> sums(body.phases().size());
+  std::array<ElasticBody<2>::Cells, 3> cells;
+  for (std::size_t group = 0; group < body.n_cell_groups(); ++group)
+    {
+      for (unsigned int k = 0; k < 3; ++k)
+        body.evaluate(solutions.displacement[k], group, cells[k]);
+      std::vector<PhaseSums<2>> part(sums.size());
+      for (std::size_t i = 0; i < cells[0].phase.size(); ++i)
+        {
+          const unsigned int phase = cells[0].phase[i];
+          VoigtMatrix<2> local;
+          for (unsigned int k = 0; k < 3; ++k)
+            local.col(k) = cells[k].strain[i];
+          part[phase].strain += local * cells[0].volume[i];
+          part[phase].volume += cells[0].volume[i];
+        }
+      for (std::size_t p = 0; p < sums.size(); ++p)
+        {
+          sums[p].strain += part[p].strain;
+          sums[p].volume += part[p].volume;
+        }
+    }
+  return sums;
+}
+
+// u_k.K u_l / V
+VoigtMatrix<2> energy_products(const ElasticBody<2> &body,
+                               const LoadCaseSolutions &solutions)
+{
+  VoigtMatrix<2> products;
+  const auto &u         = solutions.displacement;
+  NodalField<double> Ku = body.zero_field();
+  for (unsigned int l = 0; l < 3; ++l)
+    {
+      body.vmult(Ku, u[l]);
+      for (unsigned int k = 0; k < 3; ++k)
+        {
+          double sum = 0.;
+          for (unsigned int c = 0; c < 2; ++c)
+            for (unsigned int j = 0; j < Ku.n_rows(); ++j)
+              {
+                double row = 0.;
+                for (unsigned int i = 0; i < Ku.n_columns(); ++i)
+                  row += u[k].row(c, j)[i] * Ku.row(c, j)[i];
+                sum += row;
+              }
+          products(k, l) = sum;
+        }
+    }
+  return products / body.volume();
+}
+} // namespace
+
+VolumeSums<2> sum_up(const ElasticBody<2> &body, const LoadCaseSolutions &solutions)
+{
+  VolumeSums<2> sums;
+  sums.condition = solutions.condition;
+  sums.reports   = solutions.reports;
+  sums.phases    = sum_over_cells(body, solutions);
+  sums.volume    = body.n_cells();
+  sums.energy    = energy_products(body, solutions);
+  return sums;
+}
+
+GridVolume::GridVolume(const UniformGrid<2> &the_grid,
+                       const UniformMaterial &the_material,
+                       const StaticSolverKind solver,
+                       const std::vector<BoundaryCondition> &conditions,
+                       const double tolerance,
+                       const MPI_Comm communicator,
+                       const std::function<void()> &case_done,
+                       Timer *timer)
+  : grid(the_grid)
+  , material(the_material)
+  , is_root(mpi::this_mpi_process(communicator) == 0)
+  , body(make_body(material, solver, communicator))
+  , solutions(
+      solve_load_cases(*body, conditions, tolerance, communicator, case_done, timer))
+{
+}
+
+VolumeSums<2> GridVolume::solve(const BoundaryCondition condition,
+                                const double /*tolerance*/,
+                                const std::function<void()> & /*case_done*/)
+{
+  if (solutions[current].condition != condition)
+    solutions[current].displacement = {};
+  while (solutions[current].condition != condition)
+    ++current;
+  return is_root || body->is_distributed() ? sum_up(*body, solutions[current])
+                                           : VolumeSums<2>();
+}
+
+void GridVolume::for_each(const Action &action) const
+{
+  LocalCell<2> cell;
+  std::array<ElasticBody<2>::Cells, 3> cells;
+  std::size_t number = 0;
+  for (std::size_t group = 0; group < body->n_cell_groups(); ++group)
+    {
+      for (unsigned int k = 0; k < 3; ++k)
+        body->evaluate(solutions[current].displacement[k], group, cells[k]);
+      for (std::size_t i = 0; i < cells[0].phase.size(); ++i, ++number)
+        {
+          cell.phase                             = cells[0].phase[i];
+          cell.volume                            = cells[0].volume[i];
+          const std::array<std::size_t, 2> place = {
+            {number % grid.cells[0], number / grid.cells[0]}};
+          for (unsigned int d = 0; d < 2; ++d)
+            cell.centre[d] =
+              grid.origin[d] + (static_cast<double>(place[d]) + 0.5) * grid.spacing[d];
+          for (unsigned int k = 0; k < 3; ++k)
+            cell.strain.col(k) = cells[k].strain[i];
+          action(cell);
+        }
+    }
+}
+
+void GridVolume::write(const std::string &path,
+                       const std::vector<CellDataset> &datasets,
+                       const std::size_t n,
+                       const Values &values) const
+{
+  write_rows_of_cells(*this, {0, grid.cells[1]}, grid.cells[0], path, datasets, n,
+                      values);
+}
+} // namespace mesoslip
