@@ -131,6 +131,8 @@ void gather_parts(HomogenizedResponse<dim> &response,
                   const std::vector<unsigned int> &part,
                   const std::size_t n_parts)
 {
+  if (part.size() == n_parts)
+    return; // each phase is one material
   std::vector<VoigtMatrix<dim>> means(n_parts, VoigtMatrix<dim>::Zero());
   std::vector<double> volumes(n_parts, 0.);
   for (std::size_t m = 0; m < part.size(); ++m)

@@ -1,16 +1,12 @@
 #ifndef mesoslip_morphology_mesh_morphology_h
 #define mesoslip_morphology_mesh_morphology_h
 
-#include "grid/brick_box.h"
-#include "grid/cell_reader.h"
-#include "material/orientations.h"
 #include "material/voigt.h"
 #include "mesh/mesh.h"
 #include "mesh/periodic_points.h"
 #include "morphology/microstructure_parameters.h"
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,78 +31,13 @@ struct MeshParameters
   void bind(Keys &keys);
 };
 
-/** A mesh, or a box of bricks, with the materials of its cells. */
+/** A mesh with the materials of its cells. */
 template <int dim>
 struct MeshMorphology
 {
   std::string file; ///< where it comes from
 
-  /** Its phases are those of `Phases/Names`, in their order; of a box with orientations they are
-   * materials(). */
-  Mesh<dim> mesh;
-
-  /** Of a grid in 3D, whose nodes and cells are numbered with x fastest, then y. */
-  std::optional<BrickBox> box;
-
-  /** Reads the materials of the cells of a box: their phases, or which of @p oriented. */
-  CellReader materials_in;
-
-  /** The phases in the orientations that cells of a box have; empty: as they are. */
-  std::vector<OrientedPhase> oriented;
-
-  /** What the cells are made of, by their numbers. */
-  std::vector<Phase<dim>> materials() const
-  {
-    return oriented_phases(phases, oriented);
-  }
-
-  /** The phase of material @p m. */
-  unsigned int phase_of(const unsigned int m) const
-  {
-    return oriented.empty() ? m : oriented[m].phase;
-  }
-
-  /** Numbers in the box of the points of the mesh, ascending, where the mesh has only some;
-   * empty: it has all. */
-  std::vector<unsigned int> point_in_box;
-
-  std::vector<unsigned int> cell_in_box; ///< the same of its cells
-
-  /** Number in the whole body of point @p i of the mesh. */
-  unsigned int whole_point(const unsigned int i) const
-  {
-    return point_in_box.empty() ? i : point_in_box[i];
-  }
-
-  /** The same of cell @p k. */
-  unsigned int whole_cell(const unsigned int k) const
-  {
-    return cell_in_box.empty() ? k : cell_in_box[k];
-  }
-
-  /** Where point @p number of the whole body is. */
-  dealii::Point<dim> point(const unsigned int number) const
-  {
-    if constexpr (dim == 3)
-      if (box)
-        {
-          const auto place = box->grid.node(number);
-          return {place[0], place[1], place[2]};
-        }
-    return mesh.points[number];
-  }
-
-  /** Of the whole body. */
-  std::size_t n_points() const
-  {
-    return box ? box->grid.n_nodes() : mesh.points.size();
-  }
-
-  /** Of the whole body. */
-  std::size_t n_cells() const
-  {
-    return box ? box->grid.n_cells() : mesh.cells.size();
-  }
+  Mesh<dim> mesh; ///< its phases are those of `Phases/Names`, in their order
 
   std::vector<Phase<dim>> phases; ///< by index
   std::vector<double> fractions;  ///< volume fraction of each phase

@@ -92,7 +92,8 @@ void bind_body(Keys &keys, ContactParameters &p)
                  (dim == 2 ? "D11, D12, D22, D33 or all six"
                            : "9 of an orthotropic material or all 21"));
   const bool from_file = !body.rve_file.empty();
-  keys.require(!p.mesh.is_box() || from_file || keys.is_typed("Body/Stiffness"),
+  keys.require(dim == 2 || p.mesh.is_given() || from_file ||
+                 keys.is_typed("Body/Stiffness"),
                "Stiffness",
                "it is not given; in 3D a body takes its materials from Body/RVE file or "
                "Mesh/File, or is homogeneous with 9 or 21 numbers here");

@@ -4,6 +4,7 @@
 #include "material/plausibility.h"
 #include "program/run_context.h"
 #include "sliding/given_grid.h"
+#include "sliding/mesh/box_body.h"
 #include "sliding/mesh/given_mesh.h"
 
 #include <cmath>
@@ -74,7 +75,13 @@ std::unique_ptr<GivenBody<dim>> make_given_body(const ContactParameters &paramet
   if constexpr (dim == 2)
     if (parameters.mesh.is_plane_grid())
       return std::make_unique<GivenGrid>(parameters);
-  return std::make_unique<GivenMesh<dim>>(parameters);
+  std::unique_ptr<BodyMesh<dim>> mesh;
+  if constexpr (dim == 3)
+    if (!parameters.mesh.is_given())
+      mesh = std::make_unique<BoxBody>();
+  if (!mesh)
+    mesh = std::make_unique<BodyMesh<dim>>();
+  return std::make_unique<GivenMesh<dim>>(parameters, std::move(mesh));
 }
 
 template class GivenBody<2>;

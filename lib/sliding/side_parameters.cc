@@ -49,8 +49,8 @@ void ContactParameters::bind_sides(Keys &keys)
             "Periodic in x: the nodes of the left and the right side are the same");
   keys.bind("Periodic in y", periodic_in_y,
             "The same for the front and the back side, in 3D");
-  keys.only_if(mesh.is_box(), {"Front", "Back", "Periodic in y"}, "the body is plane",
-               "set Dimension = 3");
+  keys.only_if(mesh.mesh.dim == 3, {"Front", "Back", "Periodic in y"},
+               "the body is plane", "set Dimension = 3");
   const std::string names[] = {"Left", "Right", "Front", "Back"};
   const unsigned int normal = mesh.mesh.dim - 1;
   for (unsigned int side = 0; side < 4; ++side)

@@ -3,12 +3,13 @@
 #include "base/files.h"
 #include "base/object_exchange.h"
 #include "base/text.h"
+#include "exchange/datasets.h"
 #include "exchange/mesh_datasets.h"
+#include "exchange/orientation_datasets.h"
 #include "exchange/rve_file.h"
 #include "material/plausibility.h"
 #include "program/output_folder.h"
 #include "sliding/body_grid.h"
-#include "sliding/body_memory.h"
 
 #include <algorithm>
 #include <cmath>
@@ -45,13 +46,13 @@ CellReader reader_of_box(const BodyParameters &parameters,
 
 /** Sets the materials of the cells of the mesh, ascending in the box. Returns the number of cells
  * of each phase in the whole box, of which it reads some layers at a time. */
-std::vector<std::size_t> find_materials(MeshMorphology<3> &box)
+std::vector<std::size_t> find_materials(BoxBody &box)
 {
   std::vector<std::size_t> count(box.phases.size());
   auto &cells        = box.mesh.cells;
   std::size_t number = 0;
   unsigned int next  = 0;
-  for_each_piece(whole_block(box.box->grid), [&](const CellBlock<3> &block) {
+  for_each_piece(whole_block(box.box.grid), [&](const CellBlock<3> &block) {
     for (const std::uint16_t material : box.materials_in(block))
       {
         ++count[box.phase_of(material)];
@@ -63,7 +64,7 @@ std::vector<std::size_t> find_materials(MeshMorphology<3> &box)
   return count;
 }
 
-void describe_phases(MeshMorphology<3> &box,
+void describe_phases(BoxBody &box,
                      const std::vector<PhaseParameters> &phases,
                      const std::vector<std::size_t> &count)
 {
@@ -126,9 +127,9 @@ std::vector<unsigned int> cells_at_sides(const std::array<unsigned int, 3> &n)
 }
 
 /** Makes the mesh of these cells, ascending. */
-void keep_cells(MeshMorphology<3> &body, std::vector<unsigned int> cells)
+void keep_cells(BoxBody &body, std::vector<unsigned int> cells)
 {
-  const UniformGrid<3> &grid = body.box->grid;
+  const UniformGrid<3> &grid = body.box.grid;
   auto &points               = body.point_in_box;
   for (const unsigned int cell : cells)
     for (const unsigned int corner : grid.corners(cell))
@@ -150,11 +151,11 @@ void keep_cells(MeshMorphology<3> &body, std::vector<unsigned int> cells)
 }
 
 /** The mesh of all cells, with the groups as meshes have them. */
-void make_whole_mesh(MeshMorphology<3> &body)
+void make_whole_mesh(BoxBody &body)
 {
-  body.mesh = mesh_of_cells(body.box->grid);
+  body.mesh = mesh_of_cells(body.box.grid);
   for (unsigned int side = 0; side < 6; ++side)
-    for (const BoundaryFace<3> &face : faces_of_side(body, side))
+    for (const BoundaryFace<3> &face : body.group({}, {}, side))
       {
         auto &added = body.mesh.faces.emplace_back(4);
         std::copy(face.points.begin(), face.points.end(), added.vertices.begin());
@@ -163,19 +164,21 @@ void make_whole_mesh(MeshMorphology<3> &body)
 }
 } // namespace
 
-std::vector<BoundaryFace<3>> faces_of_side(const MeshMorphology<3> &body,
-                                           const unsigned int side)
+std::vector<BoundaryFace<3>>
+BoxBody::group(const std::vector<BoundaryFace<3>> & /*faces*/,
+               const std::string & /*key*/,
+               const unsigned int group) const
 {
-  const auto &n           = body.box->grid.cells;
-  const unsigned int axis = side / 2, end = side % 2;
+  const auto &n           = box.grid.cells;
+  const unsigned int axis = group / 2, end = group % 2;
   // In deal.II the first coordinate of a face is the lower of its axes but in y.
   const unsigned int first = (axis + 1) % 3, second = (axis + 2) % 3,
                      lower = axis == 1 ? first : std::min(first, second),
                      upper = first + second - lower;
   std::vector<BoundaryFace<3>> faces;
-  for (unsigned int k = 0; k < body.mesh.cells.size(); ++k)
+  for (unsigned int k = 0; k < mesh.cells.size(); ++k)
     {
-      const unsigned int number               = body.whole_cell(k);
+      const unsigned int number               = whole_cell(k);
       const std::array<unsigned int, 3> place = {
         {number % n[0], number / n[0] % n[1], number / n[0] / n[1]}};
       if (place[axis] != (end == 0 ? 0 : n[axis] - 1))
@@ -185,30 +188,28 @@ std::vector<BoundaryFace<3>> faces_of_side(const MeshMorphology<3> &body,
       face.cell             = k;
       for (unsigned int v = 0; v < 4; ++v)
         face.points[v] =
-          body.mesh.cells[k]
+          mesh.cells[k]
             .vertices[(end << axis) | ((v & 1U) << lower) | ((v >> 1U) << upper)];
     }
   return faces;
 }
 
-std::vector<unsigned int> cells_near(const MeshMorphology<3> &body,
-                                     const std::vector<ProbePoint> &points)
+std::vector<MeshPlace> BoxBody::places_of(const std::vector<ProbePoint> &points) const
 {
-  std::vector<unsigned int> cells = cells_around(body.box->grid, points);
-  const auto &kept                = body.cell_in_box;
-  if (kept.empty())
-    return cells;
+  std::vector<unsigned int> cells = cells_around(box.grid, points);
+  if (cell_in_box.empty())
+    return locate_probes(mesh, points, cells);
   std::vector<unsigned int> found;
   for (const unsigned int cell : cells)
-    if (const auto at = std::lower_bound(kept.begin(), kept.end(), cell);
-        at != kept.end() && *at == cell)
-      found.push_back(static_cast<unsigned int>(at - kept.begin()));
-  return found;
+    if (const auto at = std::lower_bound(cell_in_box.begin(), cell_in_box.end(), cell);
+        at != cell_in_box.end() && *at == cell)
+      found.push_back(static_cast<unsigned int>(at - cell_in_box.begin()));
+  return locate_probes(mesh, points, found);
 }
 
-MeshMorphology<3> make_box(const ContactParameters &parameters,
-                           const unsigned int n_here,
-                           const unsigned int n_ranks)
+BodyMemory BoxBody::read(const ContactParameters &parameters,
+                         const unsigned int n_here,
+                         const unsigned int n_ranks)
 {
   const std::string &path = parameters.body.rve_file;
   const bool whole        = parameters.analysis != ContactAnalysis::transient;
@@ -218,20 +219,20 @@ MeshMorphology<3> make_box(const ContactParameters &parameters,
       require_readable_file("Body/RVE file: ", path, "run rve_homogenization first");
       rve = std::make_shared<const RveFile<3>>(path);
     }
-  MeshMorphology<3> body;
   const UniformGrid<3> grid = make_grid<3>(parameters.body, rve.get());
-  const double bytes        = memory_of_box(parameters, grid).on_machine(n_here, n_ranks);
+  const BodyMemory memory   = memory_of_box(parameters, grid);
+  const double bytes        = memory.on_machine(n_here, n_ranks);
   require_memory({bytes, cells_that_fit({grid.cells.begin(), grid.cells.end()}, bytes) +
                            "; reduce Body/Cells, or take more machines"});
-  body.file = path;
-  body.box  = {
-     grid, {{!parameters.mesh.periodic[0].empty(), !parameters.mesh.periodic[1].empty()}}};
-  body.description  = {grid_line(grid)};
-  body.materials_in = reader_of_box(parameters.body, grid, rve);
+  file         = path;
+  box          = {grid,
+                  {{!parameters.mesh.periodic[0].empty(), !parameters.mesh.periodic[1].empty()}}};
+  description  = {grid_line(grid)};
+  materials_in = reader_of_box(parameters.body, grid, rve);
   if (parameters.body.heterogeneous)
-    body.oriented = rve->materials.oriented;
+    oriented = rve->materials.oriented;
   if (whole)
-    make_whole_mesh(body);
+    make_whole_mesh(*this);
   else
     {
       const auto at_sides = cells_at_sides(grid.cells),
@@ -239,31 +240,71 @@ MeshMorphology<3> make_box(const ContactParameters &parameters,
       std::vector<unsigned int> cells;
       std::set_union(at_sides.begin(), at_sides.end(), near.begin(), near.end(),
                      std::back_inserter(cells));
-      keep_cells(body, cells);
+      keep_cells(*this, cells);
     }
-  body.mesh.boundaries = {"Left", "Right", "Front", "Back", "Contact", "Top"};
-  body.phases          = make_phases<3>(parameters.mesh.phases);
-  for (const Phase<3> &material : body.materials())
-    body.mesh.phases.push_back(material.name);
-  describe_phases(body, parameters.mesh.phases, find_materials(body));
-  if (!body.oriented.empty())
-    body.description.push_back("Orientations: " + std::to_string(body.oriented.size()) +
-                               " different pairs of phase and orientation");
-  return body;
+  mesh.boundaries = {"Left", "Right", "Front", "Back", "Contact", "Top"};
+  phases          = make_phases<3>(parameters.mesh.phases);
+  for (const Phase<3> &material : materials())
+    mesh.phases.push_back(material.name);
+  describe_phases(*this, parameters.mesh.phases, find_materials(*this));
+  if (!oriented.empty())
+    description.push_back("Orientations: " + std::to_string(oriented.size()) +
+                          " different pairs of phase and orientation");
+  join_periodic_sides(*this, parameters.mesh); // which are opposite
+  return memory;
 }
 
-void share_box(const BodyParameters &parameters, MeshMorphology<3> &body)
+void BoxBody::share(const BodyParameters &parameters)
 {
-  BrickBox box = body.box.value_or(BrickBox());
   broadcast_object(MPI_COMM_WORLD, box);
   on_all_ranks(MPI_COMM_WORLD, [&]() {
-    if (body.box)
+    if (materials_in)
       return;
     std::shared_ptr<const RveFile<3>> rve;
     if (parameters.heterogeneous)
       rve = std::make_shared<const RveFile<3>>(RveFile<3>::open_too(parameters.rve_file));
-    body.box          = box;
-    body.materials_in = reader_of_box(parameters, box.grid, rve);
+    materials_in = reader_of_box(parameters, box.grid, rve);
   });
+}
+
+double BoxBody::smallest_edge() const
+{
+  return *std::min_element(box.grid.spacing.begin(), box.grid.spacing.end());
+}
+
+dealii::Point<3> BoxBody::point(const unsigned int number) const
+{
+  const auto place = box.grid.node(number);
+  return {place[0], place[1], place[2]};
+}
+
+std::unique_ptr<DistributedBody<3>>
+BoxBody::distribute(const std::vector<unsigned int> & /*contact*/,
+                    const std::vector<MeshPlace> &probes,
+                    const std::vector<ElasticPhase<3>> &phases,
+                    const InstructionSet isa,
+                    const MPI_Comm communicator) const
+{
+  return distribute_box(box, materials_in, probes, phases, isa, communicator);
+}
+
+void BoxBody::write_cells(Hdf5File &to) const
+{
+  write_grid(to, box.grid);
+  write_materials(to, phase_of_cells, box.grid, oriented, materials_in);
+}
+
+Shape BoxBody::vectors_shape() const
+{
+  const auto &n = box.grid.cells;
+  return {std::size_t{n[2]} + 1, std::size_t{n[1]} + 1, std::size_t{n[0]} + 1, 3};
+}
+
+void BoxBody::show(const std::string &path,
+                   const std::vector<XdmfField> &fields,
+                   const std::vector<double> &times) const
+{
+  show_file(path, box.grid, fields, times,
+            {{"phase", phase_of_cells, XdmfField::Values::phases, {}}});
 }
 } // namespace mesoslip

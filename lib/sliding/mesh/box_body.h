@@ -1,33 +1,102 @@
 #ifndef mesoslip_sliding_mesh_box_body_h
 #define mesoslip_sliding_mesh_box_body_h
 
-#include "mesh/boundary.h"
-#include "sliding/contact_parameters.h"
+#include "grid/brick_box.h"
+#include "grid/cell_reader.h"
+#include "sliding/mesh/body_mesh.h"
 
 namespace mesoslip
 {
 /**
- * A grid in 3D as a body with the groups Left, Right (lower and upper x), Front, Back (y),
- * Contact and Top (z), and phases as @p parameters have them after with_phases(). Transient
- * runs need no mesh but that of the cells at the sides and near the probes; that of other
- * analyses is whole. On rank 0, whose machine has @p n_here of all @p n_ranks.
- * @throws UserError naming the key or file, also when the machine has not the memory
+ * A grid in 3D as a body with the groups Left, Right (lower and upper x), Front, Back (y), Contact and Top
+ * (z). Transient runs need no mesh but that of the cells at the sides and near the probes; that of other
+ * analyses is whole. Nodes and cells are numbered with x fastest, then y.
  */
-MeshMorphology<3> make_box(const ContactParameters &parameters,
-                           const unsigned int n_here  = 1,
-                           const unsigned int n_ranks = 1);
+class BoxBody : public BodyMesh<3>
+{
+public:
+  BrickBox box; ///< on rank 0, after share() everywhere
 
-/** Gives the other ranks the box of @p body, which rank 0 has, and its materials. Collective.
- * @throws UserError when they cannot open the file */
-void share_box(const BodyParameters &parameters, MeshMorphology<3> &body);
+  /** Reads the materials of the cells: their phases, or which of the oriented ones. */
+  CellReader materials_in;
 
-/** The faces of the mesh on the side of the box whose name is number @p side of the groups. */
-std::vector<BoundaryFace<3>> faces_of_side(const MeshMorphology<3> &body,
-                                           const unsigned int side);
+  /** Numbers in the box of the points of the mesh, ascending, where the mesh has only some;
+   * empty: it has all. */
+  std::vector<unsigned int> point_in_box;
 
-/** The cells of the mesh that hold @p points or touch such cells. */
-std::vector<unsigned int> cells_near(const MeshMorphology<3> &body,
-                                     const std::vector<ProbePoint> &points);
+  std::vector<unsigned int> cell_in_box; ///< the same of its cells
+
+  BodyMemory read(const ContactParameters &parameters,
+                  const unsigned int n_here,
+                  const unsigned int n_ranks) override;
+
+  /** @throws UserError when other ranks cannot open the file of the materials */
+  void share(const BodyParameters &parameters) override;
+
+  std::vector<BoundaryFace<3>> boundary() const override
+  {
+    return {};
+  }
+
+  /** The faces of the mesh on side number @p group, which are found by their place. */
+  std::vector<BoundaryFace<3>> group(const std::vector<BoundaryFace<3>> &faces,
+                                     const std::string &key,
+                                     const unsigned int group) const override;
+  double smallest_edge() const override;
+  std::vector<MeshPlace> places_of(const std::vector<ProbePoint> &points) const override;
+
+  double mass(const double of_box) const override
+  {
+    return of_box;
+  }
+
+  unsigned int whole_point(const unsigned int i) const override
+  {
+    return point_in_box.empty() ? i : point_in_box[i];
+  }
+
+  unsigned int whole_cell(const unsigned int k) const override
+  {
+    return cell_in_box.empty() ? k : cell_in_box[k];
+  }
+
+  dealii::Point<3> point(const unsigned int number) const override;
+
+  std::size_t n_points() const override
+  {
+    return box.grid.n_nodes();
+  }
+
+  std::size_t n_cells() const override
+  {
+    return box.grid.n_cells();
+  }
+
+  unsigned int most_ranks() const override
+  {
+    return box.grid.cells[2] / 4;
+  }
+
+  /** By layers; the @p probes are in cells that the parts have. Collective. @throws UserError for more ranks
+   * than layers, or if cells cannot be read */
+  std::unique_ptr<DistributedBody<3>>
+  distribute(const std::vector<unsigned int> &contact,
+             const std::vector<MeshPlace> &probes,
+             const std::vector<ElasticPhase<3>> &phases,
+             const InstructionSet isa,
+             const MPI_Comm communicator) const override;
+
+  std::string format_ending() const override
+  {
+    return "";
+  }
+
+  void write_cells(Hdf5File &to) const override;
+  Shape vectors_shape() const override;
+  void show(const std::string &path,
+            const std::vector<XdmfField> &fields,
+            const std::vector<double> &times) const override;
+};
 } // namespace mesoslip
 
 #endif

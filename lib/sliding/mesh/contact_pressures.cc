@@ -54,7 +54,7 @@ Displacements<dim> displacements_behind(const std::vector<BoundaryFace<dim>> &fa
 } // namespace
 
 template <int dim>
-std::vector<ContactCell> cells_at_contact(const MeshMorphology<dim> &morphology,
+std::vector<ContactCell> cells_at_contact(const BodyMesh<dim> &morphology,
                                           const MeshBodyParameters &parameters,
                                           const MeshBody<dim> &elastic,
                                           const NodalField<double> &u)
@@ -85,11 +85,11 @@ std::vector<ContactCell> cells_at_contact(const MeshMorphology<dim> &morphology,
   return found;
 }
 
-template std::vector<ContactCell> cells_at_contact(const MeshMorphology<2> &,
+template std::vector<ContactCell> cells_at_contact(const BodyMesh<2> &,
                                                    const MeshBodyParameters &,
                                                    const MeshBody<2> &,
                                                    const NodalField<double> &);
-template std::vector<ContactCell> cells_at_contact(const MeshMorphology<3> &,
+template std::vector<ContactCell> cells_at_contact(const BodyMesh<3> &,
                                                    const MeshBodyParameters &,
                                                    const MeshBody<3> &,
                                                    const NodalField<double> &);

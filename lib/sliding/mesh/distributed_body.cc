@@ -189,28 +189,33 @@ std::unique_ptr<DistributedBody<dim>> make_distributed_body(const MeshOperator<d
 
 template <int dim>
 std::unique_ptr<DistributedBody<dim>>
-distribute_body(const MeshMorphology<dim> &morphology,
+distribute_mesh(const Mesh<dim> &mesh,
                 const std::vector<unsigned int> &contact,
-                const std::vector<MeshPlace> &probes,
                 const std::vector<ElasticPhase<dim>> &phases,
                 const InstructionSet isa,
                 const MPI_Comm communicator)
 {
-  if constexpr (dim == 3)
-    if (morphology.box)
-      return std::make_unique<BodyOfBricks>(*morphology.box, morphology.materials_in,
-                                            probes, phases, isa, communicator);
-  return std::make_unique<BodyOfMesh<dim>>(morphology.mesh, contact, phases, isa,
-                                           communicator);
+  return std::make_unique<BodyOfMesh<dim>>(mesh, contact, phases, isa, communicator);
 }
 
-#define MESOSLIP_INSTANTIATE(dim)                                           \
-  template std::unique_ptr<DistributedBody<dim>> make_distributed_body(     \
-    const MeshOperator<dim> &);                                             \
-  template std::unique_ptr<DistributedBody<dim>> distribute_body(           \
-    const MeshMorphology<dim> &, const std::vector<unsigned int> &,         \
-    const std::vector<MeshPlace> &, const std::vector<ElasticPhase<dim>> &, \
-    const InstructionSet, const MPI_Comm);
+std::unique_ptr<DistributedBody<3>>
+distribute_box(const BrickBox &box,
+               const CellReader &materials,
+               const std::vector<MeshPlace> &probes,
+               const std::vector<ElasticPhase<3>> &phases,
+               const InstructionSet isa,
+               const MPI_Comm communicator)
+{
+  return std::make_unique<BodyOfBricks>(box, materials, probes, phases, isa,
+                                        communicator);
+}
+
+#define MESOSLIP_INSTANTIATE(dim)                                       \
+  template std::unique_ptr<DistributedBody<dim>> make_distributed_body( \
+    const MeshOperator<dim> &);                                         \
+  template std::unique_ptr<DistributedBody<dim>> distribute_mesh(       \
+    const Mesh<dim> &, const std::vector<unsigned int> &,               \
+    const std::vector<ElasticPhase<dim>> &, const InstructionSet, const MPI_Comm);
 MESOSLIP_INSTANTIATE(2)
 MESOSLIP_INSTANTIATE(3)
 #undef MESOSLIP_INSTANTIATE

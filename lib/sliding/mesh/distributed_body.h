@@ -3,8 +3,9 @@
 
 #include "dynamics/critical_time_step.h"
 #include "dynamics/surface_stepper.h"
+#include "grid/brick_box.h"
+#include "grid/cell_reader.h"
 #include "grid/instruction_set.h"
-#include "morphology/mesh_morphology.h"
 #include "observation/mesh_probes.h"
 
 #include <memory>
@@ -42,20 +43,25 @@ public:
 template <int dim>
 std::unique_ptr<DistributedBody<dim>> make_distributed_body(const MeshOperator<dim> &op);
 
-/**
- * Divides the body among the ranks: a box of bricks, which all of them have, by layers, a mesh,
- * which rank 0 has, by METIS, where cells at the points of the @p contact weigh more. Of a box
- * the part has no cells but those of the @p probes. Collective.
- * @throws UserError for more ranks than layers of cells of a box, or if these cannot be read
- */
+/** Divides the @p mesh that rank 0 has among the ranks by METIS, where cells at the points of the @p contact
+ * weigh more. Collective. */
 template <int dim>
 std::unique_ptr<DistributedBody<dim>>
-distribute_body(const MeshMorphology<dim> &morphology,
+distribute_mesh(const Mesh<dim> &mesh,
                 const std::vector<unsigned int> &contact,
-                const std::vector<MeshPlace> &probes,
                 const std::vector<ElasticPhase<dim>> &phases,
                 const InstructionSet isa,
-                const MPI_Comm communicator = MPI_COMM_WORLD);
+                const MPI_Comm communicator);
+
+/** Divides a box of bricks, which all ranks have, by layers; the part has no cells but those of the @p
+ * probes. Collective. @throws UserError for more ranks than layers of cells, or if these cannot be read */
+std::unique_ptr<DistributedBody<3>>
+distribute_box(const BrickBox &box,
+               const CellReader &materials,
+               const std::vector<MeshPlace> &probes,
+               const std::vector<ElasticPhase<3>> &phases,
+               const InstructionSet isa,
+               const MPI_Comm communicator);
 } // namespace mesoslip
 
 #endif

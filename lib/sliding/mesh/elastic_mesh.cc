@@ -29,7 +29,7 @@ MeshBodyInput<dim> input_without_mesh(const std::vector<ElasticPhase<dim>> &phas
 
 template <int dim>
 std::unique_ptr<MeshBody<dim>>
-make_mesh_body(const MeshMorphology<dim> &morphology,
+make_mesh_body(const BodyMesh<dim> &morphology,
                const std::vector<ElasticPhase<dim>> &phases,
                const MeshBodyDescription &body,
                const MeshBodyParameters &parameters,
@@ -115,7 +115,7 @@ void order_contact(MeshBodyDescription &body, const MeshBody<dim> &elastic)
 
 #define MESOSLIP_INSTANTIATE(dim)                                                     \
   template std::unique_ptr<MeshBody<dim>> make_mesh_body(                             \
-    const MeshMorphology<dim> &, const std::vector<ElasticPhase<dim>> &,              \
+    const BodyMesh<dim> &, const std::vector<ElasticPhase<dim>> &,                    \
     const MeshBodyDescription &, const MeshBodyParameters &, const MPI_Comm,          \
     const bool);                                                                      \
   template DofMask held_by_mesh(const MeshBodyDescription &, const TopSetup &,        \

@@ -4,6 +4,7 @@
 #include "body/mesh/mesh_body.h"
 #include "elasticity/dof_mask.h"
 #include "sliding/given_body.h"
+#include "sliding/mesh/body_mesh.h"
 #include "sliding/mesh/mesh_body.h"
 
 #include <cstddef>
@@ -16,7 +17,7 @@ namespace mesoslip
  * or if @p whole, with whole ones, and then all ranks hold the whole mesh. Collective. */
 template <int dim>
 std::unique_ptr<MeshBody<dim>>
-make_mesh_body(const MeshMorphology<dim> &morphology,
+make_mesh_body(const BodyMesh<dim> &morphology,
                const std::vector<ElasticPhase<dim>> &phases,
                const MeshBodyDescription &body,
                const MeshBodyParameters &parameters,
@@ -25,7 +26,7 @@ make_mesh_body(const MeshMorphology<dim> &morphology,
 
 /** On rank 0: the cells behind the faces of the contact under the displacement @p u of @p elastic. Collective. */
 template <int dim>
-std::vector<ContactCell> cells_at_contact(const MeshMorphology<dim> &morphology,
+std::vector<ContactCell> cells_at_contact(const BodyMesh<dim> &morphology,
                                           const MeshBodyParameters &parameters,
                                           const MeshBody<dim> &elastic,
                                           const NodalField<double> &u);

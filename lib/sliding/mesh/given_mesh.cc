@@ -7,7 +7,6 @@
 #include "mesh/point_blocks.h"
 #include "program/machine.h"
 #include "program/run_context.h"
-#include "sliding/mesh/box_body.h"
 #include "sliding/mesh/contact_area.h"
 #include "sliding/mesh/elastic_mesh.h"
 #include "sliding/mesh/mesh_file.h"
@@ -19,61 +18,35 @@
 
 namespace mesoslip
 {
-namespace
-{
-/** The mesh, or the box, for which the memory of a machine with @p n_here of all @p n_ranks is
- * enough; @p memory becomes what it takes. */
 template <int dim>
-MeshMorphology<dim> read_body(const ContactParameters &parameters,
-                              const unsigned int n_here,
-                              const unsigned int n_ranks,
-                              BodyMemory &memory)
-{
-  const MeshBodyParameters &mesh = parameters.mesh;
-  if constexpr (dim == 3)
-    if (mesh.is_box())
-      {
-        auto box = make_box(parameters, n_here, n_ranks);
-        memory   = memory_of_box(parameters, box.box->grid);
-        return box;
-      }
-  auto body = read_mesh<dim>(mesh.mesh, mesh.mesh.files[0], mesh.phases);
-  memory    = memory_on_mesh(parameters, body.mesh);
-  require_memory({memory.on_machine(n_here, n_ranks),
-                  "take a coarser mesh, or divide it among more machines"});
-  return body;
-}
-} // namespace
-
-template <int dim>
-GivenMesh<dim>::GivenMesh(const ContactParameters &given)
+GivenMesh<dim>::GivenMesh(const ContactParameters &given,
+                          std::unique_ptr<BodyMesh<dim>> unread)
   : GivenBody<dim>(with_phases<dim>(given))
+  , mesh(std::move(unread))
 {
   parameters.mesh.check();
   known.phases               = make_phases<dim>(parameters.mesh.phases);
   const unsigned int n_here  = ranks_of_this_machine(),
                      n_ranks = mpi::n_mpi_processes(MPI_COMM_WORLD);
   on_root(MPI_COMM_WORLD, [&]() {
-    morphology = read_body<dim>(parameters, n_here, n_ranks, known.memory);
-    join_periodic_sides(morphology, parameters.mesh);
-    body = describe_body(morphology, parameters);
+    known.memory = mesh->read(parameters, n_here, n_ranks);
+    body         = describe_body(*mesh, parameters);
     if (const std::string sentence =
           standing_faces_warning(body.contact, parameters.mesh);
         !sentence.empty())
-      morphology.warnings.push_back(sentence);
+      mesh->warnings.push_back(sentence);
     if (!parameters.mesh.rve_note.empty())
-      morphology.warnings.push_back(parameters.mesh.rve_note);
-    this->add_implausible(morphology.warnings, plausible_phases<dim>(morphology.phases),
+      mesh->warnings.push_back(parameters.mesh.rve_note);
+    this->add_implausible(mesh->warnings, plausible_phases<dim>(mesh->phases),
                           body.scales.stiffness);
   });
   broadcast_object(MPI_COMM_WORLD, body);
   broadcast_object(MPI_COMM_WORLD, known.memory);
-  broadcast_object(MPI_COMM_WORLD, morphology.oriented);
+  broadcast_object(MPI_COMM_WORLD, mesh->oriented);
   // Only steps are divided before all else is made on rank 0.
-  if constexpr (dim == 3)
-    if (parameters.mesh.is_box() && parameters.analysis == ContactAnalysis::transient)
-      share_box(parameters.body, morphology);
-  for (const Phase<dim> &phase : oriented_phases(known.phases, morphology.oriented))
+  if (parameters.analysis == ContactAnalysis::transient)
+    mesh->share(parameters.body);
+  for (const Phase<dim> &phase : oriented_phases(known.phases, mesh->oriented))
     phases.push_back({phase.stiffness, phase.density});
   if (n_ranks > body.n_cells)
     throw UserError("the mesh has " + std::to_string(body.n_cells) +
@@ -81,18 +54,18 @@ GivenMesh<dim>::GivenMesh(const ContactParameters &given)
                     std::to_string(n_ranks));
   if (parameters.analysis == ContactAnalysis::transient)
     {
-      distributed = distribute_body(morphology, body.contact.points, body.probes, phases,
-                                    parameters.sweep.isa);
+      distributed = mesh->distribute(body.contact.points, body.probes, phases,
+                                     parameters.sweep.isa, MPI_COMM_WORLD);
       body.scales.highest_frequency = distributed->largest_frequency().upper;
       if (parameters.map.interval > 0. || parameters.wants_node_loads())
         require_contact_area(body);
     }
   known.lines            = lines();
-  known.warnings         = morphology.warnings;
+  known.warnings         = mesh->warnings;
   known.n_points         = body.n_points;
   known.heterogeneous    = phases.size() > 1;
   known.rve_digest       = parameters.mesh.rve_digest;
-  known.volume_fractions = morphology.fractions;
+  known.volume_fractions = mesh->fractions;
   known.place            = cell_text(dim);
   known.scales           = body.scales;
   describe_contact();
@@ -115,7 +88,7 @@ void GivenMesh<dim>::describe_contact()
 template <int dim>
 std::vector<std::string> GivenMesh<dim>::lines() const
 {
-  std::vector<std::string> text = morphology.description;
+  std::vector<std::string> text = mesh->description;
   const auto add                = [&](const std::string &what, const std::string &name,
                        const MeshBoundary &boundary) {
     const double area =
@@ -151,10 +124,7 @@ unsigned int GivenMesh<dim>::most_ranks() const
 {
   constexpr unsigned int of_a_rank = 2000; // cells that hide what ranks tell each other
   unsigned int most                = static_cast<unsigned int>(body.n_cells / of_a_rank);
-  if constexpr (dim == 3)
-    if (morphology.box)
-      most = std::min(most, morphology.box->grid.cells[2] / 4);
-  return std::max(1U, most);
+  return std::max(1U, std::min(most, mesh->most_ranks()));
 }
 
 template <int dim>
@@ -206,7 +176,7 @@ void GivenMesh<dim>::write_contact(Hdf5File &file) const
   std::vector<double> position;
   for (const unsigned int point : body.contact.points)
     for (unsigned int d = 0; d < dim; ++d)
-      position.push_back(morphology.point(point)[d]);
+      position.push_back(mesh->point(point)[d]);
   write_dataset(file, "/contact/point", {body.contact.points.size()},
                 body.contact.points);
   write_series(file, "/contact",
@@ -231,8 +201,7 @@ std::vector<ProbePoint> GivenMesh<dim>::probe_places() const
 template <int dim>
 void GivenMesh<dim>::make_elastic(const MPI_Comm communicator, const bool whole)
 {
-  of_statics =
-    make_mesh_body(morphology, phases, body, parameters.mesh, communicator, whole);
+  of_statics = make_mesh_body(*mesh, phases, body, parameters.mesh, communicator, whole);
   if (body.contact.points.empty())
     return;
   order_contact(body, *of_statics);
@@ -254,7 +223,7 @@ DofMask GivenMesh<dim>::held(const TopSetup &top, const bool contact_held) const
 template <int dim>
 std::size_t GivenMesh<dim>::n_free(const TopSetup &top, const bool contact_held) const
 {
-  return n_free_on_mesh(morphology.mesh, body, top, contact_held);
+  return n_free_on_mesh(mesh->mesh, body, top, contact_held);
 }
 
 template <int dim>
@@ -279,7 +248,7 @@ NodalField<double> GivenMesh<dim>::compressed(const double) const
 template <int dim>
 std::vector<ContactCell> GivenMesh<dim>::contact_cells(const NodalField<double> &u) const
 {
-  return cells_at_contact(morphology, parameters.mesh, *of_statics, u);
+  return cells_at_contact(*mesh, parameters.mesh, *of_statics, u);
 }
 
 template <int dim>
@@ -288,7 +257,7 @@ std::vector<std::vector<double>> GivenMesh<dim>::contact_places() const
   std::vector<std::vector<double>> places(dim);
   for (const unsigned int point : body.contact.points)
     for (unsigned int c = 0; c < dim; ++c)
-      places[c].push_back(morphology.mesh.points[point][c]);
+      places[c].push_back(mesh->mesh.points[point][c]);
   return places;
 }
 
@@ -305,8 +274,8 @@ ContactParts GivenMesh<dim>::contact_parts() const
 template <int dim>
 Deformation GivenMesh<dim>::deformation(const NodalField<double> &u) const
 {
-  const Mesh<dim> &mesh = of_statics->local_mesh();
-  return largest_deformation(mesh.points, mesh.cells, of_statics->cell_numbers(), u,
+  const Mesh<dim> &local = of_statics->local_mesh();
+  return largest_deformation(local.points, local.cells, of_statics->cell_numbers(), u,
                              of_statics->communicator());
 }
 
@@ -314,14 +283,13 @@ template <int dim>
 Hdf5File GivenMesh<dim>::create_file(const std::string &path,
                                      const std::string &format) const
 {
-  return create_mesh_file(path, format, morphology, body.digest,
-                          parameters.mesh.rve_digest);
+  return create_mesh_file(path, format, *mesh, body.digest, parameters.mesh.rve_digest);
 }
 
 template <int dim>
 Shape GivenMesh<dim>::vectors_shape() const
 {
-  return mesoslip::vectors_shape(morphology);
+  return mesh->vectors_shape();
 }
 
 template <int dim>
@@ -331,7 +299,7 @@ void GivenMesh<dim>::write_fields(
   const std::string &name,
   const std::vector<const NodalField<double> *> &fields) const
 {
-  write_divided_fields(file, path, name, fields, morphology, *of_statics);
+  write_divided_fields(file, path, name, fields, *mesh, *of_statics);
 }
 
 template <int dim>
@@ -339,7 +307,7 @@ void GivenMesh<dim>::show(const std::string &path,
                           const std::vector<XdmfField> &fields,
                           const std::vector<double> &times) const
 {
-  show_mesh(path, morphology, fields, times);
+  mesh->show(path, fields, times);
 }
 
 template class GivenMesh<2>;

@@ -5,7 +5,7 @@
 #include "elasticity/dof_mask.h"
 #include "sliding/body_memory.h"
 #include "sliding/given_body.h"
-#include "sliding/mesh/distributed_body.h"
+#include "sliding/mesh/body_mesh.h"
 #include "sliding/mesh/mesh_body.h"
 
 #include <memory>
@@ -20,10 +20,10 @@ class GivenMesh : public GivenBody<dim>
 {
 public:
   /**
-   * Rank 0 reads the mesh; all know what is described of it. For steps it is divided among the
+   * Rank 0 reads what is @p unread; all know what is described of it. For steps it is divided among the
    * ranks. @throws UserError for input that no analysis can work with
    */
-  explicit GivenMesh(const ContactParameters &given);
+  GivenMesh(const ContactParameters &given, std::unique_ptr<BodyMesh<dim>> unread);
 
   BodyInMotion<dim> start(const SlidingSetup &setup, RunContext &context) const override;
   void write_contact(Hdf5File &file) const override;
@@ -53,8 +53,7 @@ private:
   using GivenBody<dim>::known;
   using GivenBody<dim>::parameters;
 
-  /** On rank 0; of a box that is advanced in time all ranks have what reads its cells. */
-  MeshMorphology<dim> morphology;
+  std::unique_ptr<BodyMesh<dim>> mesh;   ///< on rank 0, see BodyMesh::share()
   MeshBodyDescription body;              ///< the same on all ranks
   std::vector<ElasticPhase<dim>> phases; ///< of the cells, the same on all ranks
 

@@ -4,14 +4,10 @@
 #include "base/errors.h"
 #include "base/exchange.h"
 #include "base/text.h"
-#include "elasticity/element_operator.h"
 #include "exchange/rve_file.h"
 #include "material/shear_impedance.h"
-#include "mesh/cell_quality.h"
-#include "mesh/periodic_points.h"
 #include "sliding/body_grid.h"
 #include "sliding/contact_parameters.h"
-#include "sliding/mesh/box_body.h"
 
 #include <deal.II/base/bounding_box.h>
 
@@ -25,70 +21,13 @@ namespace mesoslip
 {
 namespace
 {
-/** The faces of the physical group @p name, which @p key asks for. */
-template <int dim>
-std::vector<BoundaryFace<dim>> group_faces(const MeshMorphology<dim> &morphology,
-                                           const std::vector<BoundaryFace<dim>> &faces,
-                                           const std::string &key,
-                                           const std::string &name)
-{
-  const std::vector<std::string> &names = morphology.mesh.boundaries;
-  const auto found                      = std::find(names.begin(), names.end(), name);
-  if (found == names.end())
-    throw UserError(
-      key + ": '" + name + "' is no physical group of " +
-      (dim == 2 ? "curves" : "surfaces") + " in " + morphology.file +
-      (names.empty() ? ", which has none" : "; there are " + to_text(names)) +
-      "; name one there, or here");
-  const auto number = static_cast<unsigned int>(found - names.begin());
-  if constexpr (dim == 3)
-    if (morphology.box)
-      return faces_of_side(morphology, number);
-  auto group            = faces_of_group(morphology.mesh, faces, number);
-  const std::size_t all = n_faces_in_file(morphology.mesh, number);
-  if (group.empty() || all > group.size())
-    throw UserError(key + ": of the group '" + name + "' " +
-                    std::to_string(all - group.size()) + " of " + std::to_string(all) +
-                    " faces are not on the boundary of the body; take them out of it");
-  return group;
-}
-
-/** All faces of the boundary, which boxes need not search for. */
-template <int dim>
-std::vector<BoundaryFace<dim>> faces_of(const MeshMorphology<dim> &morphology)
-{
-  if (morphology.box)
-    return {};
-  return boundary_faces(morphology.mesh);
-}
-
-template <int dim>
-double smallest_edge(const MeshMorphology<dim> &morphology)
-{
-  if (!morphology.box)
-    return cell_quality(morphology.mesh).smallest_edge;
-  const auto &h = morphology.box->grid.spacing;
-  return *std::min_element(h.begin(), h.end());
-}
-
-/** See locate_probes(). */
-template <int dim>
-std::vector<MeshPlace> places_of(const MeshMorphology<dim> &morphology,
-                                 const std::vector<ProbePoint> &points)
-{
-  if constexpr (dim == 3)
-    if (morphology.box)
-      return locate_probes(morphology.mesh, points, cells_near(morphology, points));
-  return locate_probes(morphology.mesh, points);
-}
-
 double sum_of(const std::vector<double> &values)
 {
   return std::accumulate(values.begin(), values.end(), 0.);
 }
 
 template <int dim>
-std::vector<double> friction_of_points(const MeshMorphology<dim> &morphology,
+std::vector<double> friction_of_points(const BodyMesh<dim> &morphology,
                                        const std::vector<BoundaryFace<dim>> &faces,
                                        const MeshBoundary &contact,
                                        const FrictionParameters &friction)
@@ -111,7 +50,7 @@ std::vector<double> friction_of_points(const MeshMorphology<dim> &morphology,
 /** Of each phase its share of the area of the faces around each point of @p contact. */
 template <int dim>
 std::vector<std::vector<double>>
-shares_of_phases(const MeshMorphology<dim> &morphology,
+shares_of_phases(const BodyMesh<dim> &morphology,
                  const std::vector<BoundaryFace<dim>> &faces,
                  const MeshBoundary &contact)
 {
@@ -165,7 +104,7 @@ void check_supports(const MeshBodyDescription &body,
 /** The contact node nearest to Reference x, or to the middle of the contact, in 3D halfway
  * along y; of two that are equally near the last, as on grids. */
 template <int dim>
-ReferenceNode reference_node(const MeshMorphology<dim> &morphology,
+ReferenceNode reference_node(const BodyMesh<dim> &morphology,
                              const MeshBoundary &contact,
                              const double wanted_x)
 {
@@ -194,14 +133,14 @@ ReferenceNode reference_node(const MeshMorphology<dim> &morphology,
     }
   std::copy_n(&points[node.number][0], dim, node.position.begin());
   node.area        = -contact.area[node.number];
-  const auto place = places_of(morphology, {{"the reference node", node.position}});
+  const auto place = morphology.places_of({{"the reference node", node.position}});
   node.phase       = morphology.phase_of(place[0].material);
   return node;
 }
 
 /** Stiffness, impedance, size and mass; the area is that of @p top or, without one, of the bounding box. */
 template <int dim>
-BodyScales scales_of(const MeshMorphology<dim> &morphology,
+BodyScales scales_of(const BodyMesh<dim> &morphology,
                      const dealii::Tensor<1, dim> &sides,
                      const MeshBoundary &top,
                      const std::array<double, 2> &flat_direction)
@@ -209,12 +148,10 @@ BodyScales scales_of(const MeshMorphology<dim> &morphology,
   BodyScales scales;
   scales.dim             = dim;
   scales.shear_impedance = std::numeric_limits<double>::infinity();
-  std::vector<ElasticPhase<dim>> phases;
   for (const Phase<dim> &phase : morphology.materials())
     {
       const double stiffness = phase.stiffness(dim - 1, dim - 1);
-      phases.push_back({phase.stiffness, phase.density});
-      scales.stiffness = std::max(scales.stiffness, stiffness);
+      scales.stiffness       = std::max(scales.stiffness, stiffness);
       scales.wave_speed =
         std::max(scales.wave_speed, std::sqrt(stiffness / phase.density));
       scales.shear_impedance =
@@ -229,17 +166,13 @@ BodyScales scales_of(const MeshMorphology<dim> &morphology,
   scales.height  = sides[dim - 1];
   scales.area    = top.points.empty() ? box : sum_of(top.area);
   scales.density = mean_density;
-  scales.mass =
-    morphology.box
-      ? mean_density * box * sides[dim - 1]
-      : sum_of(lumped_mass(morphology.mesh.points, morphology.mesh.cells, phases));
+  scales.mass    = morphology.mass(mean_density * box * sides[dim - 1]);
   return scales;
 }
 
 /** From numbers in the mesh, which may be that of some cells, to those in the body. */
 template <int dim>
-void number_in_whole_body(MeshBodyDescription &body,
-                          const MeshMorphology<dim> &morphology)
+void number_in_whole_body(MeshBodyDescription &body, const BodyMesh<dim> &morphology)
 {
   const auto renumber = [&](std::vector<unsigned int> &points) {
     for (unsigned int &point : points)
@@ -259,28 +192,7 @@ void number_in_whole_body(MeshBodyDescription &body,
 } // namespace
 
 template <int dim>
-void join_periodic_sides(MeshMorphology<dim> &morphology,
-                         const MeshBodyParameters &parameters)
-{
-  if (parameters.periodic[0].empty() && parameters.periodic[1].empty())
-    return;
-  Mesh<dim> &mesh  = morphology.mesh;
-  const auto faces = faces_of(morphology);
-  for (unsigned int axis = 0; axis + 1 < dim; ++axis)
-    if (const auto &groups = parameters.periodic[axis]; !groups.empty())
-      {
-        const std::string key = std::string("Mesh/Periodic in ") + "xy"[axis];
-        const auto sides =
-          join_sides(mesh, group_faces(morphology, faces, key, groups[0]),
-                     group_faces(morphology, faces, key, groups[1]), axis,
-                     smallest_edge(morphology));
-        if (!morphology.box)
-          morphology.description.push_back(key.substr(5) + ": " + opposite_text(sides));
-      }
-}
-
-template <int dim>
-MeshBodyDescription describe_body(const MeshMorphology<dim> &morphology,
+MeshBodyDescription describe_body(const BodyMesh<dim> &morphology,
                                   const ContactParameters &given)
 {
   const MeshBodyParameters &parameters = given.mesh;
@@ -289,7 +201,7 @@ MeshBodyDescription describe_body(const MeshMorphology<dim> &morphology,
     if (!(phase.density > 0.))
       throw UserError("Phases/" + phase.name +
                       "/Density is not given; dynamics needs it, in kg/m^3");
-  const auto faces      = faces_of(morphology);
+  const auto faces      = morphology.boundary();
   const auto faces_with = [&](const std::string &key, const std::string &name) {
     return group_faces(morphology, faces, "Mesh/" + key, name);
   };
@@ -333,16 +245,13 @@ MeshBodyDescription describe_body(const MeshMorphology<dim> &morphology,
   const dealii::Tensor<1, dim> sides = upper - lower;
   body.scales = scales_of(morphology, sides, body.top, given.contact.flat_direction);
   body.shortest_side = std::min({sides[0], sides[1], sides[dim - 1]});
-  body.probes        = places_of(morphology, given.observation.probes);
+  body.probes        = morphology.places_of(given.observation.probes);
   number_in_whole_body(body, morphology);
   return body;
 }
 
-#define MESOSLIP_INSTANTIATE(dim)                                                       \
-  template void join_periodic_sides(MeshMorphology<dim> &, const MeshBodyParameters &); \
-  template MeshBodyDescription describe_body(const MeshMorphology<dim> &,               \
-                                             const ContactParameters &);
-MESOSLIP_INSTANTIATE(2)
-MESOSLIP_INSTANTIATE(3)
-#undef MESOSLIP_INSTANTIATE
+template MeshBodyDescription describe_body(const BodyMesh<2> &,
+                                           const ContactParameters &);
+template MeshBodyDescription describe_body(const BodyMesh<3> &,
+                                           const ContactParameters &);
 } // namespace mesoslip

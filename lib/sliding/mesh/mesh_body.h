@@ -13,6 +13,8 @@
 namespace mesoslip
 {
 struct ContactParameters;
+template <int dim>
+class BodyMesh;
 
 /** Key Dimension and sections Mesh and Phases of contact_dynamics. */
 struct MeshBodyParameters
@@ -38,14 +40,7 @@ struct MeshBodyParameters
     return is_given() ? "Mesh/Scale" : "Body/Size";
   }
 
-  /** Whether the body is a grid in 3D, whose sides are the groups Left, Right (x), Front, Back
-   * (y), Contact and Top (z). */
-  bool is_box() const
-  {
-    return mesh.dim == 3 && !is_given();
-  }
-
-  /** Whether it is a grid in 2D, and thus none of the others. */
+  /** Whether the body is a grid in 2D. */
   bool is_plane_grid() const
   {
     return mesh.dim == 2 && !is_given();
@@ -74,14 +69,6 @@ struct MeshBodyParameters
  */
 template <int dim>
 ContactParameters with_phases(ContactParameters parameters);
-
-/**
- * Joins the sides of the mesh that are periodic, and refuses those with points that do not
- * lie opposite. @throws UserError
- */
-template <int dim>
-void join_periodic_sides(MeshMorphology<dim> &morphology,
-                         const MeshBodyParameters &parameters);
 
 /** What all ranks know of a body on a mesh. */
 struct MeshBodyDescription
@@ -120,7 +107,7 @@ struct MeshBodyDescription
  * are in contact and top, a platen that is held, phases without density, a probe outside
  */
 template <int dim>
-MeshBodyDescription describe_body(const MeshMorphology<dim> &morphology,
+MeshBodyDescription describe_body(const BodyMesh<dim> &morphology,
                                   const ContactParameters &given);
 } // namespace mesoslip
 

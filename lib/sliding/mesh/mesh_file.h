@@ -4,7 +4,7 @@
 #include "body/mesh/mesh_body.h"
 #include "exchange/xdmf.h"
 #include "io/hdf5_file.h"
-#include "sliding/mesh/mesh_body.h"
+#include "sliding/mesh/body_mesh.h"
 
 #include <optional>
 #include <string>
@@ -17,33 +17,21 @@ namespace mesoslip
 template <int dim>
 Hdf5File create_mesh_file(const std::string &path,
                           const std::string &format,
-                          const MeshMorphology<dim> &morphology,
+                          const BodyMesh<dim> &body,
                           const std::string &digest,
                           const std::string &rve_digest);
 
-/** Extents of a vector for each point: of a box [nz + 1][ny + 1][nx + 1][3], else [points][dim]. */
-template <int dim>
-Shape vectors_shape(const MeshMorphology<dim> &morphology);
-
 /**
  * Writes @p fields of @p elastic as the rows of dataset @p name: all ranks, each a block of the
- * points, while rank 0, which has the @p file and its @p morphology, has left it. Collective.
+ * points, while rank 0, which has the @p file and its @p body, has left it. Collective.
  */
 template <int dim>
 void write_divided_fields(std::optional<Hdf5File> &file,
                           const std::string &path,
                           const std::string &name,
                           const std::vector<const NodalField<double> *> &fields,
-                          const MeshMorphology<dim> &morphology,
+                          const BodyMesh<dim> &body,
                           const MeshBody<dim> &elastic);
-
-/** Writes NAME.xdmf for ParaView, if there are @p fields of the file NAME.h5 at @p path, and
- * NAME-phases.xdmf with the phases of the cells: data of nodes and of cells cannot be shown in one. */
-template <int dim>
-void show_mesh(const std::string &path,
-               const MeshMorphology<dim> &morphology,
-               const std::vector<XdmfField> &fields,
-               const std::vector<double> &times);
 } // namespace mesoslip
 
 #endif

@@ -141,18 +141,16 @@ private:
              const std::vector<unsigned int> &contact,
              const MPI_Comm communicator)
   {
-    MeshMorphology<dim> morphology;
-    morphology.mesh = c.mesh;
     if constexpr (dim == 3)
       if (c.box)
         {
           std::vector<std::uint8_t> id;
           for (const auto &cell : c.mesh.cells)
             id.push_back(static_cast<std::uint8_t>(cell.material_id));
-          morphology.box          = c.box;
-          morphology.materials_in = reader_of(c.box->grid, id);
+          return distribute_box(*c.box, reader_of(c.box->grid, id), {}, c.phases,
+                                InstructionSet::automatic, communicator);
         }
-    return distribute_body(morphology, contact, {}, c.phases, InstructionSet::automatic,
+    return distribute_mesh(c.mesh, contact, c.phases, InstructionSet::automatic,
                            communicator);
   }
 };

@@ -60,7 +60,7 @@ public:
 private:
   struct Description
   {
-    MeshMorphology<3> box;
+    BoxBody box;
     MeshBodyDescription body;
   };
 
@@ -73,16 +73,15 @@ private:
     phase.density       = phases[0].density;
     p.mesh.phases       = {phase};
     Description found;
-    found.box = make_box(p);
+    found.box.read(p, 1, 1);
     if (phases.size() > 1)
       {
         std::mt19937 random(1);
         std::vector<std::uint8_t> id(found.box.n_cells());
         for (std::uint8_t &one : id)
           one = static_cast<std::uint8_t>(random() % 4 == 0 ? phases.size() - 1 : 0);
-        found.box.materials_in = reader_of(found.box.box->grid, id);
+        found.box.materials_in = reader_of(found.box.box.grid, id);
       }
-    join_periodic_sides(found.box, p.mesh);
     found.body = describe_body(found.box, p);
     return found;
   }
@@ -92,12 +91,11 @@ private:
          const std::vector<ElasticPhase<3>> &phases,
          const MPI_Comm communicator,
          const double share)
-    : distributed(distribute_body(description.box,
-                                  description.body.contact.points,
-                                  {},
-                                  phases,
-                                  InstructionSet::automatic,
-                                  communicator))
+    : distributed(description.box.distribute(description.body.contact.points,
+                                             {},
+                                             phases,
+                                             InstructionSet::automatic,
+                                             communicator))
     , body(*distributed,
            description.body.contact,
            description.body.top,
