@@ -115,9 +115,9 @@ def check_order(folder):
         for degree, s in exact(law).items():
             direction, errors = (math.cos(math.radians(degree)), -math.sin(math.radians(degree))), []
             length = 2 * math.pi / NUMBER
-            for n in (10, 20):
+            for n in (8, 16):
                 found, expected = nearest(folder, (length, length / (2 * n), HEIGHT), (2 * n, 1, n), direction, law, s,
-                                          count="true" if n == 10 else "false")
+                                          count="true" if n == 8 else "false")
                 errors.append(abs(found - expected) / abs(s))
             order = math.log2(errors[0] / errors[1])
             print(f"{degree} degrees, delta {law[0]:g} s: growth {found.real:.1f} (exact {s.real:.1f}) 1/s at {found.imag / 2 / math.pi:.1f} "
@@ -141,7 +141,7 @@ def check_count(folder):
 
 def check_cells(folder):
     """Waves at 30 and 45 degrees to the sides of the cells as numpy has them; what is left to the closed form is that of the cells."""
-    for degree, cells, ranks in ((30, (12, 8, 6), 1), (30, (12, 8, 6), 2), (45, (10, 10, 6), 3)):
+    for degree, cells, ranks in ((30, (8, 6, 4), 1), (30, (8, 6, 4), 2), (45, (7, 7, 5), 3)):
         s, angle = exact(PLAIN)[degree], math.radians(degree)
         wave = (NUMBER * math.cos(angle), NUMBER * math.sin(angle))
         size = (2 * math.pi / wave[0], 2 * math.pi / wave[1], HEIGHT)
