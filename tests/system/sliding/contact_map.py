@@ -176,8 +176,8 @@ def check_window(folder):
 def check_resume(folder):
     """A run that is stopped and resumed, on a grid and on voxels; one that is killed leaves a file that can be gone on with."""
     rare = {"Observation/History interval": 50, "Observation/Energy interval": 500, "Contact map/Interval": 4e-7}
-    grid = {**GRID, **SLIDING, **SIDES, **rare, "Body/Cells": "96, 40", "Time/Time step": 1e-8, "Time/End time": 3e-3}
-    solid = {**SLIDING, **SOLID, **rare, "Body/Cells": "16, 8, 8", "Time/Time step": 2e-8, "Time/End time": 5e-3}
+    grid = {**GRID, **SLIDING, **SIDES, **rare, "Body/Cells": "96, 40", "Time/Time step": 1e-8, "Time/End time": 1e-3}
+    solid = {**SLIDING, **SOLID, **rare, "Body/Cells": "16, 8, 8", "Time/Time step": 2e-8, "Time/End time": 1e-3}
     for name, settings in (("grid_r", grid), ("solid_r", solid)):
         whole = run(folder, name, settings)
         for how, stop in (("stopped", signal.SIGTERM), ("killed", signal.SIGKILL)):
