@@ -1,4 +1,5 @@
 #include "../../measured.h"
+#include "../turns.h"
 #include "body/mesh/mesh_body.h"
 #include "homogenization_testing.h"
 #include "material/bounds.h"
@@ -238,21 +239,25 @@ TEST(Homogenization, PaperPin)
   mean[0] = mean[1] = VoigtMatrix<2>::Zero();
   const UniformGrid<2> grid{{{560, 160}}, {{1e-4, 1e-4}}};
   for (unsigned int member = 0; member < 4; ++member)
-    {
-      FibrePlacement placement;
-      placement.seed                 = 1 + member;
-      placement.fraction_rule        = FractionRule::nominal;
-      placement.allow_overlap        = true;
-      placement.cut_by_border        = true;
-      Volume volume                  = make_volume(560, 160, matrix_and_fibre());
-      volume.id                      = place_random_fibres(grid, placement).map.id;
-      const UniformMaterial material = volume.material();
-      const GridBody<2> body(material);
-      const auto solutions = solve_load_cases(
-        body, {BoundaryCondition::KUBC, BoundaryCondition::SUBC}, 1e-6, MPI_COMM_SELF);
-      for (unsigned int k = 0; k < 2; ++k)
-        mean[k] += respond(body, solutions[k]).stiffness / 4.;
-    }
+    if (verification::has_turn(member))
+      {
+        FibrePlacement placement;
+        placement.seed                 = 1 + member;
+        placement.fraction_rule        = FractionRule::nominal;
+        placement.allow_overlap        = true;
+        placement.cut_by_border        = true;
+        Volume volume                  = make_volume(560, 160, matrix_and_fibre());
+        volume.id                      = place_random_fibres(grid, placement).map.id;
+        const UniformMaterial material = volume.material();
+        const GridBody<2> body(material);
+        const auto solutions = solve_load_cases(
+          body, {BoundaryCondition::KUBC, BoundaryCondition::SUBC}, 1e-6, MPI_COMM_SELF);
+        for (unsigned int k = 0; k < 2; ++k)
+          mean[k] += respond(body, solutions[k]).stiffness / 4.;
+      }
+  for (VoigtMatrix<2> &of_ranks : mean)
+    MPI_Allreduce(MPI_IN_PLACE, of_ranks.data(), static_cast<int>(of_ranks.size()),
+                  MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
   for (const auto &entry : {std::pair<int, int>{0, 0}, {0, 1}, {1, 1}, {2, 2}})
     {
       const double kubc = mean[0](entry.first, entry.second),

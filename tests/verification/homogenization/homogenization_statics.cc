@@ -1,3 +1,4 @@
+#include "../turns.h"
 #include "independent_statics.h"
 
 #include "base/errors.h"
@@ -209,7 +210,8 @@ TEST(RandomStatics, EqualADirectSolution)
   Comparison comparison;
   for (unsigned int seed = 1; seed <= n_random_cases; ++seed)
     for (const BoundaryCondition condition : all_conditions)
-      comparison.add(random_case(seed), condition);
+      if (verification::has_turn(seed))
+        comparison.add(random_case(seed), condition);
   comparison.print();
 }
 
@@ -234,9 +236,11 @@ TEST(RandomStatics, AdverseVolumesEqualADirectSolution)
   if (n_random_cases >= 1000)
     cases.push_back(noise("very long strip", 2, 301, two_phases(2e5), 0.5));
   Comparison comparison;
+  unsigned int n = 0;
   for (const Case &c : cases)
     for (const BoundaryCondition condition : all_conditions)
-      comparison.add(c, condition);
+      if (verification::has_turn(n++))
+        comparison.add(c, condition);
   comparison.print();
 }
 

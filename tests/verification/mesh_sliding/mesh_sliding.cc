@@ -74,7 +74,7 @@ void expect_closed(const MeshCase<dim> &c, const std::string &what)
              ? (k == dim - 1 ? -1.5 : 0.)
              : thrown(c, p, k);
   });
-  run.run(2000);
+  run.run(1000);
   const auto states     = run.body.contact_states(c.side(2 * (dim - 1)).points.size());
   const EnergyHistory e = run.body.energy->reduce();
   double scale = 0., slip = 0., landings = 0.;

@@ -134,24 +134,24 @@ TEST(FlatAskew, TurnsTheSolution)
 {
   for (const bool simplices : {false, true})
     for (const bool platen : {false, true})
-      for (const double angle : {M_PI / 2., 0.6, -2.2})
-        {
-          MeshCase<3> c = thrown_on_x(simplices);
-          if (platen)
-            {
-              c.setup.top.kind         = TopSetup::Kind::platen;
-              c.setup.contact.law.time = 0.;
-            }
-          else
-            {
-              c.setup.contact.law.reference     = c.friction;
-              c.setup.contact.law.normal_stress = {0., 1e-6, 0.1};
-              c.setup.contact.law.slip_law      = std::make_shared<SlipWeakening>(
-                SlipWeakening::Constants{c.friction, 0.1, 2e-6, true, Healing()});
-            }
-          const auto straight = moved(c, 0.), askew = moved(turned_case(angle, c), angle);
-          expect_turned(*straight, *askew, angle, platen);
-        }
+      {
+        MeshCase<3> c = thrown_on_x(simplices);
+        if (platen)
+          {
+            c.setup.top.kind         = TopSetup::Kind::platen;
+            c.setup.contact.law.time = 0.;
+          }
+        else
+          {
+            c.setup.contact.law.reference     = c.friction;
+            c.setup.contact.law.normal_stress = {0., 1e-6, 0.1};
+            c.setup.contact.law.slip_law      = std::make_shared<SlipWeakening>(
+              SlipWeakening::Constants{c.friction, 0.1, 2e-6, true, Healing()});
+          }
+        const auto straight = moved(c, 0.);
+        for (const double angle : {M_PI / 2., 0.6, -2.2})
+          expect_turned(*straight, *moved(turned_case(angle, c), angle), angle, platen);
+      }
 }
 
 // Nodes that a side holds along the motion of the flat rub across it.
