@@ -4,6 +4,7 @@ the modules of applications/tools/studies can be imported."""
 import atexit
 import json
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -43,6 +44,18 @@ def sets(settings):
     """{"Section/Key": value} or ["Section/Key=value"] as words of a command line."""
     return ["--set=" + (item if isinstance(item, str) else "%s=%s" % item)
             for item in (settings.items() if isinstance(settings, dict) else settings)]
+
+
+def ccache(folder):
+    """Words before those of a compiler that have ccache keep what is compiled below the folder, with the settings of CMakeLists.txt: the same files are
+    not compiled again, wherever the folder is. No words where it is not installed."""
+    if not shutil.which("ccache"):
+        return []
+    settings = {"CCACHE_BASEDIR": os.path.realpath(folder), "CCACHE_NOHASHDIR": 1,
+                "CCACHE_SLOPPINESS": "time_macros,include_file_mtime,include_file_ctime"}
+    if "CCACHE_DIR" not in os.environ:
+        settings |= {"CCACHE_DIR": os.path.expanduser("~/.cache/mesoslip/ccache"), "CCACHE_MAXSIZE": "4G"}
+    return ["env", *(f"{name}={value}" for name, value in settings.items()), "ccache"]
 
 
 def run_chain(*arguments):

@@ -8,7 +8,7 @@ import subprocess
 import sys
 import tempfile
 
-from scenes import PROGRAMS, TOP, Folder
+from scenes import PROGRAMS, TOP, Folder, ccache
 
 
 def call(*command):
@@ -49,7 +49,7 @@ def main():
         prefix, example = os.path.join(scratch, "installed"), os.path.join(scratch, "example")
         call("cmake", "--install", os.path.dirname(PROGRAMS), "--prefix", prefix)
         call("cmake", "-S", os.path.join(TOP, "doc", "extending"), "-B", example, "-G", "Ninja",
-             f"-DCMAKE_PREFIX_PATH={prefix}", "-DCMAKE_BUILD_TYPE=Release")
+             f"-DCMAKE_PREFIX_PATH={prefix}", "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_CXX_COMPILER_LAUNCHER=" + ";".join(ccache(scratch)))
         call("cmake", "--build", example)
         check_example(example)
         check_installed(prefix)
