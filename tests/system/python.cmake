@@ -45,14 +45,15 @@ function(mesoslip_long_test script processors)
                        ENVIRONMENT PYTHONPATH=${CMAKE_SOURCE_DIR}/tests/scenes)
 endfunction()
 
-mesoslip_python_tests(system 1 chains/chain_inputs chains/python_module chains/python_runs chains/setup chains/shortcuts
-                      homogenization/refused_statics pages/dependencies pages/gallery pages/links pages/mesh_scripts pages/parameter_reference pages/prediction
-                      pages/site pages/studies pages/thickness pages/verification_page pages/work_precision programs/bad_input programs/completion
+mesoslip_python_tests(system 1 chains/chain_inputs chains/chain_validation chains/python_module chains/python_runs chains/setup chains/shortcuts
+                      homogenization/refused_statics pages/dependencies pages/gallery pages/guide pages/links pages/mesh_scripts pages/parameter_reference pages/prediction
+                      pages/site pages/studies pages/thickness pages/verification_page pages/work_precision programs/bad_input programs/command_line programs/completion
                       programs/disk programs/earlier_results programs/profile_rows programs/terminal report/browser report/whole_page
-                      report/report_layout report/report_modes sliding/complex_modes_growth sliding/complex_modes_laws)
-mesoslip_python_tests(system 2 chains/chain chains/chain_validation chains/drafts chains/package homogenization/mesh localization/mesh_localization localization/voxels
-                      pages/first_steps pages/guide pages/paper pages/tomogram programs/command_line programs/files programs/other_processors
-                      programs/ranks programs/xdmf sliding/boxes sliding/complex_modes sliding/contact_map sliding/friction_homogenization sliding/mesh_dynamics
+                      report/report_layout report/report_modes sliding/complex_modes_growth sliding/complex_modes_laws
+                      sliding/contact_map)
+mesoslip_python_tests(system 2 chains/chain chains/drafts chains/package homogenization/mesh localization/mesh_localization localization/voxels
+                      pages/first_steps pages/paper pages/tomogram programs/files programs/other_processors
+                      programs/ranks programs/xdmf sliding/boxes sliding/complex_modes sliding/friction_homogenization sliding/mesh_dynamics
                       sliding/mesh_flat sliding/mesh_modes sliding/mesh_periodic sliding/mesh_static_contact sliding/one_run sliding/oriented_boxes
                       sliding/resume sliding/start sliding/steady_part)
 mesoslip_python_tests(verification 1 stability contact/hertz contact/hertz_sphere contact/incremental_friction contact/incremental_sphere
