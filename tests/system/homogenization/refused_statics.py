@@ -39,6 +39,8 @@ def run(status, words, *settings):
         problems.append(f"{settings}: lacks {missing}: {said}")
     written = [name for name in ("summary.json", "rve.h5", "stiffness.csv") if os.path.exists("out/" + name)]
     assert len(written) == (0 if status else 3), f"{settings}: {written} written"
+    begun = [name for name in os.listdir("out") if name.endswith(".part")] if os.path.isdir("out") else []
+    assert not begun, f"{settings}: {begun} left"
     return None if status else folder.summary("out")
 
 
