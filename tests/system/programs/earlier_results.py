@@ -140,7 +140,9 @@ def check_output_that_fails(folder):
 def flip_bit(path, dataset):
     """One bit of the last number of a dataset, far from all that describes the file."""
     with h5py.File(path) as file:
-        position = file[dataset].id.get_offset() + file[dataset].id.get_storage_size() - 8
+        stored = file[dataset].id
+        last = stored.get_chunk_info(stored.get_num_chunks() - 1)
+    position = last.byte_offset + last.size - 8
     with open(path, "r+b") as file:
         file.seek(position)
         byte = file.read(1)[0]
