@@ -2,6 +2,7 @@
 
 #include "base/errors.h"
 #include "exchange/datasets.h"
+#include "exchange/grid_file.h"
 #include "exchange/mesh_datasets.h"
 #include "parameters/parameters.h"
 
@@ -11,36 +12,21 @@ namespace
 {
 const char snapshots_program[] = "contact_dynamics";
 const char displacement_name[] = "/snapshots/displacement";
-const char snapshot_phases[]   = "/material/phase_id";
 const char snapshots_hint[] =
   "fields, the mean strain and further probes need it: run contact_dynamics with "
   "Snapshots/Interval > 0";
 const char probe_hint[] =
   "name it in Observation/Probes of the contact_dynamics run, or give its position here";
-
-template <int dim>
-std::string check_body_header(const Hdf5File &file, const bool is_grid)
-{
-  return file.check_header(is_grid ? "mesoslip-dynamics" : "mesoslip-dynamics-mesh", 2,
-                           dim, "contact_dynamics writes such a file");
-}
-
-std::string rve_digest_of(const Hdf5File &file)
-{
-  return file.has_attribute("/material", "rve_digest")
-           ? file.read_attribute<std::string>("/material", "rve_digest")
-           : "";
-}
 } // namespace
 
 template <int dim>
 BodySnapshots<dim>::BodySnapshots(Hdf5File &&opened)
   : file(std::move(opened))
   , is_grid(!file.exists("/mesh"))
-  , digest(check_body_header<dim>(file, is_grid))
-  , rve_digest(rve_digest_of(file))
+  , digest(check_dynamics_header(file, dim))
+  , rve_digest(body_rve_digest(file))
   , phases(read_phases<dim>(file, "/material", false, snapshots_program))
-  , materials(file, snapshot_phases, phases.size(), snapshots_program)
+  , materials(file, body_phases_dataset, phases.size(), snapshots_program)
   , grid(is_grid ? read_grid<dim>(file, snapshots_program) : UniformGrid<dim>())
   , conditions(read_run_conditions(file))
 {
@@ -67,7 +53,7 @@ void BodySnapshots<dim>::require_sizes(const Shape &cells,
                       "snapshots ask for; run contact_dynamics again");
   };
   if (!materials.shape.empty())
-    check(snapshot_phases, materials.shape, cells);
+    check(body_phases_dataset, materials.shape, cells);
   if (!has_snapshots())
     return;
   Shape expected = {times().size()};

@@ -7,10 +7,6 @@ namespace mesoslip
 {
 namespace
 {
-constexpr int newest_dynamics_version = 1;
-
-const char phases_name[] = "/material/phase_id";
-
 std::string digest_of(const BodyDescription &body)
 {
   Digest digest;
@@ -28,6 +24,21 @@ std::string digest_of(const BodyDescription &body)
 }
 } // namespace
 
+std::string check_dynamics_header(const Hdf5File &file, const unsigned int dim)
+{
+  constexpr int newest_version = 2; // of boxes with orientations; else 1
+  const std::string format     = dynamics_format;
+  return file.check_header(file.exists("/mesh") ? format + "-mesh" : format,
+                           newest_version, dim, "contact_dynamics writes such a file");
+}
+
+std::string body_rve_digest(const Hdf5File &file)
+{
+  return file.has_attribute("/material", "rve_digest")
+           ? file.read_attribute<std::string>("/material", "rve_digest")
+           : "";
+}
+
 Shape nodes_shape(const UniformGrid<2> &grid)
 {
   return {std::size_t(grid.cells[1]) + 1, std::size_t(grid.cells[0]) + 1, 2};
@@ -41,7 +52,7 @@ void show_grid(const std::string &path,
 {
   std::vector<XdmfField> cells;
   if (has_phases)
-    cells = {{"phase", phases_name, XdmfField::Values::phases}};
+    cells = {{"phase", body_phases_dataset, XdmfField::Values::phases}};
   show_file(path, grid, series, times, cells);
 }
 
@@ -63,12 +74,12 @@ Hdf5File create_grid_file(const std::string &path,
                           const std::string &format)
 {
   Hdf5File file = Hdf5File::create(path);
-  file.write_header(format, newest_dynamics_version, 2, digest_of(body));
+  file.write_header(format, 1, 2, digest_of(body));
   write_grid(file, body.grid);
   write_phases(file, "/material", body.phases, false);
   file.write_attribute("/material", "rve_digest", body.rve_digest);
   if (!body.phase_id.empty())
-    write_dataset(file, phases_name, {body.grid.cells[1], body.grid.cells[0]},
+    write_dataset(file, body_phases_dataset, {body.grid.cells[1], body.grid.cells[0]},
                   body.phase_id);
   return file;
 }

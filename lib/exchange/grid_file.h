@@ -11,6 +11,19 @@
 
 namespace mesoslip
 {
+/** Format of dynamics.h5 of a body on a grid; on a mesh "-mesh" is behind it. */
+inline constexpr char dynamics_format[] = "mesoslip-dynamics";
+
+/** Dataset of the phases of the cells in files of contact_dynamics. */
+inline constexpr char body_phases_dataset[] = "/material/phase_id";
+
+/** The digest that dynamics.h5 of a body in @p dim dimensions (0: of any) states. @throws UserError if it is
+ * none, or of a later version */
+std::string check_dynamics_header(const Hdf5File &file, const unsigned int dim);
+
+/** The digest of the RVE file that the body's stiffness is from; empty without one. */
+std::string body_rve_digest(const Hdf5File &file);
+
 /** Extents of a displacement of the nodes: [ny + 1][nx + 1][2]. */
 Shape nodes_shape(const UniformGrid<2> &grid);
 
@@ -37,7 +50,7 @@ inline std::vector<double> interleaved(const NodalField<double> &u)
  * /material. */
 Hdf5File create_grid_file(const std::string &path,
                           const BodyDescription &body,
-                          const std::string &format = "mesoslip-dynamics");
+                          const std::string &format = dynamics_format);
 } // namespace mesoslip
 
 #endif

@@ -1,5 +1,6 @@
 #include "base/errors.h"
 #include "base/files.h"
+#include "exchange/grid_file.h"
 #include "io/drafts.h"
 #include "sliding/analyses/friction_homogenization.h"
 #include "sliding/analyses/phases_of_contact.h"
@@ -28,8 +29,7 @@ Hdf5File open_dynamics(const RunSummary &summary)
 {
   Hdf5File file = Hdf5File::open(summary.file("dynamics.h5"),
                                  "a transient run of contact_dynamics writes it");
-  file.check_header(file.exists("/mesh") ? "mesoslip-dynamics-mesh" : "mesoslip-dynamics",
-                    2, 0, "contact_dynamics writes such a file");
+  check_dynamics_header(file, 0);
   return file;
 }
 
@@ -327,9 +327,7 @@ read_friction_homogenization(const FrictionHomogenizationParameters &parameters)
       input.phase_names.push_back(phases.names[p]);
   input.mu_of_nodes = coefficient_of_nodes(nodes, moduli_of_nodes(phases));
   if (!parameters.static_contact.empty())
-    read_static_contact(parameters.static_contact,
-                        file.read_attribute<std::string>("/material", "rve_digest"),
-                        nodes, input);
+    read_static_contact(parameters.static_contact, body_rve_digest(file), nodes, input);
   return input;
 }
 } // namespace mesoslip

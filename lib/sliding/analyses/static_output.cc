@@ -2,6 +2,7 @@
 #include "base/exchange.h"
 #include "body/elastic_body.h"
 #include "exchange/datasets.h"
+#include "exchange/grid_file.h"
 #include "io/drafts.h"
 #include "io/json.h"
 #include "io/table.h"
@@ -39,7 +40,7 @@ void StaticContactAnalysis<dim>::write_draft(const std::string &folder) const
   on_root(MPI_COMM_WORLD, [&]() {
     const DraftMark mark(false);
     Hdf5File file =
-      body->create_file(path_of_draft(folder, "dynamics.h5"), "mesoslip-dynamics");
+      body->create_file(path_of_draft(folder, "dynamics.h5"), dynamics_format);
     write_static_draft(file, parameters, body->vectors_shape());
     file.close();
   });
@@ -176,7 +177,7 @@ void StaticContactAnalysis<dim>::write_static_file(const RunContext &context) co
   const std::string path = context.file("dynamics.h5"), u = "/snapshots/displacement";
   std::optional<Hdf5File> file;
   on_root(context.communicator(), [&]() {
-    file.emplace(body->create_file(path, "mesoslip-dynamics"));
+    file.emplace(body->create_file(path, dynamics_format));
     write_run_conditions(*file, parameters.stated_conditions());
     write_dataset(*file, "/snapshots/time", {1}, std::vector<double>{0.}, "s");
     write_contact_group(*file);

@@ -4,6 +4,7 @@
 #include "base/text.h"
 #include "elasticity/element_operator.h"
 #include "exchange/datasets.h"
+#include "exchange/grid_file.h"
 #include "exchange/mesh_datasets.h"
 #include "mesh/cell_quality.h"
 #include "mesh/periodic_points.h"
@@ -78,7 +79,7 @@ void BodyMesh<dim>::write_cells(Hdf5File &file) const
   std::vector<std::uint8_t> phase_id;
   for (const auto &cell : this->mesh.cells)
     phase_id.push_back(static_cast<std::uint8_t>(cell.material_id));
-  write_dataset(file, phase_of_cells, {phase_id.size()}, phase_id);
+  write_dataset(file, body_phases_dataset, {phase_id.size()}, phase_id);
 }
 
 template <int dim>
@@ -87,7 +88,7 @@ void BodyMesh<dim>::show(const std::string &path,
                          const std::vector<double> &times) const
 {
   show_file(path, this->mesh, fields, times,
-            {{"phase", phase_of_cells, XdmfField::Values::phases, {}}});
+            {{"phase", body_phases_dataset, XdmfField::Values::phases, {}}});
 }
 
 template <int dim>

@@ -149,9 +149,6 @@ public:
                     const std::vector<double> &times) const;
 };
 
-/** Dataset of the phases of the cells. */
-inline constexpr char phase_of_cells[] = "/material/phase_id";
-
 /** The faces of the physical group @p name of @p body, which @p key asks for, of all @p faces of its
  * boundary(). @throws UserError */
 template <int dim>

@@ -4,6 +4,7 @@
 #include "base/object_exchange.h"
 #include "base/text.h"
 #include "exchange/datasets.h"
+#include "exchange/grid_file.h"
 #include "exchange/mesh_datasets.h"
 #include "exchange/orientation_datasets.h"
 #include "exchange/rve_file.h"
@@ -169,7 +170,7 @@ BoxBody::group(const std::vector<BoundaryFace<3>> & /*faces*/,
                const std::string & /*key*/,
                const unsigned int group) const
 {
-  const auto &n           = box.grid.cells;
+  const std::array<unsigned int, 3> &n = box.grid.cells;
   const unsigned int axis = group / 2, end = group % 2;
   // In deal.II the first coordinate of a face is the lower of its axes but in y.
   const unsigned int first = (axis + 1) % 3, second = (axis + 2) % 3,
@@ -291,7 +292,7 @@ BoxBody::distribute(const std::vector<unsigned int> & /*contact*/,
 void BoxBody::write_cells(Hdf5File &to) const
 {
   write_grid(to, box.grid);
-  write_materials(to, phase_of_cells, box.grid, oriented, materials_in);
+  write_materials(to, body_phases_dataset, box.grid, oriented, materials_in);
 }
 
 Shape BoxBody::vectors_shape() const
@@ -305,6 +306,6 @@ void BoxBody::show(const std::string &path,
                    const std::vector<double> &times) const
 {
   show_file(path, box.grid, fields, times,
-            {{"phase", phase_of_cells, XdmfField::Values::phases, {}}});
+            {{"phase", body_phases_dataset, XdmfField::Values::phases, {}}});
 }
 } // namespace mesoslip

@@ -3,6 +3,7 @@
 #include "base/errors.h"
 #include "base/exchange.h"
 #include "exchange/datasets.h"
+#include "exchange/grid_file.h"
 #include "material/engineering_constants.h"
 #include "program/run_context.h"
 #include "sliding/analyses/phases_of_contact.h"
@@ -64,7 +65,7 @@ void RunOutput<dim>::begin(const std::uint64_t step,
   on_root(context.communicator(), [&]() {
     file.emplace(n_done > 0 || (map != nullptr && step > 0)
                    ? continued_file(path, n_done)
-                   : body.create_file(path, "mesoslip-dynamics"));
+                   : body.create_file(path, dynamics_format));
     if (has_snapshots())
       file->reserve_rows(snapshots_name, snapshots_shape(steps.size()));
     if (map != nullptr)

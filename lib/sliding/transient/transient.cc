@@ -2,6 +2,7 @@
 
 #include "base/errors.h"
 #include "base/exchange.h"
+#include "exchange/grid_file.h"
 #include "io/drafts.h"
 #include "material/plausibility.h"
 #include "parameters/keys.h"
@@ -77,7 +78,7 @@ void TransientAnalysis<dim>::write_draft(const std::string &folder) const
   on_root(MPI_COMM_WORLD, [&]() {
     const DraftMark mark(false);
     Hdf5File file =
-      body->create_file(path_of_draft(folder, "dynamics.h5"), "mesoslip-dynamics");
+      body->create_file(path_of_draft(folder, "dynamics.h5"), dynamics_format);
     write_transient_draft(file, parameters, time, body->vectors_shape());
     for (const ProbePoint &probe : facts.probes)
       add_draft_probe(file, probe.name,
