@@ -46,19 +46,24 @@ MeshPart<dim> part_of_mesh(const Mesh<dim> &mesh,
   return distribute(mesh, ranks, communicator);
 }
 
-/** Of an operator on any cells. */
+/** A body of any cells. */
 template <int dim>
 class BodyOfCells : public DistributedBody<dim>
 {
 public:
-  explicit BodyOfCells(const MeshOperator<dim> &op)
-    : op(op)
+  BodyOfCells(const Mesh<dim> &mesh,
+              const std::vector<unsigned int> &contact,
+              const std::vector<ElasticPhase<dim>> &phases,
+              const InstructionSet isa,
+              const MPI_Comm communicator)
+    : own_part(part_of_mesh(mesh, contact, communicator))
+    , op(own_part, phases, communicator, isa)
   {
   }
 
   const MeshPart<dim> &part() const override
   {
-    return op.part;
+    return own_part;
   }
 
   MPI_Comm communicator() const override
@@ -82,41 +87,8 @@ public:
   }
 
 private:
-  const MeshOperator<dim> &op;
-};
-
-/** A part of a mesh and its operator. */
-template <int dim>
-struct CellsOfMesh
-{
-  CellsOfMesh(const Mesh<dim> &mesh,
-              const std::vector<unsigned int> &contact,
-              const std::vector<ElasticPhase<dim>> &phases,
-              const InstructionSet isa,
-              const MPI_Comm communicator)
-    : own_part(part_of_mesh(mesh, contact, communicator))
-    , own_op(own_part, phases, communicator, isa)
-  {
-  }
-
   const MeshPart<dim> own_part;
-  const MeshOperator<dim> own_op;
-};
-
-/** The same with the operator and its part. */
-template <int dim>
-class BodyOfMesh : private CellsOfMesh<dim>, public BodyOfCells<dim>
-{
-public:
-  BodyOfMesh(const Mesh<dim> &mesh,
-             const std::vector<unsigned int> &contact,
-             const std::vector<ElasticPhase<dim>> &phases,
-             const InstructionSet isa,
-             const MPI_Comm communicator)
-    : CellsOfMesh<dim>(mesh, contact, phases, isa, communicator)
-    , BodyOfCells<dim>(this->own_op)
-  {
-  }
+  const MeshOperator<dim> op;
 };
 
 /** A box of bricks. */
@@ -182,12 +154,6 @@ private:
 } // namespace
 
 template <int dim>
-std::unique_ptr<DistributedBody<dim>> make_distributed_body(const MeshOperator<dim> &op)
-{
-  return std::make_unique<BodyOfCells<dim>>(op);
-}
-
-template <int dim>
 std::unique_ptr<DistributedBody<dim>>
 distribute_mesh(const Mesh<dim> &mesh,
                 const std::vector<unsigned int> &contact,
@@ -195,7 +161,7 @@ distribute_mesh(const Mesh<dim> &mesh,
                 const InstructionSet isa,
                 const MPI_Comm communicator)
 {
-  return std::make_unique<BodyOfMesh<dim>>(mesh, contact, phases, isa, communicator);
+  return std::make_unique<BodyOfCells<dim>>(mesh, contact, phases, isa, communicator);
 }
 
 std::unique_ptr<DistributedBody<3>>
@@ -210,11 +176,9 @@ distribute_box(const BrickBox &box,
                                         communicator);
 }
 
-#define MESOSLIP_INSTANTIATE(dim)                                       \
-  template std::unique_ptr<DistributedBody<dim>> make_distributed_body( \
-    const MeshOperator<dim> &);                                         \
-  template std::unique_ptr<DistributedBody<dim>> distribute_mesh(       \
-    const Mesh<dim> &, const std::vector<unsigned int> &,               \
+#define MESOSLIP_INSTANTIATE(dim)                                 \
+  template std::unique_ptr<DistributedBody<dim>> distribute_mesh( \
+    const Mesh<dim> &, const std::vector<unsigned int> &,         \
     const std::vector<ElasticPhase<dim>> &, const InstructionSet, const MPI_Comm);
 MESOSLIP_INSTANTIATE(2)
 MESOSLIP_INSTANTIATE(3)

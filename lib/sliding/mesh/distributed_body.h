@@ -39,10 +39,6 @@ public:
                const std::optional<unsigned int> top_point) const = 0;
 };
 
-/** A body of any cells, see MeshOperator, which has to outlive it. */
-template <int dim>
-std::unique_ptr<DistributedBody<dim>> make_distributed_body(const MeshOperator<dim> &op);
-
 /** Divides the @p mesh that rank 0 has among the ranks by METIS, where cells at the points of the @p contact
  * weigh more. Collective. */
 template <int dim>

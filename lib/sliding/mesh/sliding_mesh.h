@@ -102,16 +102,6 @@ private:
 public:
   SurfaceStepper<dim> &stepper; ///< the time integration
 
-  /** The same with any cells; @p op must outlive the body. */
-  SlidingMesh(const MeshOperator<dim> &op,
-              const MeshBoundary &contact,
-              const MeshBoundary &top,
-              const std::vector<HeldComponent> &held,
-              const SlidingSetup &setup)
-    : SlidingMesh(*make_distributed_body(op), contact, top, held, setup)
-  {
-  }
-
 private:
   /** With the nodes of this rank. */
   SlidingMesh(const DistributedBody<dim> &body,

@@ -347,9 +347,8 @@ TEST(MeshSliding, TheGapFollowsTheShape)
   for (unsigned int i = 0; i < 23; ++i)
     EXPECT_NEAR(contact.height[i], std::max(0., 2e-3 - 5e-4 * i) * 0.01, 1e-15);
 
-  const MeshPart<2> part =
-    distribute(c.mesh, std::vector<unsigned int>(c.mesh.cells.size()), MPI_COMM_SELF);
-  const MeshOperator<2> op(part, c.phases, MPI_COMM_SELF);
+  const auto distributed = distribute_mesh(c.mesh, contact.points, c.phases,
+                                           InstructionSet::automatic, MPI_COMM_SELF);
   MeshBoundary top;
   for (unsigned int p = 0; p < c.mesh.points.size(); ++p)
     if (c.mesh.points[p][1] > 3.5e-3)
@@ -360,7 +359,7 @@ TEST(MeshSliding, TheGapFollowsTheShape)
   c.setup.contact.friction_coefficient.assign(23, 0.);
   c.setup.contact.gap = -7e-6;
   c.setup.step.dt     = 1e-9;
-  SlidingMesh<2> body(op, contact, top, {}, c.setup);
+  SlidingMesh<2> body(*distributed, contact, top, {}, c.setup);
   body.stepper.step();
   // 20, 15, 10, 5 um, then none.
   for (unsigned int i = 0; i < 23; ++i)
