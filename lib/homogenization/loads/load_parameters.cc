@@ -18,7 +18,8 @@ constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
 /** Names of the components in 2D or 3D, from the number of them. */
 const char *component_name(const std::size_t component, const std::size_t n)
 {
-  const bool in_plane = n_voigt<2> == n; // in this order, as cppcheck stumbles over the other
+  const bool in_plane =
+    n_voigt<2> == n; // in this order, as cppcheck stumbles over the other
   return in_plane ? voigt_names<2>[component] : voigt_names<3>[component];
 }
 
