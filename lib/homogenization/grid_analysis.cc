@@ -141,8 +141,9 @@ protected:
 
   RveResults<2> morphology() const override
   {
-    const Microstructure made =
-      microstructure ? *microstructure : make_microstructure(parameters.microstructure);
+    const Microstructure drawn =
+      microstructure ? Microstructure() : make_microstructure(parameters.microstructure);
+    const Microstructure &made = microstructure ? *microstructure : drawn;
     RveResults<2> results;
     results.first.grid      = made.map.grid;
     results.first.phases    = made.phases;

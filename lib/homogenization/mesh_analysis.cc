@@ -96,8 +96,9 @@ protected:
               const std::function<void()> & /*case_done*/,
               Timer & /*timer*/) override
   {
+    const Mesh<dim> none; // of other ranks
     return std::make_unique<MeshVolume<dim>>(
-      volumes.empty() ? Mesh<dim>() : volumes[number].mesh, phases, MPI_COMM_WORLD);
+      volumes.empty() ? none : volumes[number].mesh, phases, MPI_COMM_WORLD);
   }
 
 private:

@@ -57,7 +57,7 @@ private:
   const bool is_root;
   std::unique_ptr<ElasticBody<2>> body;
   std::vector<LoadCaseSolutions> solutions;
-  std::size_t current = 0; ///< of the solutions
+  std::size_t current = 0; ///< number of the one that was asked for last
 };
 } // namespace mesoslip
 
