@@ -80,6 +80,11 @@ std::optional<StaticContactSolution> CondensedContact<dim>::solve(const double t
       u        = body.zero_field();
       S.col(k) = internal_forces(u, Eigen::VectorXd::Unit(n, k), body.zero_field());
     }
+  if (dim == 3 && problem.sliding == 0)
+    {
+      const Eigen::VectorXd d = cone_newton(cones());
+      return equilibrium(nodes_at(d), d, tolerance);
+    }
   Problem of = problem.sliding != 0 ? of_sliding_flat() : of_resting_flat();
   of.M /= of.M.template lpNorm<Eigen::Infinity>();
   of.q /= of.q.template lpNorm<Eigen::Infinity>();
@@ -89,7 +94,8 @@ std::optional<StaticContactSolution> CondensedContact<dim>::solve(const double t
   for (unsigned int k = 0; k < 10; ++k)
     {
       if (const auto z = lemke(of.M, of.q, cover))
-        if (auto found = equilibrium(nodes_of(of, *z), tolerance))
+        if (auto found =
+              equilibrium(nodes_of(of, *z), Eigen::VectorXd::Zero(n), tolerance))
           return found;
       for (double &x : cover)
         x = share(random);
@@ -193,6 +199,49 @@ CondensedContact<dim>::nodes_of(const Problem &of, const Eigen::VectorXd &z) con
 }
 
 template <int dim>
+ConeProblem CondensedContact<dim>::cones() const
+{
+  ConeProblem result{S, F, {}};
+  for (unsigned int i = 0; i < numbers.size() / dim; ++i)
+    if (const Eigen::Index normal = number(i, normal_axis); normal >= 0)
+      {
+        result.nodes.push_back({normal, {}, problem.friction_coefficient[i]});
+        for (unsigned int c = 0; c + 1 < dim; ++c)
+          if (const Eigen::Index along = number(i, c); along >= 0)
+            result.nodes.back().along.push_back(along);
+      }
+  return result;
+}
+
+template <int dim>
+std::vector<typename CondensedContact<dim>::Node>
+CondensedContact<dim>::nodes_at(const Eigen::VectorXd &d) const
+{
+  const Eigen::VectorXd f = F + S * d, augmented = f - cones().c() * d;
+  std::vector<Node> nodes(numbers.size() / dim);
+  for (unsigned int i = 0; i < nodes.size(); ++i)
+    {
+      const Eigen::Index normal = number(i, normal_axis);
+      if (normal < 0)
+        continue;
+      Node &node   = nodes[i];
+      double size  = 0.;
+      const auto t = [&](const unsigned int c) {
+        return number(i, c) < 0 ? 0. : augmented[number(i, c)];
+      };
+      for (unsigned int c = 0; c + 1 < dim; ++c)
+        size = std::hypot(size, t(c));
+      const double limit = problem.friction_coefficient[i] * f[normal];
+      node.state         = !(augmented[normal] > 0.) ? ContactState::separated
+                           : size < limit            ? ContactState::stick
+                                                     : ContactState::slip;
+      for (unsigned int c = 0; c + 1 < dim && size > 0. && limit > 0.; ++c)
+        node.direction[c] = t(c) / size;
+    }
+  return nodes;
+}
+
+template <int dim>
 Eigen::MatrixXd CondensedContact<dim>::conditions(const std::vector<Node> &nodes) const
 {
   Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(F.size(), F.size());
@@ -211,8 +260,8 @@ Eigen::MatrixXd CondensedContact<dim>::conditions(const std::vector<Node> &nodes
 }
 
 template <int dim>
-std::optional<StaticContactSolution>
-CondensedContact<dim>::equilibrium(const std::vector<Node> &nodes, const double tolerance)
+std::optional<StaticContactSolution> CondensedContact<dim>::equilibrium(
+  const std::vector<Node> &nodes, Eigen::VectorXd d, const double tolerance)
 {
   const Eigen::MatrixXd rows = conditions(nodes);
   std::vector<Eigen::Index> free;
@@ -222,18 +271,19 @@ CondensedContact<dim>::equilibrium(const std::vector<Node> &nodes, const double 
   const Eigen::FullPivLU<Eigen::MatrixXd> moves((rows * S)(free, free));
   StaticContactSolution found;
   found.displacement = problem.displacement;
-  Eigen::VectorXd d = Eigen::VectorXd::Zero(F.size()), f = F;
+  Eigen::VectorXd f;
   double pressed = 0., left = 1.;
-  // Once more where S is not exact enough.
-  for (unsigned int n = 0; n < 4 && !(left <= 0.1 * tolerance * pressed); ++n)
+  // More than once where S is not exact enough.
+  for (unsigned int n = 0; n < 5; ++n)
     {
-      if (!free.empty())
-        d(free) -= moves.solve(Eigen::VectorXd((rows * f)(free)));
       f       = internal_forces(found.displacement, start + d, problem.force) - loaded;
       left    = (rows * f).template lpNorm<1>();
       pressed = 0.;
       for (std::size_t i = 0; i < nodes.size(); ++i)
         pressed += number(i, normal_axis) < 0 ? 0. : f[number(i, normal_axis)];
+      if (left <= 0.1 * tolerance * pressed || free.empty() || n == 4)
+        break;
+      d(free) -= moves.solve(Eigen::VectorXd((rows * f)(free)));
     }
   found.residual = found.friction_change = left / pressed;
   bool holds                             = left <= tolerance * pressed;
@@ -250,6 +300,10 @@ CondensedContact<dim>::equilibrium(const std::vector<Node> &nodes, const double 
         holds && normal >= -negligible && (at < 0 || touches || d[at] >= -short_way);
       found.state.push_back(state);
       found.normal_force.push_back(normal);
+      double size = 0., way = 0.,
+             against = 0.; // of friction, of the slip and of what is not against it
+      for (unsigned int c = 0; c + 1 < dim; ++c)
+        way = number(i, c) < 0 ? way : std::hypot(way, d[number(i, c)]);
       for (unsigned int c = 0; c + 1 < dim; ++c)
         {
           const Eigen::Index along = number(i, c);
@@ -257,11 +311,15 @@ CondensedContact<dim>::equilibrium(const std::vector<Node> &nodes, const double 
           if (state == ContactState::stick || (problem.sliding == 0 && along < 0))
             friction = along < 0 ? 0. : f[along];
           found.tangential_force.push_back(friction);
-          holds = holds && (state != ContactState::stick ||
-                            std::fabs(friction) <= limit + negligible);
-          if (problem.sliding == 0 && state == ContactState::slip && along >= 0)
-            holds = holds && d[along] * direction[c] <= short_way;
+          if (along >= 0)
+            {
+              size    = std::hypot(size, friction);
+              against = std::hypot(against, d[along] + way * direction[c]);
+            }
         }
+      holds = holds && (state != ContactState::stick || size <= limit + negligible);
+      if (problem.sliding == 0 && state == ContactState::slip && limit > 0.)
+        holds = holds && against <= 2. * short_way;
     }
   if (bottom.closed)
     {

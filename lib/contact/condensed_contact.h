@@ -1,6 +1,7 @@
 #ifndef mesoslip_contact_condensed_contact_h
 #define mesoslip_contact_condensed_contact_h
 
+#include "contact/cone_newton.h"
 #include "contact/equilibrium_solver.h"
 #include "contact/static_contact_solver.h"
 
@@ -15,7 +16,8 @@ namespace mesoslip
 /**
  * A static contact condensed to its nodes: the forces of the flat on them are F + S d, d being their
  * displacements from where they touch and stick. The conditions of contact and friction are a
- * linear complementarity problem, in 3D where the flat slides. Each column of S is one solve.
+ * linear complementarity problem, but in 3D on a flat at rest, where friction has any direction. Each
+ * column of S is one solve.
  */
 template <int dim>
 class CondensedContact
@@ -27,14 +29,14 @@ public:
   /** @p body and @p problem must outlive this object. Collective, like solve(). */
   CondensedContact(const ElasticBody<dim> &body, const StaticContactProblem &problem);
 
-  /** Whether this is a linear complementarity problem, and not too large. */
+  /** Whether it is not too large. */
   bool is_solvable() const
   {
-    return (dim == 2 || problem.sliding != 0) && place.size() <= most;
+    return place.size() <= most;
   }
 
-  /** An equilibrium to the @p tolerance by Lemke's method from several starts; nothing if none was
-   * found. @throws NotConverged */
+  /** An equilibrium to the @p tolerance by Lemke's method from several starts, or by cone_newton(); nothing
+   * if none was found. @throws NotConverged */
   std::optional<StaticContactSolution> solve(const double tolerance);
 
   /** After solve(): whether it is certain that there is none. */
@@ -77,6 +79,12 @@ private:
 
   std::vector<Node> nodes_of(const Problem &of, const Eigen::VectorXd &z) const;
 
+  /** The same for cone_newton(): in 3D on a flat at rest. */
+  ConeProblem cones() const;
+
+  /** What each node does at @p d, a solution of cones(). */
+  std::vector<Node> nodes_at(const Eigen::VectorXd &d) const;
+
   /** Which combination of the forces (the rows) is zero at each displacement; a row of zeros where it is
    * not free. */
   Eigen::MatrixXd conditions(const std::vector<Node> &nodes) const;
@@ -87,8 +95,9 @@ private:
                                   const Eigen::VectorXd &d,
                                   const NodalField<double> &force);
 
-  std::optional<StaticContactSolution> equilibrium(const std::vector<Node> &nodes,
-                                                   const double tolerance);
+  /** With @p nodes in these states, from @p d on; nothing where they do not keep to contact and friction. */
+  std::optional<StaticContactSolution>
+  equilibrium(const std::vector<Node> &nodes, Eigen::VectorXd d, const double tolerance);
 
   /** Number of component @p c of node @p i; -1: a side holds it. */
   Eigen::Index number(const std::size_t i, const unsigned int c) const

@@ -3,8 +3,6 @@
 #include "base/exchange.h"
 #include "dynamics/shared_nodes.h"
 
-#include <deal.II/base/mpi.h>
-
 #include <type_traits>
 #include <utility>
 
@@ -52,14 +50,14 @@ std::vector<NodeCounts> gather_nodes(const std::vector<NodeCounts> &blocks,
                                      const MPI_Comm communicator)
 {
   std::vector<NodeCounts> whole;
-  const auto all_places = dealii::Utilities::MPI::gather(communicator, places);
+  const auto all_places = mpi::gather(places, communicator);
   for (const NodeCounts &block : blocks)
     {
       whole.push_back({block.first_step, block.n_steps, {}, {}, {}, {}});
       const auto gather_values = [&](const auto &values) {
         using Values = std::decay_t<decltype(values)>;
         const Values own(values.begin(), values.begin() + places.size());
-        const auto of_ranks = dealii::Utilities::MPI::gather(communicator, own);
+        const auto of_ranks = mpi::gather(own, communicator);
         Values all(n_nodes);
         for (std::size_t rank = 0; rank < of_ranks.size(); ++rank)
           for (std::size_t i = 0; i < of_ranks[rank].size(); ++i)

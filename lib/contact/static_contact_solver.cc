@@ -304,11 +304,9 @@ StaticContactSolution solve_condensed(const ElasticBody<dim> &body,
   const std::string said = failed.what();
   CondensedContact<dim> contact(body, problem);
   if (!contact.is_solvable())
-    throw NotConverged(said + "; only active sets were tried, as Lemke's method takes " +
-                       (dim == 3 && problem.sliding == 0
-                          ? std::string("no flat at rest in 3D")
-                          : "contacts of " + std::to_string(CondensedContact<dim>::most) +
-                              " displacements at most"));
+    throw NotConverged(
+      said + "; only active sets were tried, as other methods take contacts of " +
+      std::to_string(CondensedContact<dim>::most) + " displacements at most");
   if (auto found = contact.solve(options.tolerance))
     return std::move(*found);
   if (contact.has_none())
@@ -316,8 +314,10 @@ StaticContactSolution solve_condensed(const ElasticBody<dim> &body,
       "static contact: there is no equilibrium, as no contact forces "
       "with this friction carry the load; reduce the friction or hold "
       "the body otherwise");
-  throw NumericalFailure(said + "; Lemke's method found no equilibrium either, and with "
-                                "this friction there need not be one");
+  throw NumericalFailure(said + "; " +
+                         (dim == 3 && problem.sliding == 0 ? "Newton's" : "Lemke's") +
+                         " method on the nodes of the contact alone found no equilibrium "
+                         "either, and with this friction there need not be one");
 }
 } // namespace
 

@@ -57,7 +57,7 @@ mesoslip_python_tests(system 2 chains/chain chains/drafts chains/package homogen
                       sliding/mesh_flat sliding/mesh_modes sliding/mesh_periodic sliding/mesh_static_contact sliding/one_run sliding/oriented_boxes
                       sliding/resume sliding/start sliding/steady_part)
 mesoslip_python_tests(verification 1 stability contact/hertz contact/hertz_sphere contact/incremental_friction contact/incremental_sphere
-                      contact/mesh_friction_vector contact/oblique_modes contact/random_static_contact
+                      contact/mesh_friction_vector contact/oblique_modes contact/random_resting_solids contact/random_static_contact
                       contact/spence contact/static_localization volumes/hexagonal_cell volumes/independent_finite_elements
                       volumes/mesh_inclusions voxels/voxel_files)
 mesoslip_python_tests(verification 2 contact/large_strains contact/mesh_ranks contact/resting_flat volumes/divided_plane
