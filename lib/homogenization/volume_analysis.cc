@@ -173,20 +173,6 @@ void VolumeAnalysis<dim>::run(RunContext &context)
                           "loads_ensemble.csv"});
   for (const std::string &slip : slips())
     context.warn(slip);
-  try
-    {
-      solve_and_write(context);
-    }
-  catch (...)
-    {
-      context.remove_results({"rve.h5", "loads.h5"}); // which were begun
-      throw;
-    }
-}
-
-template <int dim>
-void VolumeAnalysis<dim>::solve_and_write(RunContext &context)
-{
   RveResults<dim> results;
   try
     {

@@ -118,9 +118,6 @@ private:
    * of loads go (empty: nowhere). Collective. */
   std::string reserve_fields(const RunContext &context) const;
 
-  /** @throws NumericalFailure, also for what is no result. Collective. */
-  void solve_and_write(RunContext &context);
-
   /** Makes the morphology of member @p m and tells of it; @p results get that of the first one. */
   void begin_member(const unsigned int m,
                     EnsembleMember<dim> &member,

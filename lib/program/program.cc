@@ -156,6 +156,8 @@ void run(Analysis &analysis,
   catch (const std::exception &)
     {
       context.progress().finish();
+      if (!analysis.resumable())
+        context.remove_begun_results();
       Outcome outcome = describe_current_exception();
       std::error_code ignored;
       if (outcome.status == ExitStatus::user_error && analysis.resumable() &&

@@ -135,10 +135,19 @@ void RunContext::begin()
 void RunContext::remove_results(const std::vector<std::string> &names)
 {
   std::error_code ignored;
+  results = names;
   for (const std::string &name : names)
     for (const std::string &path : {file(name), file(name + ".part")})
       if (root() && fs::is_regular_file(path, ignored))
         fs::remove(path, ignored);
+}
+
+void RunContext::remove_begun_results() const
+{
+  std::error_code ignored;
+  for (const std::string &name : results)
+    if (root())
+      fs::remove(file(name + ".part"), ignored);
 }
 
 std::string RunContext::file(const std::string &name) const

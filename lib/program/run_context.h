@@ -164,6 +164,9 @@ public:
    */
   void remove_results(const std::vector<std::string> &names);
 
+  /** Removes what a run that failed has left of them. Rank 0 does. */
+  void remove_begun_results() const;
+
   /** Whether begin() was called. */
   bool has_begun() const
   {
@@ -242,6 +245,7 @@ private:
   std::unique_ptr<nlohmann::json> run_summary;
   const std::string original_parameters, effective_parameters;
   bool begun = false;
+  std::vector<std::string> results; ///< names in remove_results()
   std::chrono::steady_clock::time_point next_look;
 };
 } // namespace mesoslip
