@@ -2,8 +2,6 @@
 
 #include "base/errors.h"
 
-#include <deal.II/base/mpi.h>
-
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
@@ -43,32 +41,71 @@ std::string receive(const MPI_Comm communicator, const int rank)
 
 namespace mpi
 {
+namespace
+{
+template <typename Number>
+MPI_Datatype type_of()
+{
+  if constexpr (std::is_same_v<Number, double>)
+    return MPI_DOUBLE;
+  else if constexpr (std::is_same_v<Number, int>)
+    return MPI_INT;
+  else if constexpr (std::is_same_v<Number, unsigned int>)
+    return MPI_UNSIGNED;
+  else
+    return MPI_UINT64_T;
+}
+
+/** Without MPI where a single process was not told of it. */
+template <typename Number>
+Number reduce(Number value, const MPI_Op operation, const MPI_Comm communicator)
+{
+  if (n_mpi_processes(communicator) > 1)
+    MPI_Allreduce(MPI_IN_PLACE, &value, 1, type_of<Number>(), operation, communicator);
+  return value;
+}
+
+bool is_running()
+{
+  int started = 0, ended = 0;
+  MPI_Initialized(&started);
+  MPI_Finalized(&ended);
+  return started != 0 && ended == 0;
+}
+} // namespace
+
 unsigned int n_mpi_processes(const MPI_Comm communicator)
 {
-  return dealii::Utilities::MPI::n_mpi_processes(communicator);
+  int n = 1;
+  if (is_running())
+    MPI_Comm_size(communicator, &n);
+  return static_cast<unsigned int>(n);
 }
 
 unsigned int this_mpi_process(const MPI_Comm communicator)
 {
-  return dealii::Utilities::MPI::this_mpi_process(communicator);
+  int rank = 0;
+  if (is_running())
+    MPI_Comm_rank(communicator, &rank);
+  return static_cast<unsigned int>(rank);
 }
 
 template <typename Number>
 Number sum(const Number &value, const MPI_Comm communicator)
 {
-  return dealii::Utilities::MPI::sum(value, communicator);
+  return reduce(value, MPI_SUM, communicator);
 }
 
 template <typename Number>
 Number max(const Number &value, const MPI_Comm communicator)
 {
-  return dealii::Utilities::MPI::max(value, communicator);
+  return reduce(value, MPI_MAX, communicator);
 }
 
 template <typename Number>
 Number min(const Number &value, const MPI_Comm communicator)
 {
-  return dealii::Utilities::MPI::min(value, communicator);
+  return reduce(value, MPI_MIN, communicator);
 }
 
 void internal::broadcast_bytes(void *bytes,
@@ -76,7 +113,22 @@ void internal::broadcast_bytes(void *bytes,
                                const int owner,
                                const MPI_Comm communicator)
 {
-  MPI_Bcast(bytes, static_cast<int>(n), MPI_BYTE, owner, communicator);
+  if (n_mpi_processes(communicator) == 1)
+    return;
+  for (std::size_t at = 0; at < n; at += longest_message)
+    MPI_Bcast(static_cast<char *>(bytes) + at,
+              static_cast<int>(std::min(longest_message, n - at)), MPI_BYTE, owner,
+              communicator);
+}
+
+std::vector<std::string> internal::all_gather(const MPI_Comm communicator,
+                                              const std::string &text)
+{
+  std::vector<std::string> texts = mesoslip::gather(communicator, text);
+  texts.resize(n_mpi_processes(communicator));
+  for (std::string &one : texts)
+    mesoslip::broadcast(communicator, one);
+  return texts;
 }
 
 template double sum(const double &, const MPI_Comm);
@@ -93,13 +145,13 @@ template std::uint64_t min(const std::uint64_t &, const MPI_Comm);
 
 void broadcast(const MPI_Comm communicator, std::string &text, const int owner)
 {
-  text = dealii::Utilities::MPI::broadcast(communicator, text, owner);
+  text.resize(mpi::broadcast(text.size(), owner, communicator));
+  mpi::internal::broadcast_bytes(text.data(), text.size(), owner, communicator);
 }
 
 void bring_to_root(const MPI_Comm communicator, std::string &text, const int owner)
 {
-  int rank = 0;
-  MPI_Comm_rank(communicator, &rank);
+  const int rank = static_cast<int>(mpi::this_mpi_process(communicator));
   if (owner == 0)
     return;
   if (rank == owner)
@@ -110,15 +162,13 @@ void bring_to_root(const MPI_Comm communicator, std::string &text, const int own
 
 std::vector<std::string> gather(const MPI_Comm communicator, const std::string &text)
 {
-  int n_ranks = 1, rank = 0;
-  MPI_Comm_size(communicator, &n_ranks);
-  MPI_Comm_rank(communicator, &rank);
   std::vector<std::string> texts;
-  if (rank > 0)
+  if (mpi::this_mpi_process(communicator) > 0)
     send(communicator, 0, text);
   else
     {
       texts.push_back(text);
+      const int n_ranks = static_cast<int>(mpi::n_mpi_processes(communicator));
       for (int r = 1; r < n_ranks; ++r)
         texts.push_back(receive(communicator, r));
     }
@@ -127,9 +177,7 @@ std::vector<std::string> gather(const MPI_Comm communicator, const std::string &
 
 std::string scatter(const MPI_Comm communicator, const std::vector<std::string> &texts)
 {
-  int rank = 0;
-  MPI_Comm_rank(communicator, &rank);
-  if (rank > 0)
+  if (mpi::this_mpi_process(communicator) > 0)
     return receive(communicator, 0);
   for (std::size_t r = 1; r < texts.size(); ++r)
     send(communicator, static_cast<int>(r), texts[r]);
@@ -139,14 +187,13 @@ std::string scatter(const MPI_Comm communicator, const std::vector<std::string> 
 void on_root(const MPI_Comm communicator, const std::function<void()> &work)
 {
   on_all_ranks(communicator, [&]() {
-    if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+    if (mpi::this_mpi_process(communicator) == 0)
       work();
   });
 }
 
 void on_all_ranks(const MPI_Comm communicator, const std::function<void()> &work)
 {
-  namespace mpi            = dealii::Utilities::MPI;
   const unsigned int ranks = mpi::n_mpi_processes(communicator),
                      rank  = mpi::this_mpi_process(communicator);
   if (ranks == 1)
@@ -174,9 +221,10 @@ void on_all_ranks(const MPI_Comm communicator, const std::function<void()> &work
   const unsigned int failed = mpi::min(failure ? rank : ranks, communicator);
   if (failed == ranks)
     return;
-  status       = mpi::broadcast(communicator, status, failed);
-  message      = mpi::broadcast(communicator, message, failed);
-  lacks_memory = mpi::broadcast(communicator, lacks_memory, failed);
+  const int owner = static_cast<int>(failed);
+  status          = mpi::broadcast(status, owner, communicator);
+  lacks_memory    = mpi::broadcast(lacks_memory, owner, communicator);
+  broadcast(communicator, message, owner);
   if (rank == failed)
     std::rethrow_exception(failure);
   switch (status)
@@ -197,8 +245,8 @@ void on_all_ranks(const MPI_Comm communicator, const std::function<void()> &work
 std::string scatter(const MPI_Comm communicator,
                     const std::function<std::string(unsigned int)> &make)
 {
-  const unsigned int rank    = dealii::Utilities::MPI::this_mpi_process(communicator),
-                     n_ranks = dealii::Utilities::MPI::n_mpi_processes(communicator);
+  const unsigned int rank    = mpi::this_mpi_process(communicator),
+                     n_ranks = mpi::n_mpi_processes(communicator);
   std::string own;
   for (unsigned int r = 1; r < n_ranks; ++r)
     {
@@ -212,11 +260,16 @@ std::string scatter(const MPI_Comm communicator,
   return own;
 }
 
+void sum_over_ranks(double *values, const std::size_t n, const MPI_Comm communicator)
+{
+  if (mpi::n_mpi_processes(communicator) > 1)
+    MPI_Allreduce(MPI_IN_PLACE, values, static_cast<int>(n), MPI_DOUBLE, MPI_SUM,
+                  communicator);
+}
+
 void sum_over_ranks(std::vector<double> &values, const MPI_Comm communicator)
 {
-  if (dealii::Utilities::MPI::n_mpi_processes(communicator) > 1)
-    MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()),
-                  MPI_DOUBLE, MPI_SUM, communicator);
+  sum_over_ranks(values.data(), values.size(), communicator);
 }
 
 void in_order_of_ranks(double *values,
@@ -224,7 +277,6 @@ void in_order_of_ranks(double *values,
                        const std::function<void()> &add,
                        const MPI_Comm communicator)
 {
-  namespace mpi     = dealii::Utilities::MPI;
   const int n_ranks = static_cast<int>(mpi::n_mpi_processes(communicator)),
             rank    = static_cast<int>(mpi::this_mpi_process(communicator)),
             length  = static_cast<int>(n);

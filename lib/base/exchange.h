@@ -2,6 +2,7 @@
 #define mesoslip_base_exchange_h
 
 #include <cstddef>
+#include <cstring>
 #include <functional>
 #include <mpi.h>
 #include <string>
@@ -10,7 +11,13 @@
 
 namespace mesoslip
 {
-/** The few questions of dealii::Utilities::MPI that most sources ask, without its header, which takes seconds to compile. */
+/** The texts of all ranks on rank 0, in their order; elsewhere empty. */
+std::vector<std::string> gather(const MPI_Comm communicator, const std::string &text);
+
+/**
+ * The few questions of dealii::Utilities::MPI that are asked here, without its header and the archives of Boost, which
+ * each source that includes them takes seconds to compile.
+ */
 namespace mpi
 {
 /** Number of ranks. */
@@ -33,10 +40,34 @@ Number min(const Number &value, const MPI_Comm communicator);
 
 namespace internal
 {
+/** Of any length. */
 void broadcast_bytes(void *bytes,
                      const std::size_t n,
                      const int owner,
                      const MPI_Comm communicator);
+
+/** Texts of all ranks on all. */
+std::vector<std::string> all_gather(const MPI_Comm communicator, const std::string &text);
+
+template <typename T>
+std::string bytes_of(const std::vector<T> &values)
+{
+  static_assert(std::is_trivially_copyable_v<T>);
+  return {reinterpret_cast<const char *>(values.data()), values.size() * sizeof(T)};
+}
+
+template <typename T>
+std::vector<std::vector<T>> values_of(const std::vector<std::string> &texts)
+{
+  std::vector<std::vector<T>> values;
+  for (const std::string &bytes : texts)
+    {
+      values.emplace_back(bytes.size() / sizeof(T));
+      if (!bytes.empty())
+        std::memcpy(values.back().data(), bytes.data(), bytes.size());
+    }
+  return values;
+}
 } // namespace internal
 
 /** The @p value of rank @p owner, a plain number or struct. Collective. */
@@ -46,6 +77,34 @@ T broadcast(T value, const int owner, const MPI_Comm communicator)
   static_assert(std::is_trivially_copyable_v<T>);
   internal::broadcast_bytes(&value, sizeof(T), owner, communicator);
   return value;
+}
+
+/** The @p values of rank @p owner, plain numbers or structs. Collective. */
+template <typename T>
+std::vector<T>
+broadcast(std::vector<T> values, const int owner, const MPI_Comm communicator)
+{
+  static_assert(std::is_trivially_copyable_v<T>);
+  values.resize(broadcast(values.size(), owner, communicator));
+  internal::broadcast_bytes(values.data(), values.size() * sizeof(T), owner,
+                            communicator);
+  return values;
+}
+
+/** The values of each rank on rank 0, elsewhere empty. Collective. */
+template <typename T>
+std::vector<std::vector<T>> gather(const std::vector<T> &own, const MPI_Comm communicator)
+{
+  return internal::values_of<T>(mesoslip::gather(communicator, internal::bytes_of(own)));
+}
+
+/** The values of each rank on all. Collective. */
+template <typename T>
+std::vector<std::vector<T>> all_gather(const std::vector<T> &own,
+                                       const MPI_Comm communicator)
+{
+  return internal::values_of<T>(
+    internal::all_gather(communicator, internal::bytes_of(own)));
 }
 } // namespace mpi
 
@@ -68,9 +127,6 @@ void broadcast(const MPI_Comm communicator, std::string &text, const int owner =
 /** Gives rank 0 the text of rank @p owner; the other ranks keep theirs. */
 void bring_to_root(const MPI_Comm communicator, std::string &text, const int owner);
 
-/** The texts of all ranks on rank 0, in their order; elsewhere empty. */
-std::vector<std::string> gather(const MPI_Comm communicator, const std::string &text);
-
 /** Gives rank r the text r of rank 0. */
 std::string scatter(const MPI_Comm communicator, const std::vector<std::string> &texts);
 
@@ -81,7 +137,10 @@ std::string scatter(const MPI_Comm communicator, const std::vector<std::string> 
 std::string scatter(const MPI_Comm communicator,
                     const std::function<std::string(unsigned int)> &make);
 
-/** Replaces @p values, as many on all ranks, by their sums over the ranks. */
+/** Replaces the @p n @p values, as many on all ranks, by their sums over the ranks. */
+void sum_over_ranks(double *values, const std::size_t n, const MPI_Comm communicator);
+
+/** The same of all @p values. */
 void sum_over_ranks(std::vector<double> &values, const MPI_Comm communicator);
 
 /**

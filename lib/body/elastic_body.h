@@ -47,13 +47,6 @@ struct MatrixEntry
   std::uint64_t row    = 0;  ///< degree of freedom of the force
   std::uint64_t column = 0;  ///< of the displacement
   double value         = 0.; ///< N/m, in 2D N/m^2
-
-  /** Of boost::serialization. */
-  template <class Archive>
-  void serialize(Archive &archive, const unsigned int)
-  {
-    archive &row &column &value;
-  }
 };
 
 /**

@@ -1,8 +1,6 @@
 #include "body/rigid_motions.h"
 
 #include "base/exchange.h"
-#include <deal.II/base/mpi.h>
-
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -72,11 +70,8 @@ RigidMotions<dim>::hold_of(const DofMask &mask,
         own += motions.row(spring.c).transpose() * motions.row(spring.d) *
                (spring.stiffness / stiffest);
       }
-  Hold hold;
-  dealii::Utilities::MPI::sum(dealii::ArrayView<const double>(own.data(), own.size()),
-                              body.communicator(),
-                              dealii::ArrayView<double>(hold.data(), hold.size()));
-  return hold;
+  sum_over_ranks(own.data(), static_cast<std::size_t>(own.size()), body.communicator());
+  return own;
 }
 
 template <int dim>

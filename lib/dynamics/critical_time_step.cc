@@ -3,6 +3,7 @@
 #include "base/exchange.h"
 #include "elasticity/uniform_grid_operator.h"
 #include "grid/nodal_field.h"
+#include "material/symmetric_eigenvalues.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -159,10 +160,9 @@ double element_frequency_bound(const UniformMaterial &material)
   for (const unsigned int k : material.phases_that_occur())
     {
       const ElasticPhase<2> &phase = material.phases()[k];
-      const Eigen::SelfAdjointEigenSolver<CellMatrix> solver(
-        cell_stiffness(phase.stiffness, hx, hy), Eigen::EigenvaluesOnly);
-      largest =
-        std::max(largest, solver.eigenvalues()[7] / (phase.density * hx * hy / 4.));
+      const double stiffest =
+        symmetric_eigenvalues(cell_stiffness(phase.stiffness, hx, hy))[7];
+      largest = std::max(largest, stiffest / (phase.density * hx * hy / 4.));
     }
   return std::sqrt(largest);
 }

@@ -1,7 +1,5 @@
 #include "dynamics/mesh_stepper.h"
 
-#include <deal.II/base/mpi.h>
-
 #include <algorithm>
 
 namespace mesoslip

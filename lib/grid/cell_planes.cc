@@ -82,7 +82,7 @@ CellIndices CellPlanes::bring(const std::vector<unsigned int> &wanted,
   const PlaneRange range     = own_planes(grid.cells[2], communicator);
   if (n_ranks == 1)
     return copy_planes(own, 0, wanted, n, largest);
-  const auto wanted_of_rank = dealii::Utilities::MPI::all_gather(communicator, wanted);
+  const auto wanted_of_rank = mpi::all_gather(wanted, communicator);
   std::map<unsigned int, std::string> to_send;
   for (unsigned int r = 0; r < n_ranks; ++r)
     if (const auto planes = planes_in(range, wanted_of_rank[r]); !planes.empty())

@@ -2,8 +2,9 @@
 
 #include "base/errors.h"
 #include "base/text.h"
+#include "material/symmetric_eigenvalues.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Cholesky>
 
 #include <boost/math/distributions/students_t.hpp>
 
@@ -118,10 +119,8 @@ template <int dim>
 std::string conditions_apart(const VoigtMatrix<dim> &kubc, const VoigtMatrix<dim> &subc)
 {
   // Stationary values of the ratio of the two energies over all strains.
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> ratios(
-    kubc, subc, Eigen::EigenvaluesOnly);
-  const double factor =
-    std::max(ratios.eigenvalues()[n_voigt<dim> - 1], 1. / ratios.eigenvalues()[0]);
+  const Eigen::VectorXd ratios = symmetric_eigenvalues(kubc, subc);
+  const double factor          = std::max(ratios[n_voigt<dim> - 1], 1. / ratios[0]);
   if (factor <= largest_factor)
     return {};
   std::ostringstream text;

@@ -3,8 +3,6 @@
 #include "base/object_exchange.h"
 #include "material/stiffness.h"
 
-#include <Eigen/Dense>
-
 #include <algorithm>
 #include <stdexcept>
 
@@ -108,7 +106,7 @@ private:
     if (condition == BoundaryCondition::SUBC)
       {
         // Exact in a homogeneous body, a fair guess in others.
-        const VoigtMatrix<2> compliance = voigt_mean(body).inverse();
+        const VoigtMatrix<2> compliance = inverse<2>(voigt_mean(body));
         set_up(condition, k);
         u = affine_displacement(body, VoigtVector<2>(compliance.col(k)));
         return solver->solve(u, uniform_traction(body, k), tolerance);

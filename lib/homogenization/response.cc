@@ -3,8 +3,6 @@
 #include "material/engineering_constants.h"
 #include "material/stiffness.h"
 
-#include <Eigen/Dense>
-
 #include <algorithm>
 #include <cmath>
 
@@ -32,12 +30,12 @@ std::optional<double> two_phase_residual(const VolumeSums<dim> &sums,
                  is_orthotropic<dim>(phases[present[1]].stiffness)))
     return {};
   const auto tensor = [stresses](const Tensor &C) {
-    return stresses ? Tensor(C.inverse()) : C;
+    return stresses ? mesoslip::inverse<dim>(C) : C;
   };
   const Tensor C_m = tensor(phases[present[0]].stiffness),
                C_i = tensor(phases[present[1]].stiffness), D = tensor(response.stiffness);
   // The difference has to be invertible, with digits to spare.
-  const Tensor inverse = (C_i - C_m).inverse();
+  const Tensor inverse = mesoslip::inverse<dim>(C_i - C_m);
   if (!(inverse.norm() * C_m.norm() < 1e6))
     return {};
   const double f        = sums.phases[present[1]].volume / sums.volume;
@@ -61,11 +59,10 @@ void set_stiffness(HomogenizedResponse<dim> &response,
                    const VoigtMatrix<dim> &energy)
 {
   const bool stresses          = response.condition == BoundaryCondition::SUBC;
-  const VoigtMatrix<dim> D     = stresses ? VoigtMatrix<dim>(mean.inverse()) : mean;
+  const VoigtMatrix<dim> D     = stresses ? inverse<dim>(mean) : mean;
   response.stiffness_from_mean = symmetric_part<dim>(D);
   response.stiffness           = symmetric_part<dim>(
-    stresses ? VoigtMatrix<dim>((2. * symmetric_part<dim>(mean) - energy).inverse())
-                       : energy);
+    stresses ? inverse<dim>(2. * symmetric_part<dim>(mean) - energy) : energy);
   response.hill_mandel_residual =
     scaled_difference<dim>(response.stiffness_from_mean, response.stiffness);
   response.symmetry_residual = scaled_difference<dim>(D, D.transpose());

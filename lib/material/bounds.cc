@@ -1,8 +1,7 @@
 #include "material/bounds.h"
 
 #include "material/engineering_constants.h"
-
-#include <Eigen/LU>
+#include "material/stiffness.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,9 +39,8 @@ VoigtMatrix<dim> phase_mean(const std::vector<Phase<dim>> &phases,
   check_fractions(phases.size(), fractions);
   VoigtMatrix<dim> mean = VoigtMatrix<dim>::Zero();
   for (std::size_t i = 0; i < phases.size(); ++i)
-    mean +=
-      fractions[i] * (of_compliance ? VoigtMatrix<dim>(phases[i].stiffness.inverse())
-                                    : phases[i].stiffness);
+    mean += fractions[i] *
+            (of_compliance ? inverse<dim>(phases[i].stiffness) : phases[i].stiffness);
   return mean;
 }
 
@@ -69,7 +67,7 @@ template <int dim>
 VoigtMatrix<dim> reuss_bound(const std::vector<Phase<dim>> &phases,
                              const std::vector<double> &fractions)
 {
-  return phase_mean(phases, fractions, true).inverse();
+  return inverse<dim>(phase_mean(phases, fractions, true));
 }
 
 template <int dim>

@@ -2,8 +2,6 @@
 
 #include "material/stiffness.h"
 
-#include <Eigen/LU>
-
 #include <cmath>
 #include <stdexcept>
 
@@ -128,7 +126,7 @@ template <int dim>
 std::vector<EngineeringConstant> engineering_constants(const VoigtMatrix<dim> &stiffness)
 {
   check_stiffness<dim>(stiffness);
-  Constants constants = axis_constants(VoigtMatrix<dim>(stiffness.inverse()));
+  Constants constants                 = axis_constants(inverse<dim>(stiffness));
   const IsotropicProjection isotropic = closest_isotropic<dim>(stiffness);
   constants.insert(constants.end(),
                    {{"E_iso", "Pa", isotropic.young_modulus,

@@ -2,8 +2,6 @@
 
 #include "material/stiffness.h"
 
-#include <Eigen/LU>
-
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -48,8 +46,8 @@ auto extremes(const std::vector<Phase<dim>> &phases)
 template <int dim>
 double incompressibility(const Phase<dim> &phase)
 {
-  const auto compliance = phase.stiffness.inverse().eval();
-  const double share    = compliance.template topLeftCorner<dim, dim>().sum() /
+  const VoigtMatrix<dim> compliance = inverse<dim>(phase.stiffness);
+  const double share = compliance.template topLeftCorner<dim, dim>().sum() /
                        compliance.template topLeftCorner<dim, dim>().trace();
   return (dim == 2 ? 2. : 1.) * (1. - share) / share;
 }

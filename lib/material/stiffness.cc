@@ -1,6 +1,7 @@
 #include "material/stiffness.h"
 
-#include <Eigen/Eigenvalues>
+#include "material/symmetric_eigenvalues.h"
+
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
@@ -97,8 +98,7 @@ VoigtMatrix<dim> orthotropic_stiffness(const OrthotropicConstants &c)
   // Scaled to a unit diagonal, so that the test does not depend on ratios of moduli.
   const Eigen::Vector3d scale(std::sqrt(c.E1), std::sqrt(c.E2), std::sqrt(c.E3));
   const Eigen::Matrix3d scaled = scale.asDiagonal() * S * scale.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scaled);
-  if (!(solver.eigenvalues()(0) > 1e-12))
+  if (!(symmetric_eigenvalues(scaled)[0] > 1e-12))
     fail("the Poisson ratios nu12 = ", c.nu12, ", nu13 = ", c.nu13, ", nu23 = ", c.nu23,
          " do not fit the Young moduli: some strain would release energy; note that nu_ij"
          " belongs to a load along i, so |nu_ij| must be below sqrt(E_i / E_j)");
@@ -173,8 +173,13 @@ VoigtVector<dim> stiffness_eigenvalues(const VoigtMatrix<dim> &stiffness)
 {
   const VoigtMatrix<dim> mandel = stiffness_to_mandel<dim>(stiffness);
   const VoigtMatrix<dim> even   = 0.5 * (mandel + mandel.transpose());
-  return Eigen::SelfAdjointEigenSolver<VoigtMatrix<dim>>(even, Eigen::EigenvaluesOnly)
-    .eigenvalues();
+  return symmetric_eigenvalues(even);
+}
+
+template <int dim>
+VoigtMatrix<dim> inverse(const VoigtMatrix<dim> &tensor)
+{
+  return tensor.inverse();
 }
 
 template <int dim>
@@ -261,6 +266,8 @@ template VoigtMatrix<3> stiffness_to_mandel<3>(const VoigtMatrix<3> &);
 template VoigtMatrix<2> stiffness_from_mandel<2>(const VoigtMatrix<2> &);
 template VoigtMatrix<3> stiffness_from_mandel<3>(const VoigtMatrix<3> &);
 template VoigtVector<2> stiffness_eigenvalues<2>(const VoigtMatrix<2> &);
+template VoigtMatrix<2> inverse<2>(const VoigtMatrix<2> &);
+template VoigtMatrix<3> inverse<3>(const VoigtMatrix<3> &);
 template VoigtVector<3> stiffness_eigenvalues<3>(const VoigtMatrix<3> &);
 template double stiffness_norm<2>(const VoigtMatrix<2> &);
 template double stiffness_norm<3>(const VoigtMatrix<3> &);

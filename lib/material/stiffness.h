@@ -74,6 +74,10 @@ VoigtMatrix<dim> stiffness_from_mandel(const VoigtMatrix<dim> &mandel);
 template <int dim>
 VoigtVector<dim> stiffness_eigenvalues(const VoigtMatrix<dim> &stiffness);
 
+/** Compliance of a stiffness (1/Pa), or the other way round: Eigen's inverse, which takes seconds to compile. */
+template <int dim>
+VoigtMatrix<dim> inverse(const VoigtMatrix<dim> &tensor);
+
 /** Frobenius norm of the tensor (Pa), independent of the axes. */
 template <int dim>
 double stiffness_norm(const VoigtMatrix<dim> &stiffness);

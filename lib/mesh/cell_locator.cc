@@ -2,9 +2,12 @@
 
 #include "mesh/linear_cell.h"
 
+#include <deal.II/numerics/rtree.h>
+
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace mesoslip
 {
@@ -61,6 +64,13 @@ dealii::Point<dim> mean_of(const std::vector<dealii::Point<dim>> &points)
 }
 } // namespace
 
+/** Cells and the boxes around them. */
+template <int dim>
+struct CellLocator<dim>::Boxes
+{
+  dealii::RTree<std::pair<dealii::BoundingBox<dim>, unsigned int>> tree;
+};
+
 template <int dim>
 CellLocator<dim>::CellLocator(const Mesh<dim> &mesh)
   : CellLocator(mesh, all_cells(mesh))
@@ -79,7 +89,7 @@ CellLocator<dim>::CellLocator(const Mesh<dim> &of_mesh,
       all.emplace_back(box_of(mesh, cell), cell);
       all.back().first.extend(reach * diameter_of(all.back().first));
     }
-  boxes = dealii::pack_rtree(all);
+  boxes = std::make_shared<const Boxes>(Boxes{dealii::pack_rtree(all)});
 }
 
 /** Distance of a point inside to the nearest plane of a face, negative outside; in
@@ -114,7 +124,8 @@ std::optional<unsigned int> CellLocator<dim>::find(const dealii::Point<dim> &poi
   namespace index = boost::geometry::index;
   std::optional<unsigned int> best;
   double most = -reach;
-  for (const auto &candidate : boxes | index::adaptors::queried(index::intersects(point)))
+  for (const auto &candidate :
+       boxes->tree | index::adaptors::queried(index::intersects(point)))
     {
       // Points in cells or on their faces are equally good: the number decides.
       double inside = depth(candidate.second, point);

@@ -3,10 +3,8 @@
 
 #include "mesh/mesh.h"
 
-#include <deal.II/numerics/rtree.h>
-
+#include <memory>
 #include <optional>
-#include <utility>
 
 namespace mesoslip
 {
@@ -33,7 +31,9 @@ private:
   double depth(const unsigned int cell, const dealii::Point<dim> &point) const;
 
   const Mesh<dim> &mesh;
-  dealii::RTree<std::pair<dealii::BoundingBox<dim>, unsigned int>> boxes;
+
+  struct Boxes; // takes seconds to compile
+  std::shared_ptr<const Boxes> boxes;
 };
 } // namespace mesoslip
 

@@ -1,6 +1,7 @@
 #include "mesh/point_blocks.h"
 
 #include "base/exchange.h"
+
 #include <deal.II/base/mpi_noncontiguous_partitioner.templates.h>
 
 #include <numeric>
@@ -11,6 +12,8 @@ namespace mesoslip
 namespace
 {
 using Index = dealii::types::global_dof_index;
+
+using Exchange = dealii::Utilities::MPI::NoncontiguousPartitioner;
 
 std::vector<Index> numbers_between(const std::size_t begin, const std::size_t end)
 {
@@ -38,14 +41,15 @@ NumberedBlocks::NumberedBlocks(const std::vector<std::uint64_t> &numbers,
   : n_owned(numbers.size())
 {
   std::tie(begin, end) = block_of_rank(n_all, communicator, n_together);
-  exchange.reinit(std::vector<Index>(numbers.begin(), numbers.end()),
-                  numbers_between(begin, end), communicator);
+  exchange =
+    std::make_shared<const Exchange>(std::vector<Index>(numbers.begin(), numbers.end()),
+                                     numbers_between(begin, end), communicator);
 }
 
 void NumberedBlocks::gather(const double *owned, std::vector<double> &block) const
 {
   block.resize(size());
-  exchange.export_to_ghosted_array<double>(
+  exchange->export_to_ghosted_array<double>(
     dealii::ArrayView<const double>(owned, n_owned),
     dealii::ArrayView<double>(block.data(), block.size()));
 }
@@ -73,8 +77,9 @@ NumbersFromBlocks::NumbersFromBlocks(const std::vector<unsigned int> &needed,
   : n_needed(needed.size())
 {
   std::tie(begin, end) = block_of_rank(n_all, communicator, 1);
-  exchange.reinit(numbers_between(begin, end),
-                  std::vector<Index>(needed.begin(), needed.end()), communicator);
+  exchange             = std::make_shared<const Exchange>(
+    numbers_between(begin, end), std::vector<Index>(needed.begin(), needed.end()),
+    communicator);
 }
 
 std::vector<double> NumbersFromBlocks::bring(const std::vector<double> &block,
@@ -85,7 +90,7 @@ std::vector<double> NumbersFromBlocks::bring(const std::vector<double> &block,
     {
       for (std::size_t k = 0; k < one.size(); ++k)
         one[k] = block[k * n + c];
-      exchange.export_to_ghosted_array<double>(
+      exchange->export_to_ghosted_array<double>(
         dealii::ArrayView<const double>(one.data(), one.size()),
         dealii::ArrayView<double>(brought.data(), brought.size()));
       for (std::size_t k = 0; k < n_needed; ++k)

@@ -3,11 +3,15 @@
 
 #include "mesh/mesh_part.h"
 
-#include <deal.II/base/mpi_noncontiguous_partitioner.h>
-
 #include <cstdint>
+#include <memory>
 #include <utility>
 #include <vector>
+
+namespace dealii::Utilities::MPI
+{
+class NoncontiguousPartitioner;
+} // namespace dealii::Utilities::MPI
 
 namespace mesoslip
 {
@@ -56,7 +60,7 @@ public:
 private:
   const std::size_t n_owned;
   std::size_t begin = 0, end = 0;
-  dealii::Utilities::MPI::NoncontiguousPartitioner exchange;
+  std::shared_ptr<const dealii::Utilities::MPI::NoncontiguousPartitioner> exchange;
 };
 
 /** The way back: what ranks have read in blocks, brought to those that need it. */
@@ -88,7 +92,7 @@ public:
 private:
   std::size_t begin = 0, end = 0;
   const std::size_t n_needed;
-  dealii::Utilities::MPI::NoncontiguousPartitioner exchange;
+  std::shared_ptr<const dealii::Utilities::MPI::NoncontiguousPartitioner> exchange;
 };
 
 /**

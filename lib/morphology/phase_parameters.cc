@@ -97,9 +97,9 @@ void bind_phases(Keys &keys, std::vector<PhaseParameters> &phases)
   std::vector<std::string> names = {"matrix", "fibre"};
   keys.bind_names("Names", names, "phase",
                   "Names of the phases, each with a subsection of its name. The first "
-                  "one is the background of the morphology [-]");
-  keys.require(!names.empty() && names.size() <= 256, "Names",
-               "there are " + std::to_string(names.size()) + " phases; name 1 to 256");
+                  "one is the background of the morphology [-]",
+                  256);
+  keys.require(!names.empty(), "Names", "there are 0 phases; name 1 to 256");
   phases.assign(names.size(), PhaseParameters());
   for (std::size_t p = 0; p < names.size(); ++p)
     {

@@ -3,8 +3,6 @@
 #include "morphology/microstructure_parameters.h"
 #include "morphology/voxel_reading.h"
 
-#include <deal.II/base/mpi.h>
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -52,7 +50,7 @@ values_on_ranks(VoxelFile &file, const VoxelRegion &region, const MPI_Comm commu
     own.assign(values.begin(), values.end());
   });
   std::set<double> found;
-  for (const auto &values : dealii::Utilities::MPI::all_gather(communicator, own))
+  for (const auto &values : mpi::all_gather(own, communicator))
     found.insert(values.begin(), values.end());
   return found;
 }

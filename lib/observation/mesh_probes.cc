@@ -5,6 +5,8 @@
 #include "mesh/cell_locator.h"
 #include "mesh/cell_shapes.h"
 
+#include <deal.II/base/bounding_box.h>
+
 #include <algorithm>
 #include <numeric>
 

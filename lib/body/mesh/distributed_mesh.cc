@@ -80,8 +80,7 @@ std::vector<typename DistributedMesh<dim>::Index>
 DistributedMesh<dim>::dofs_of_points(const Mesh<dim> &mesh,
                                      const std::vector<unsigned int> &points) const
 {
-  const auto corners =
-    dealii::Utilities::MPI::broadcast(communicator(), find_corners(mesh, points));
+  const auto corners = mpi::broadcast(find_corners(mesh, points), 0, communicator());
   std::unordered_map<unsigned int, std::vector<std::size_t>> of_cell;
   for (std::size_t k = 0; k < corners.size(); ++k)
     of_cell[corners[k][0]].push_back(k);

@@ -3,8 +3,6 @@
 #include "base/object_exchange.h"
 #include "mesh/mesh_part.h"
 
-#include <deal.II/base/mpi.h>
-
 #include <algorithm>
 #include <numeric>
 
@@ -23,7 +21,7 @@ std::vector<unsigned int> rank_of_cells(const Mesh<dim> &mesh,
     if (cell->is_locally_owned())
       own.push_back(static_cast<unsigned int>(cell->id().get_coarse_cell_id()));
   std::vector<unsigned int> ranks(mesh.cells.size(), 0);
-  const auto all = dealii::Utilities::MPI::gather(distributed.communicator(), own);
+  const auto all = mpi::gather(own, distributed.communicator());
   for (unsigned int rank = 0; rank < all.size(); ++rank)
     for (const unsigned int cell : all[rank])
       ranks[cell] = rank;

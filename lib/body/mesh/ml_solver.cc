@@ -1,26 +1,19 @@
 #include "body/mesh/ml_solver.h"
 
+#include "base/exchange.h"
+#include "body/mesh/conjugate_gradients.h"
 #include "body/rigid_motions.h"
-
-#include <deal.II/base/mpi.h>
-#include <deal.II/lac/solver_cg.h>
-#include <deal.II/lac/solver_control.h>
 
 #include <Eigen/Dense>
 #include <Epetra_CrsMatrix.h>
 #include <Epetra_Import.h>
 #include <Epetra_Vector.h>
 
-#include <cmath>
-#include <sstream>
 
 namespace mesoslip
 {
 namespace
 {
-
-constexpr unsigned int max_iterations = 2000;
-
 /** A node that some rank has. */
 template <int dim>
 struct Place
@@ -52,9 +45,12 @@ Place<dim> farthest(const ElasticBody<dim> &body,
       for (unsigned int c = 0; c < dim; ++c)
         place.dofs[c] = discretization.dof(c, best);
     }
-  const auto owner =
-    dealii::Utilities::MPI::min_max_avg(most, body.communicator()).max_index;
-  return dealii::Utilities::MPI::broadcast(body.communicator(), place, owner);
+  const MPI_Comm ranks       = body.communicator();
+  const bool has_it          = most == mpi::max(most, ranks);
+  const unsigned int n_ranks = mpi::n_mpi_processes(ranks),
+                     owner =
+                       mpi::min(has_it ? mpi::this_mpi_process(ranks) : n_ranks, ranks);
+  return mpi::broadcast(place, static_cast<int>(owner), ranks);
 }
 
 /** Three nodes that are far from one another and not in line. */
@@ -233,48 +229,20 @@ SolverReport MlSolver<dim>::solve(NodalField<double> &u,
     return r.l2_norm();
   };
   const double reference = residual(prescribed);
-  if (!std::isfinite(reference))
-    throw NotConverged(std::string("conjugate gradients with ") +
-                         AlgebraicMultigrid::name() + " met numbers that are not finite",
-                       NotConverged::Reason::not_finite);
   // A first guess would move the supports of a floating body.
   Vector x = motions.empty() ? discretization.to_vector(u) : prescribed;
   SolverReport report;
-  report.residual = reference > 0. ? residual(x) / reference : 0.;
-  if (report.residual > tolerance)
-    report = solve_free(x, r, reference, tolerance);
+  report.residual = reference == 0. ? 0. : residual(x) / reference;
+  if (!(report.residual <= tolerance))
+    {
+      Vector correction(x);
+      correction = 0.;
+      report = conjugate_gradients(constrained, correction, r, preconditioner, reference,
+                                   tolerance);
+      x += correction;
+    }
   remove_motions(x);
   discretization.to_field(u, x);
-  return report;
-}
-
-template <int dim>
-SolverReport MlSolver<dim>::solve_free(Vector &x,
-                                       Vector &residual,
-                                       const double reference,
-                                       const double tolerance)
-{
-  Vector correction(x);
-  correction = 0.;
-  dealii::SolverControl control(max_iterations, tolerance * reference);
-  dealii::SolverCG<Vector> conjugate_gradients(control);
-  try
-    {
-      conjugate_gradients.solve(constrained, correction, residual, preconditioner);
-    }
-  catch (const dealii::SolverControl::NoConvergence &e)
-    {
-      std::ostringstream text;
-      text << "conjugate gradients with " << AlgebraicMultigrid::name()
-           << " stopped after " << e.last_step << " iterations at a relative residual of "
-           << e.last_residual / reference << ", wanted " << tolerance;
-      throw NotConverged(text.str(), NotConverged::Reason::iterations,
-                         e.last_residual / reference);
-    }
-  x += correction;
-  SolverReport report;
-  report.iterations = control.last_step();
-  report.residual   = control.last_value() / reference;
   return report;
 }
 

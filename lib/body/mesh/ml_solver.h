@@ -39,8 +39,6 @@ private:
   void set_up_preconditioner();
   void clear_fixed(Vector &x) const;
   void remove_motions(Vector &x) const;
-  SolverReport
-  solve_free(Vector &x, Vector &residual, const double reference, const double tolerance);
 
   const ElasticBody<dim> &body;
   const MeshDiscretization<dim> &discretization;

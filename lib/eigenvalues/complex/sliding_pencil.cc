@@ -3,8 +3,6 @@
 #include "base/exchange.h"
 #include "eigenvalues/free_dofs.h"
 
-#include <deal.II/base/mpi.h>
-
 #include <cmath>
 
 namespace mesoslip
@@ -171,7 +169,7 @@ RealMatrix whole_stiffness(const ElasticBody<dim> &body, const MPI_Comm communic
   std::vector<MatrixEntry> entries = body.stiffness_entries();
   if (body.is_distributed())
     {
-      const auto of_ranks = dealii::Utilities::MPI::all_gather(communicator, entries);
+      const auto of_ranks = mpi::all_gather(entries, communicator);
       entries.clear();
       for (const std::vector<MatrixEntry> &of_rank : of_ranks)
         entries.insert(entries.end(), of_rank.begin(), of_rank.end());

@@ -2,10 +2,9 @@
 
 #include "elasticity/brick/brick_matrices.h"
 #include "material/stiffness.h"
+#include "material/symmetric_eigenvalues.h"
 
 #include <deal.II/base/exceptions.h>
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -131,10 +130,9 @@ void BrickOperator::set_stiffness(const std::vector<ElasticPhase<3>> &phases)
       const std::vector<double> all = coefficients_of(phases[p].stiffness, n_general);
       for (std::size_t m = 0; m < all.size(); ++m)
         K += all[m] * matrices[m];
-      const Eigen::SelfAdjointEigenSolver<BrickMatrix> solver(K, Eigen::EigenvaluesOnly);
-      bound = std::max(bound,
-                       std::sqrt(solver.eigenvalues()[23] * volume / (16. * h[1] * h[1]) /
-                                 (phases[p].density * volume / 8.)));
+      bound = std::max(
+        bound, std::sqrt(symmetric_eigenvalues(K)[23] * volume / (16. * h[1] * h[1]) /
+                         (phases[p].density * volume / 8.)));
     }
   sweep.stiffness = stiffness.data();
 }

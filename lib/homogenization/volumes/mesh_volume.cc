@@ -2,17 +2,13 @@
 
 #include "base/errors.h"
 #include "base/exchange.h"
-#include "base/text.h"
+#include "body/mesh/conjugate_gradients.h"
 #include "mesh/boundary.h"
 #include "mesh/cell_quality.h"
 #include "mesh/periodic_points.h"
 
-#include <deal.II/base/mpi.h>
-
 #include <deal.II/base/bounding_box.h>
-#include <deal.II/base/mpi.templates.h>
 #include <deal.II/grid/grid_tools.h>
-#include <deal.II/lac/solver_cg.h>
 
 #include <cmath>
 
@@ -20,12 +16,9 @@ namespace mesoslip
 {
 namespace
 {
-
-constexpr unsigned int max_iterations = 2000;
-
 /** On rank 0 the points at which supports stop rigid motions, and their components. */
 template <int dim>
-std::vector<std::pair<unsigned int, unsigned int>> supported(const Mesh<dim> &mesh)
+std::vector<std::array<unsigned int, 2>> supported(const Mesh<dim> &mesh)
 {
   const auto nearest = [&mesh](const dealii::Point<dim> &place) {
     return static_cast<unsigned int>(
@@ -37,15 +30,15 @@ std::vector<std::pair<unsigned int, unsigned int>> supported(const Mesh<dim> &me
   };
   const dealii::BoundingBox<dim> box(mesh.points);
   const dealii::Point<dim> origin = box.get_boundary_points().first;
-  std::vector<std::pair<unsigned int, unsigned int>> result;
+  std::vector<std::array<unsigned int, 2>> result;
   for (unsigned int c = 0; c < dim; ++c)
-    result.emplace_back(nearest(origin), c);
+    result.push_back({{nearest(origin), c}});
   for (unsigned int axis = 0; axis + 1 < dim; ++axis)
     {
       dealii::Point<dim> end = origin;
       end[axis] += box.side_length(axis);
       for (unsigned int c = axis + 1; c < dim; ++c)
-        result.emplace_back(nearest(end), c);
+        result.push_back({{nearest(end), c}});
     }
   return result;
 }
@@ -60,7 +53,7 @@ MeshVolume<dim>::MeshVolume(const Mesh<dim> &given,
 {
   mesh.require_cells();
   std::array<BoundaryPoints<dim>, 2UL * dim> points;
-  std::vector<std::pair<unsigned int, unsigned int>> held;
+  std::vector<std::array<unsigned int, 2>> held;
   std::vector<unsigned int> upper, lower, held_points;
   const bool is_root = mpi::this_mpi_process(communicator) == 0;
   if (is_root)
@@ -88,17 +81,22 @@ MeshVolume<dim>::MeshVolume(const Mesh<dim> &given,
           not_periodic = e.what();
         }
     }
-  not_periodic = dealii::Utilities::MPI::broadcast(communicator, not_periodic);
+  broadcast(communicator, not_periodic);
   for (unsigned int side = 0; side < 2 * dim; ++side)
     {
       sides[side].dofs = mesh.dofs_of_points(given, points[side].points);
-      sides[side].normal_area =
-        dealii::Utilities::MPI::broadcast(communicator, points[side].normal_area);
+      for (const dealii::Tensor<1, dim> &area : points[side].normal_area)
+        {
+          auto &components = sides[side].normal_area.emplace_back();
+          for (unsigned int d = 0; d < dim; ++d)
+            components[d] = area[d];
+        }
+      sides[side].normal_area = mpi::broadcast(sides[side].normal_area, 0, communicator);
     }
-  held          = dealii::Utilities::MPI::broadcast(communicator, held);
+  held          = mpi::broadcast(held, 0, communicator);
   const auto at = mesh.dofs_of_points(given, held_points);
   for (std::size_t k = 0; k < held.size(); ++k)
-    supports.push_back(at[dim * k + held[k].second]);
+    supports.push_back(at[dim * k + held[k][1]]);
   const auto upper_dofs = mesh.dofs_of_points(given, upper),
              lower_dofs = mesh.dofs_of_points(given, lower);
   for (std::size_t k = 0; k < upper_dofs.size(); ++k)
@@ -185,33 +183,12 @@ SolverReport MeshVolume<dim>::solve_case(const unsigned int k, const double tole
   constexpr double cancelled    = 1e-12;
   const dealii::IndexSet &owned = mesh.dofs().locally_owned_dofs();
   const double reference        = loads[k].l2_norm();
-  const std::string of          = to_string(condition) + " " + voigt_names<dim>[k];
-  const std::string beginning =
-    of + ": conjugate gradients with " + AlgebraicMultigrid::name() + " ";
   SolverReport report;
   Vector x(owned, mesh.communicator());
-  if (!std::isfinite(reference))
-    throw NotConverged(beginning + "met numbers that are not finite",
-                       NotConverged::Reason::not_finite);
-  if (reference > cancelled * gross_loads[k])
-    try
-      {
-        dealii::SolverControl control(max_iterations, tolerance * reference);
-        dealii::SolverCG<Vector> conjugate_gradients(control);
-        conjugate_gradients.solve(matrix, x, loads[k], preconditioner);
-        report.iterations = control.last_step();
-        report.residual   = control.last_value() / reference;
-      }
-    catch (const dealii::SolverControl::NoConvergence &e)
-      {
-        throw NotConverged(
-          beginning + "stopped after " + std::to_string(e.last_step) +
-            " iterations at a relative residual of " +
-            to_text(e.last_residual / reference) + ", wanted " + to_text(tolerance),
-          std::isfinite(e.last_residual) ? NotConverged::Reason::iterations
-                                         : NotConverged::Reason::not_finite,
-          e.last_residual / reference);
-      }
+  if (!(reference <= cancelled * gross_loads[k]))
+    report =
+      conjugate_gradients(matrix, x, loads[k], preconditioner, reference, tolerance,
+                          to_string(condition) + " " + voigt_names<dim>[k]);
   constraints.distribute(x);
   solutions.emplace_back(owned, mesh.relevant(), mesh.communicator());
   solutions.back() = x;

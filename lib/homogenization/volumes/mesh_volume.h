@@ -73,8 +73,8 @@ private:
   /** Points of a side and their degrees of freedom, on all ranks. */
   struct Side
   {
-    std::vector<Index> dofs;                         ///< dim a point
-    std::vector<dealii::Tensor<1, dim>> normal_area; ///< of each point (m^(dim-1))
+    std::vector<Index> dofs;                          ///< dim a point
+    std::vector<std::array<double, dim>> normal_area; ///< of each point (m^(dim-1))
   };
 
   const std::vector<ElasticPhase<dim>> phases;

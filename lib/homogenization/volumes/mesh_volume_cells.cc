@@ -5,10 +5,6 @@
 #include "io/parallel_rows.h"
 #include "mesh/point_blocks.h"
 
-#include <deal.II/base/mpi.h>
-
-#include <deal.II/base/mpi.templates.h>
-
 #include <cmath>
 
 namespace mesoslip
@@ -89,15 +85,15 @@ VolumeSums<dim> MeshVolume<dim>::integrate() const
     sums.energy +=
       JxW * strain.transpose() * phases[cell.material_id()].stiffness * strain;
   });
-  const auto add_up = [this](double *data, const std::size_t n) {
-    dealii::Utilities::MPI::sum(dealii::ArrayView<const double>(data, n),
-                                mesh.communicator(), dealii::ArrayView<double>(data, n));
+  const auto add_up = [this](VoigtMatrix<dim> &values) {
+    sum_over_ranks(values.data(), static_cast<std::size_t>(values.size()),
+                   mesh.communicator());
   };
-  add_up(sums.energy.data(), sums.energy.size());
+  add_up(sums.energy);
   for (PhaseSums<dim> &phase : sums.phases)
     {
-      add_up(phase.strain.data(), phase.strain.size());
-      add_up(&phase.volume, 1);
+      add_up(phase.strain);
+      phase.volume = mpi::sum(phase.volume, mesh.communicator());
       sums.volume += phase.volume;
     }
   sums.energy /= sums.volume;

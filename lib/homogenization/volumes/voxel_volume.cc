@@ -1,10 +1,9 @@
 #include "homogenization/volumes/voxel_volume.h"
 
 #include "base/exchange.h"
+#include "material/stiffness.h"
 #include "program/machine.h"
 #include "statics/voxel/planes.h"
-
-#include <Eigen/LU>
 
 namespace mesoslip
 {
@@ -132,7 +131,7 @@ VolumeSums<dim> VoxelVolume<dim>::integrate() const
   // less the elastic energy.
   VoigtMatrix<3> energy = solver->effective_stiffness();
   if (condition == BoundaryCondition::SUBC)
-    energy = mean + mean.transpose() - VoigtMatrix<3>(energy.inverse());
+    energy = mean + mean.transpose() - inverse<3>(energy);
   sums.energy = in_plane<dim>(energy);
   return sums;
 }

@@ -5,8 +5,6 @@
 #include "mesh/cell_shapes.h"
 #include "mesh/point_blocks.h"
 
-#include <deal.II/base/mpi.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -169,7 +167,7 @@ private:
   Neighbourhood<dim> distribute(const Mesh<dim> &of_root,
                                 const std::vector<unsigned int> &wanted)
   {
-    const auto wanted_of_rank = dealii::Utilities::MPI::gather(communicator, wanted);
+    const auto wanted_of_rank = mpi::gather(wanted, communicator);
     return scatter_objects(communicator, [&](const unsigned int rank) {
       return neighbourhood(of_root, wanted_of_rank[rank]);
     });
@@ -178,8 +176,8 @@ private:
   /** What the points that each rank reads add to the mean strain. */
   void distribute_mean(const Mesh<dim> &of_root)
   {
-    const std::array<std::size_t, 2> own = {{points->first(), points->size()}};
-    const auto blocks = dealii::Utilities::MPI::gather(communicator, own);
+    const std::vector<std::size_t> own = {points->first(), points->size()};
+    const auto blocks                  = mpi::gather(own, communicator);
     const MeanStrain<dim> whole =
       blocks.empty() ? MeanStrain<dim>() : MeanStrain<dim>(of_root);
     mean_of_block = scatter_objects(communicator, [&](const unsigned int rank) {

@@ -7,8 +7,6 @@
 #include "morphology/microstructure_parameters.h"
 #include "morphology/orientations/palette.h"
 
-#include <deal.II/base/mpi.h>
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -50,7 +48,7 @@ template <typename T>
 void unite(std::set<T> &elements, const MPI_Comm communicator)
 {
   const std::vector<T> own(elements.begin(), elements.end());
-  for (const auto &some : dealii::Utilities::MPI::all_gather(communicator, own))
+  for (const auto &some : mpi::all_gather(own, communicator))
     elements.insert(some.begin(), some.end());
 }
 
@@ -101,8 +99,7 @@ public:
     deviation = mpi::max(palette.deviation(), communicator);
     Palette all(0.); // angles are rounded already
     std::vector<std::size_t> number;
-    const auto of_ranks =
-      dealii::Utilities::MPI::all_gather(communicator, palette.materials());
+    const auto of_ranks = mpi::all_gather(palette.materials(), communicator);
     for (unsigned int r = 0; r < of_ranks.size(); ++r)
       for (const OrientedPhase &pair : of_ranks[r])
         {

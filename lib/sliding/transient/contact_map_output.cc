@@ -4,11 +4,9 @@
 #include "base/exchange.h"
 #include "exchange/datasets.h"
 
-#include <deal.II/base/exceptions.h>
-#include <deal.II/base/mpi.h>
-
 #include <algorithm>
 #include <cstring>
+#include <deal.II/base/exceptions.h>
 #include <limits>
 
 namespace mesoslip
@@ -53,7 +51,7 @@ ContactMapOutput<dim>::ContactMapOutput(const ContactMapSetup &setup,
   , communicator(communicator)
   , rows_together(
       std::clamp<std::uint64_t>(numbers_together / size.friction.size(), 1, 1024))
-  , places(dealii::Utilities::MPI::gather(communicator, places))
+  , places(mpi::gather(places, communicator))
 {
 }
 

@@ -1,8 +1,7 @@
+#include "material/stiffness.h"
 #include "statics/voxel/solver.h"
 
 #include <deal.II/base/exceptions.h>
-
-#include <Eigen/LU>
 
 #include <algorithm>
 
@@ -163,7 +162,7 @@ VoigtMatrix<3> Solver::effective_stiffness() const
     for (const unsigned int k : {1, 3, 5})
       work_of_load(k, k) = 1.;
   if (voxels.sides == Sides::free)
-    return work_of_load.inverse() * modulus;
+    return inverse<3>(work_of_load) * modulus;
   return (mean_stiffness - work_of_load) * modulus;
 }
 

@@ -28,7 +28,7 @@ SEND = {"base/exchange.cc", "elasticity/brick/plane_exchange.cc", "statics/voxel
 # Headers of lib/ that may include what takes GCC seconds, as all who include them read it again; everywhere else it belongs into sources.
 # deal.II's base (point.h, tensor.h and the like) is in mesh/mesh.h and precompiled.
 HEAVY = {
-    "deal.II/": {"mesh/cell_locator.h", "mesh/linear_cell.h", "mesh/mesh.h", "mesh/point_blocks.h", "mesh/triangulation_cells.h", "body/mesh/cell_values.h",
+    "deal.II/": {"mesh/linear_cell.h", "mesh/mesh.h", "mesh/triangulation_cells.h", "body/mesh/cell_values.h",
                  "body/mesh/condensed_cells.h", "body/mesh/distributed_mesh.h", "body/mesh/mesh_discretization.h", "body/mesh/algebraic_multigrid.h",
                  "eigenvalues/free_dofs.h", "homogenization/volumes/mesh_volume.h", "localization/strain/cell_set.h"},
     "boost/": {"base/archives.h", "base/object_exchange.h"},
