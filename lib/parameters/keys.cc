@@ -153,6 +153,23 @@ void Keys::bind_or_auto(const std::string &key,
     meaning);
 }
 
+void Keys::bind_or_auto(const std::string &key,
+                        unsigned int &value,
+                        const long upper,
+                        const std::string &meaning)
+{
+  bind_value<unsigned int>(
+    key, value, value == 0 ? "auto" : std::to_string(value),
+    in_words("auto or a whole number", range_text(1, upper)),
+    [read = integer_in(1, upper)](const std::string &text, unsigned int &number) {
+      long typed       = 0;
+      const bool valid = text == "auto" || read(text, typed);
+      number           = static_cast<unsigned int>(typed);
+      return valid;
+    },
+    meaning);
+}
+
 void Keys::bind_long(const std::string &key,
                      long &value,
                      const long lower,
@@ -238,13 +255,18 @@ void Keys::bind_list(const std::string &key,
 void Keys::bind_names(const std::string &key,
                       std::vector<std::string> &names,
                       const std::string &kind,
-                      const std::string &meaning)
+                      const std::string &meaning,
+                      const std::size_t most)
 {
   const auto defaults = names;
   bind_list(key, names, {}, meaning);
   const RawParameters::Entry *const entry = raw.find(path(key));
   if (!reading)
     names = entry != nullptr ? split_list(entry->value) : defaults;
+  // Before each gets its section.
+  if (names.size() > most)
+    throw UserError(path(key) + ": there are " + std::to_string(names.size()) + " " +
+                    kind + "s; name 1 to " + std::to_string(most));
   std::set<std::string> before;
   for (const std::string &name : names)
     {

@@ -99,6 +99,12 @@ public:
                     const Range &range,
                     const std::string &meaning);
 
+  /** A whole number from 1 to @p upper, or 0 for the word "auto". */
+  void bind_or_auto(const std::string &key,
+                    unsigned int &value,
+                    const long upper,
+                    const std::string &meaning);
+
   /** A whole number from @p lower to @p upper. */
   template <typename Integer>
   void bind(const std::string &key,
@@ -179,12 +185,13 @@ public:
   /**
    * A list of names of subsections of the current section, which the caller binds next.
    * @p kind, such as "phase", is what they are. @throws UserError for a name that is
-   * given twice or that no line of a .prm can say.
+   * given twice or that no line of a .prm can say, and for more than @p most.
    */
   void bind_names(const std::string &key,
                   std::vector<std::string> &names,
                   const std::string &kind,
-                  const std::string &meaning);
+                  const std::string &meaning,
+                  const std::size_t most = 10000);
 
   /**
    * The path of a file or folder to read; may be empty. A relative path in a .prm is
@@ -234,10 +241,7 @@ public:
    * with all keys, as every run leaves it, is accepted again.
    * @{
    */
-  /**
-   * @throws UserError "Section/Key: what" unless @p holds; for conditions that can be
-   * judged without knowing what comes later in the .prm.
-   */
+  /** @throws UserError "Section/Key: what" unless @p holds, whatever comes later in the .prm. */
   void require(const bool holds, const std::string &key, const std::string &what) const;
 
   /**
@@ -324,10 +328,7 @@ private:
 /** Whether @p path is one of @p keys, of which "Section/" stands for all keys below. */
 bool is_among(const std::string &path, const std::vector<std::string> &keys);
 
-/**
- * All keys in .prm syntax, with meaning, allowed values and full digits. What it prints
- * can be parsed again.
- */
+/** All keys in .prm syntax, with meaning, allowed values and full digits; can be parsed again. */
 void print_parameters(const Keys &keys, std::ostream &out);
 
 /**

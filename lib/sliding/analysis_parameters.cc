@@ -211,10 +211,11 @@ void ContactParameters::bind_observation(Keys &keys)
   {
     const auto section = keys.section("Observation");
     std::vector<std::string> probes;
-    keys.bind(
-      "History interval", history_interval, 1, most_steps,
-      "Time steps between samples of the histories in dynamics.h5; statistics and "
-      "spectrum have samples of their own [-]");
+    keys.bind_or_auto(
+      "History interval", history_interval, most_steps,
+      "Time steps between samples of the histories in dynamics.h5; auto: as many as "
+      "between those of statistics and spectrum, six while a wave crosses the body, but "
+      "10 at most [-]");
     keys.bind(
       "Energy interval", energy_interval, 0, most_steps,
       "Time steps between samples of the energy balance, which closes to round-off "
@@ -244,8 +245,9 @@ void ContactParameters::bind_observation(Keys &keys)
     keys.bind_names("Probes", probes, "probe",
                     "Names of points that are observed, each with a subsection of that "
                     "name");
-    keys.bind("Probe interval", o.probe_interval, 1, most_steps,
-              "Time steps between samples of the probes [-]");
+    keys.bind_or_auto("Probe interval", probe_interval, most_steps,
+                      "Time steps between samples of the probes; auto: as for History "
+                      "interval [-]");
     bind_probes(keys, probes, mesh.mesh.dim, o.probes);
     // Probes and snapshots may be switched off on purpose in a file that is otherwise
     // complete; then the other keys stay.

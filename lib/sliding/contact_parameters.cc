@@ -298,9 +298,9 @@ ContactParameters::ContactParameters()
 {
   step.dt          = automatic;
   step.beta        = 4.4e-9;
-  history_interval = 10;
-  energy_interval  = 200;
-  modal.tolerance  = 1e-10;
+  history_interval = probe_interval = 0; // auto
+  energy_interval                   = 200;
+  modal.tolerance                   = 1e-10;
 }
 
 void ContactParameters::bind(Keys &keys)

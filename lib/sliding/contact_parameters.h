@@ -66,7 +66,6 @@ struct ObservationParameters
   double reference_x       = automatic;  ///< m
   bool stop_at_limit_cycle = false;      ///< end early
   LimitCycleCriterion limit_cycle;       ///< but for the reference power
-  unsigned int probe_interval = 10;      ///< steps
   std::vector<ProbePoint> probes;        ///< in the order of the .prm
   double snapshots_from     = 0.;        ///< s
   double snapshots_to       = automatic; ///< s

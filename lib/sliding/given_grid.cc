@@ -209,16 +209,15 @@ BodySize GivenGrid::size() const
 
 BodyInMotion<2> GivenGrid::start(const SlidingSetup &setup, RunContext &context) const
 {
-  const ObservationParameters &observation = parameters.observation;
+  const std::vector<ProbePoint> &probes = parameters.observation.probes;
   auto sliding =
     std::make_unique<SlidingGrid>(material, setup, context.communicator(), nullptr,
                                   context.options().profile ? &context.timer() : nullptr);
   sliding->set_initial_velocity(parameters.body.initial_velocity);
   BodyInMotion<2> motion;
-  if (!observation.probes.empty())
-    motion.probes =
-      std::make_unique<GridProbes>(observation.probes, material, sliding->stepper,
-                                   sliding->contact, observation.probe_interval);
+  if (!probes.empty())
+    motion.probes = std::make_unique<GridProbes>(probes, material, sliding->stepper,
+                                                 sliding->contact, setup.probe_interval);
   motion.displacement = [&moving = *sliding]() {
     const NodeRows &rows = moving.rows;
     return FieldRows{rows.begin,

@@ -273,7 +273,7 @@ private:
     const bool snapshots = o.snapshots_interval > 0.;
     return {interval("History interval", parameters.history_interval),
             interval("Energy interval", parameters.energy_interval),
-            interval("Probe interval", o.probes.empty() ? 0 : o.probe_interval),
+            interval("Probe interval", o.probes.empty() ? 0 : parameters.probe_interval),
             within_run("Snapshots/Interval", o.snapshots_interval, end,
                        "there is one snapshot only"),
             at_most("Snapshots/To", snapshots ? o.snapshots_to : automatic, "s", 2. * end,

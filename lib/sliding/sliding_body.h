@@ -29,6 +29,9 @@ struct SlidingSetup
   /** Histories of contact and top have a sample every so many steps; 0: none. */
   unsigned int history_interval = 1;
 
+  /** Probes have a sample every so many steps. */
+  unsigned int probe_interval = 1;
+
   /** Contact nodes whose motion and tractions are kept with the histories. */
   std::vector<unsigned int> monitored_nodes;
 

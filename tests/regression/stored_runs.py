@@ -16,7 +16,7 @@ from stored import check_stored
 
 STORED = os.path.splitext(os.path.abspath(__file__))[0] + ".json"
 
-COMMON = {"Flat/Velocity": 2, "Friction/Regularization time": 1e-6, "Observation/Energy interval": 1}
+COMMON = {"Flat/Velocity": 2, "Friction/Regularization time": 1e-6, "Observation/Energy interval": 1, "Observation/History interval": 10}
 BODY = {"Body/Stiffness": "36.54e9, 9.1e9, 47.26e9, 13.785e9", "Body/Density": 1770}
 STEEL = {"Phases/Names": "matrix, fibre", "Phases/matrix/Young modulus": "70e9", "Phases/matrix/Poisson ratio": 0.33, "Phases/matrix/Density": 2700,
          "Phases/fibre/Young modulus": "210e9", "Phases/fibre/Poisson ratio": 0.3, "Phases/fibre/Density": 7800}

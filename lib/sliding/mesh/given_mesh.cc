@@ -141,7 +141,7 @@ BodyInMotion<dim> GivenMesh<dim>::start(const SlidingSetup &setup,
       body.probes, distributed->part(), phases, sliding->stepper,
       typename MeshProbes<dim>::Contact{sliding->contact, sliding->contact_nodes,
                                         body.contact.points, body.contact.area},
-      parameters.observation.probe_interval);
+      setup.probe_interval);
   motion.displacement = displacement_rows(*sliding);
   motion.body         = std::move(sliding);
   return motion;

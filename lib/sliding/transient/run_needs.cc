@@ -51,14 +51,16 @@ double node_load_bytes(const ContactParameters &parameters, const double n_conta
 }
 
 /** Bytes of all that is recorded every few steps. */
-double history_bytes(const ContactParameters &parameters, const double n_steps)
+double history_bytes(const ContactParameters &parameters, const TimeStepChoice &time)
 {
   // Of a sample of the histories with the reference node; of a probe; of the energies.
   constexpr double history_numbers = 18., probe_numbers = 11., energy_numbers = 10.;
   const ObservationParameters &o = parameters.observation;
   const double n_probes          = static_cast<double>(o.probes.size());
-  double numbers = history_numbers * n_steps / parameters.history_interval +
-                   probe_numbers * n_probes * n_steps / o.probe_interval;
+  const double n_steps           = static_cast<double>(time.n_steps);
+  double numbers =
+    history_numbers * n_steps / time.interval(parameters.history_interval) +
+    probe_numbers * n_probes * n_steps / time.interval(parameters.probe_interval);
   if (parameters.energy_interval > 0)
     numbers += energy_numbers * n_steps / parameters.energy_interval;
   return sizeof(double) * numbers;
@@ -119,22 +121,23 @@ std::vector<std::uint64_t> snapshot_steps(const ContactParameters &parameters,
 
 RunNeeds run_needs(const ContactParameters &parameters,
                    const BodyScales &scales,
-                   const double n_steps,
-                   const unsigned int statistics_interval,
+                   const TimeStepChoice &time,
                    const double n_dofs,
                    const double n_contact)
 {
+  const double n_steps = static_cast<double>(time.n_steps);
   RunNeeds needs;
   needs.n_snapshots = number_of_snapshots(parameters, n_steps);
   // With the samples for the statistics, which are not written.
-  const double histories = history_bytes(parameters, n_steps);
+  const double histories = history_bytes(parameters, time);
   needs.n_map_samples    = number_of_map_samples(parameters, n_steps);
   needs.map_bytes        = needs.n_map_samples * n_contact *
                     contact_map_setup(parameters, parameters.time.end_time / n_steps)
                       .bytes_per_node(parameters.mesh.mesh.dim);
   const double sums = node_load_bytes(parameters, n_contact);
   needs.memory      = {histories + sums +
-                         sizeof(double) * SteadyRecord::numbers(n_steps / statistics_interval),
+                         sizeof(double) *
+                           SteadyRecord::numbers(n_steps / time.statistics_interval),
                        fewer_samples(parameters, scales, n_steps)};
 
   // Displacement, increment and histories, in the old checkpoint and in the new.

@@ -20,14 +20,12 @@ struct RunNeeds
 };
 
 /**
- * Of a run of @p n_steps on a grid or a mesh, whose displacement has @p n_dofs numbers,
- * with a sample for statistics every @p statistics_interval steps, and @p n_contact nodes of the
+ * Of a run on a body whose displacement has @p n_dofs numbers, with @p n_contact nodes of the
  * contact. @throws UserError when snapshots or map begin after the end
  */
 RunNeeds run_needs(const ContactParameters &parameters,
                    const BodyScales &scales,
-                   const double n_steps,
-                   const unsigned int statistics_interval,
+                   const TimeStepChoice &time,
                    const double n_dofs,
                    const double n_contact);
 

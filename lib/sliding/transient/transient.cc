@@ -2,6 +2,7 @@
 
 #include "base/errors.h"
 #include "base/exchange.h"
+#include "base/timer.h"
 #include "exchange/grid_file.h"
 #include "io/drafts.h"
 #include "material/plausibility.h"
@@ -10,6 +11,7 @@
 #include "sliding/transient/run_draft.h"
 #include "sliding/transient/transient_run.h"
 
+#include <optional>
 #include <ostream>
 #include <utility>
 
@@ -23,8 +25,7 @@ TransientAnalysis<dim>::TransientAnalysis(std::unique_ptr<GivenBody<dim>> given,
   , time(time_step())
   , needs(run_needs(parameters,
                     facts.scales,
-                    static_cast<double>(time.n_steps),
-                    time.statistics_interval,
+                    time,
                     static_cast<double>(dim * facts.n_points),
                     static_cast<double>(facts.size.friction.size())))
 {
@@ -83,7 +84,7 @@ void TransientAnalysis<dim>::write_draft(const std::string &folder) const
     for (const ProbePoint &probe : facts.probes)
       add_draft_probe(file, probe.name,
                       {probe.position.begin(), probe.position.begin() + dim},
-                      parameters.observation.probe_interval, time);
+                      time.interval(parameters.probe_interval), time);
     file.close();
   });
 }
@@ -91,6 +92,7 @@ void TransientAnalysis<dim>::write_draft(const std::string &folder) const
 template <int dim>
 void TransientAnalysis<dim>::run(RunContext &context)
 {
+  std::optional<Timer::Scope> starting = context.timer().scope("Start of the run");
   body->log(context);
   TransientCheckpoint checkpoint(context, parameters.checkpoints,
                                  identity + "Time step in s = " + to_text(time.step.dt) +
@@ -107,6 +109,7 @@ void TransientAnalysis<dim>::run(RunContext &context)
   RunOutput<dim> output(context, *body, time, motion.displacement);
   TransientRun<dim> run({parameters, time, facts.scales, facts.size, facts.place,
                          *motion.body, motion.probes.get(), output, checkpoint, context});
+  starting.reset();
   run.carry_out(found == TransientCheckpoint::Found::state,
                 [&]() { body->summarize("transient", context); });
 }

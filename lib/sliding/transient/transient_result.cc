@@ -186,23 +186,21 @@ std::string spectrum_remark(const TransientResult &run)
 /** Histories that show slower vibrations than there are. */
 std::string history_remark(const TransientResult &run)
 {
-  const ObservationParameters &o = run.parameters.observation;
-  const unsigned int interval =
-    std::max(run.parameters.history_interval, o.probes.empty() ? 0 : o.probe_interval);
-  if (!run.frequencies)
+  unsigned int interval = run.time.interval(run.parameters.history_interval);
+  if (!run.parameters.observation.probes.empty())
+    interval = std::max(interval, run.time.interval(run.parameters.probe_interval));
+  if (!run.frequencies || interval == run.time.statistics_interval)
     return "";
-  const double highest = run.frequencies->highest_frequency, dt = run.time.step.dt,
-               steps = 0.5 / (highest * dt); // half a period
-  if (interval <= steps)
+  const double highest = run.frequencies->highest_frequency, dt = run.time.step.dt;
+  if (interval <= 0.5 / (highest * dt)) // half a period
     return "";
-  return brief_text(4, "the reference node vibrates at up to ", 1e-3 * highest,
-                    " kHz (main frequency ", 1e-3 * run.frequencies->main_frequency,
-                    " kHz), but histories and probes in dynamics.h5, samples every ",
-                    interval, " steps, carry up to ", 5e-4 / (interval * dt),
-                    " kHz: their spectra would show frequencies that are not there; set "
-                    "Observation/History interval ",
-                    o.probes.empty() ? "" : "and Probe interval ", "to at most ",
-                    std::max(1., std::floor(0.5 * steps)));
+  return brief_text(
+    4, "the reference node vibrates at up to ", 1e-3 * highest, " kHz (main frequency ",
+    1e-3 * run.frequencies->main_frequency,
+    " kHz), but histories and probes in dynamics.h5, samples every ", interval,
+    " steps, carry up to ", 5e-4 / (interval * dt),
+    " kHz: their spectra would show frequencies that are not there; leave "
+    "Observation/History interval and Probe interval at auto");
 }
 
 /** A map of the contact that shows slower waves than there are. */

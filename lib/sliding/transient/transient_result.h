@@ -38,6 +38,7 @@ struct TransientResult
   EnergyHistory energy             = {};    ///< terms of the balance
   std::vector<ProbeHistory> probes = {};    ///< in the order of the .prm
   std::uint64_t steps_done         = 0;     ///< of the whole run
+  double friction_energy           = 0.;    ///< dissipated in all steps (J, in 2D J/m)
   double loop_seconds              = 0.;    ///< wall-clock time of the time loop
   bool interrupted                 = false; ///< stopped on request
   std::string kernel               = {};    ///< variant and instruction set

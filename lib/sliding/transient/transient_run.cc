@@ -29,6 +29,8 @@ SlidingSetup run_setup(const ContactParameters &parameters,
 {
   SlidingSetup setup                 = static_cast<const SlidingSetup &>(parameters);
   setup.step                         = time.step;
+  setup.history_interval             = time.interval(parameters.history_interval);
+  setup.probe_interval               = time.interval(parameters.probe_interval);
   setup.contact.friction_coefficient = size.friction;
   setup.steps_per_block =
     std::max<std::uint64_t>(1, time.n_steps / parameters.observation.blocks);
@@ -204,7 +206,9 @@ TransientResult TransientRun<dim>::collect()
     all.energy = parts.body.energy->reduce();
   if (parts.probes != nullptr)
     all.probes = parts.probes->gather();
-  all.steps_done   = stepper.step_number();
+  all.steps_done = stepper.step_number();
+  all.friction_energy =
+    mpi::sum(parts.body.boundary_work().friction, parts.context.communicator());
   all.loop_seconds = loop_seconds;
   all.interrupted  = interrupted;
   all.kernel       = stepper.kernel_name();

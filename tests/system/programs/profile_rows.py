@@ -53,7 +53,7 @@ def main():
             rows = profile(folder, RUN, {
                 "Body/RVE file": folder(RVE, "rve.h5"), "Body/Cells": "140, 40", "Time/End time": 1e-3, "Checkpoints/Interval": 1e-5,
                 "Checkpoints/Keep": "true"}, ranks)
-            check_rows(rows, "total", [*START, "Time loop", "Checkpoints", "Evaluation and output", "other"])
+            check_rows(rows, "total", [*START, "Start of the run", "Time loop", "Checkpoints", "Evaluation and output", "other"])
             check_rows(rows, "Time loop", ["Stability monitor", "Strains", "Energies", "Probes", "Snapshots", "Steps",
                                            "Limit cycle, requests", "Checkpoints", "other"])
             check_rows(rows, "Snapshots", ["Writing snapshots", "other"])
