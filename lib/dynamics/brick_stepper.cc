@@ -57,7 +57,7 @@ void BrickStepper::set_held(const std::vector<HeldComponent> &components)
 {
   const BrickSlab &slab    = op.slab();
   const std::size_t n_rows = std::size_t{slab.n_planes} * slab.n_nodes[1];
-  const PointIndex index(slab.part);
+  const PointIndex index(slab.part, points_of(components));
   std::vector<std::array<std::uint32_t, 3>> all; // row, component, node
   for (const HeldComponent &h : components)
     for (const unsigned int point : index.find(h.point))

@@ -56,7 +56,7 @@ MeshStepper<dim>::MeshStepper(const MeshOperator<dim> &op,
       for (unsigned int c = 0; c < dim; ++c)
         inverse_mass.row(c, 0)[i] = 1. / mass;
     }
-  const PointIndex index(op.part);
+  const PointIndex index(op.part, points_of(held));
   for (const HeldComponent &h : held)
     for (const unsigned int i : index.find(h.point))
       inverse_mass.row(h.component, 0)[i] = 0.;

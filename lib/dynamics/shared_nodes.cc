@@ -10,7 +10,7 @@ template <int dim>
 SharedNodes::SharedNodes(const std::vector<unsigned int> &points,
                          const MeshPart<dim> &part)
 {
-  const PointIndex index(part);
+  const PointIndex index(part, points);
   for (const bool copies : {false, true})
     {
       for (unsigned int k = 0; k < points.size(); ++k)

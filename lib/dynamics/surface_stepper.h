@@ -24,6 +24,15 @@ struct HeldComponent
   }
 };
 
+/** The points of @p components, some of them more than once. */
+inline std::vector<unsigned int> points_of(const std::vector<HeldComponent> &components)
+{
+  std::vector<unsigned int> points;
+  for (const HeldComponent &held : components)
+    points.push_back(held.point);
+  return points;
+}
+
 /** A stepper of a part of a mesh, whose fields are one row with a column for each point, the
  * ones that count first; boundary surfaces are moved by what is added. */
 template <int dim>

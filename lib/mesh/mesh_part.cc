@@ -199,11 +199,46 @@ dealii::SparsityPattern graph_of_cells(const Mesh<dim> &mesh)
 } // namespace
 
 template <int dim>
-PointIndex::PointIndex(const MeshPart<dim> &part)
+PointIndex::PointIndex(const MeshPart<dim> &part,
+                       const std::vector<unsigned int> &originals)
 {
+  std::vector<bool> is_wanted;
+  for (const unsigned int original : originals)
+    {
+      if (original >= is_wanted.size())
+        is_wanted.resize(original + std::size_t{1}, false);
+      is_wanted[original] = true;
+    }
   for (unsigned int i = 0; i < part.original_in_mesh.size(); ++i)
-    sorted.emplace_back(part.original_in_mesh[i], i);
+    if (const unsigned int original = part.original_in_mesh[i];
+        original < is_wanted.size() && is_wanted[original])
+      sorted.emplace_back(original, i);
   std::sort(sorted.begin(), sorted.end());
+}
+
+template <int dim>
+std::vector<std::pair<unsigned int, unsigned int>>
+PointIndex::copies_in(const MeshPart<dim> &part)
+{
+  std::vector<bool> is_there;
+  std::vector<unsigned int> again;
+  for (const unsigned int original : part.original_in_mesh)
+    {
+      if (original >= is_there.size())
+        is_there.resize(2 * (original + std::size_t{1}), false);
+      if (is_there[original])
+        again.push_back(original);
+      is_there[original] = true;
+    }
+  std::vector<std::pair<unsigned int, unsigned int>> pairs;
+  const auto sorted = PointIndex(part, again).sorted;
+  for (std::size_t k = 1, first = 0; k < sorted.size(); ++k)
+    if (sorted[k].first == sorted[first].first)
+      pairs.emplace_back(sorted[k].second, sorted[first].second);
+    else
+      first = k;
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
 }
 
 std::vector<unsigned int> PointIndex::find(const unsigned int original) const
@@ -252,12 +287,15 @@ MeshPart<dim> distribute(const Mesh<dim> &mesh,
   return own;
 }
 
-#define MESOSLIP_INSTANTIATE(dim)                                              \
-  template struct MeshPart<dim>;                                               \
-  template PointIndex::PointIndex(const MeshPart<dim> &);                      \
-  template std::vector<unsigned int> partition_cells(                          \
-    const Mesh<dim> &, const unsigned int, const std::vector<unsigned int> &); \
-  template MeshPart<dim> distribute(const Mesh<dim> &,                         \
+#define MESOSLIP_INSTANTIATE(dim)                                                    \
+  template struct MeshPart<dim>;                                                     \
+  template PointIndex::PointIndex(const MeshPart<dim> &,                             \
+                                  const std::vector<unsigned int> &);                \
+  template std::vector<std::pair<unsigned int, unsigned int>> PointIndex::copies_in( \
+    const MeshPart<dim> &);                                                          \
+  template std::vector<unsigned int> partition_cells(                                \
+    const Mesh<dim> &, const unsigned int, const std::vector<unsigned int> &);       \
+  template MeshPart<dim> distribute(const Mesh<dim> &,                               \
                                     const std::vector<unsigned int> &, const MPI_Comm);
 MESOSLIP_INSTANTIATE(2)
 MESOSLIP_INSTANTIATE(3)

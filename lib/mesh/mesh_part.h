@@ -64,13 +64,18 @@ struct MeshPart
 class PointIndex
 {
 public:
-  /** Of this part. */
+  /** Of the @p originals in this part, numbers in the whole mesh. */
   template <int dim>
-  explicit PointIndex(const MeshPart<dim> &part);
+  PointIndex(const MeshPart<dim> &part, const std::vector<unsigned int> &originals);
 
   /** Those of the part that move as @p original of the whole mesh, the one that the rank
    * counts (see MeshPart::n_distinct) first. */
   std::vector<unsigned int> find(const unsigned int original) const;
+
+  /** Points of the part that move as one before them, and that one; in their order. */
+  template <int dim>
+  static std::vector<std::pair<unsigned int, unsigned int>>
+  copies_in(const MeshPart<dim> &part);
 
 private:
   std::vector<std::pair<unsigned int, unsigned int>> sorted; ///< in mesh, in part

@@ -104,7 +104,7 @@ public:
         add_plane(0);
         add_copies(0);
       }
-    find_copies();
+    part.copies = PointIndex::copies_in(part);
     for (const unsigned int cell : cells)
       add_cell(cell);
   }
@@ -139,18 +139,6 @@ private:
     copy_start[plane] = part.points.size();
     for (unsigned int k = 0; k < n_copies; ++k)
       add_point(grid.cells[0], plane, k);
-  }
-
-  /** Pairs of points that move together, as MeshPart has them. */
-  void find_copies()
-  {
-    const PointIndex index(part);
-    for (unsigned int p = 0; p < part.points.size(); ++p)
-      {
-        const auto together = index.find(part.original_in_mesh[p]);
-        if (together[0] != p)
-          part.copies.emplace_back(p, together[0]);
-      }
   }
 
   unsigned int

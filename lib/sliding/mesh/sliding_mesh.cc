@@ -190,7 +190,9 @@ void SlidingMesh<dim>::set_initial_velocity(const std::array<double, 3> &velocit
   constexpr unsigned int normal = dim - 1;
   const std::size_t n           = part.points.size();
   std::vector<std::array<bool, dim>> rests(n);
-  const PointIndex index(part);
+  std::vector<unsigned int> resting = points_of(held);
+  resting.insert(resting.end(), top.points.begin(), top.points.end());
+  const PointIndex index(part, resting);
   const auto hold = [&](const unsigned int point, const unsigned int component) {
     for (const unsigned int i : index.find(point))
       rests[i][component] = true;
