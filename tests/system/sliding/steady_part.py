@@ -63,7 +63,7 @@ def highest_peak(run):
 
 def check_sampling(folder):
     """Histories of any density: the same motion, the same statement."""
-    runs = {n: Run(folder, {"Observation/History interval": n}) for n in (1, 2, 10, 20, 50, 200)}
+    runs = {n: Run(folder, {"Observation/History interval": n}) for n in (1, 2, "auto", 20, 50, 200)}
     first = runs[1]
     peak = highest_peak(first)
     for n, run in runs.items():
@@ -71,11 +71,13 @@ def check_sampling(folder):
     assert peak > 1e5 and highest_peak(runs[50]) < 6e4, "samples every 50 steps are to fold the main frequency"
     for n, run in runs.items():
         for key in ("main_frequency", "global_interface_friction_coefficient", "global_interface_friction_coefficient_95",
-                    "mean_apparent_friction_coefficient", "window_begin", "window_end", "steady_from", "limit_cycle", "slip_fraction"):
+                    "mean_apparent_friction_coefficient", "window_begin", "window_end", "steady_from", "limit_cycle", "slip_fraction",
+                    "friction_energy"):
             assert run[key] == first[key], f"{key}: {run[key]} with samples every {n} steps, {first[key]} with every step"
         for name in ("spectrum/amplitude", "phase_diagram/velocity"):
             assert np.array_equal(run.data(name), first.data(name)), name
-        assert (SPARSE in run.log) == (n >= 20), f"every {n} steps:\n{run.log}"
+        assert (SPARSE in run.log) == (n in (20, 50, 200)), f"every {n} steps:\n{run.log}"
+    close(highest_peak(runs["auto"]), peak, 1e-3, "main frequency of the samples of auto")
     # All whole periods of the steady part, and no more; eq. (9) over P S |V|.
     end, period = first["window_end"], 1 / first["main_frequency"]
     periods = math.floor((end - first["steady_from"]) / period)
