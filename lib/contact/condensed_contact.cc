@@ -82,8 +82,9 @@ std::optional<StaticContactSolution> CondensedContact<dim>::solve(const double t
     }
   if (dim == 3 && problem.sliding == 0)
     {
-      const Eigen::VectorXd d = cone_newton(cones());
-      return equilibrium(nodes_at(d), d, tolerance);
+      const ConeProblem of    = cones();
+      const Eigen::VectorXd d = cone_newton(of);
+      return equilibrium(nodes_at(d, of.c), d, tolerance);
     }
   Problem of = problem.sliding != 0 ? of_sliding_flat() : of_resting_flat();
   of.M /= of.M.template lpNorm<Eigen::Infinity>();
@@ -201,7 +202,7 @@ CondensedContact<dim>::nodes_of(const Problem &of, const Eigen::VectorXd &z) con
 template <int dim>
 ConeProblem CondensedContact<dim>::cones() const
 {
-  ConeProblem result{S, F, {}};
+  ConeProblem result{S, F, {}, 0.3 * S.lpNorm<Eigen::Infinity>()};
   for (unsigned int i = 0; i < numbers.size() / dim; ++i)
     if (const Eigen::Index normal = number(i, normal_axis); normal >= 0)
       {
@@ -215,9 +216,9 @@ ConeProblem CondensedContact<dim>::cones() const
 
 template <int dim>
 std::vector<typename CondensedContact<dim>::Node>
-CondensedContact<dim>::nodes_at(const Eigen::VectorXd &d) const
+CondensedContact<dim>::nodes_at(const Eigen::VectorXd &d, const double c) const
 {
-  const Eigen::VectorXd f = F + S * d, augmented = f - cones().c() * d;
+  const Eigen::VectorXd f = F + S * d, augmented = f - c * d;
   std::vector<Node> nodes(numbers.size() / dim);
   for (unsigned int i = 0; i < nodes.size(); ++i)
     {
@@ -226,17 +227,17 @@ CondensedContact<dim>::nodes_at(const Eigen::VectorXd &d) const
         continue;
       Node &node   = nodes[i];
       double size  = 0.;
-      const auto t = [&](const unsigned int c) {
-        return number(i, c) < 0 ? 0. : augmented[number(i, c)];
+      const auto t = [&](const unsigned int axis) {
+        return number(i, axis) < 0 ? 0. : augmented[number(i, axis)];
       };
-      for (unsigned int c = 0; c + 1 < dim; ++c)
-        size = std::hypot(size, t(c));
+      for (unsigned int axis = 0; axis + 1 < dim; ++axis)
+        size = std::hypot(size, t(axis));
       const double limit = problem.friction_coefficient[i] * f[normal];
       node.state         = !(augmented[normal] > 0.) ? ContactState::separated
                            : size < limit            ? ContactState::stick
                                                      : ContactState::slip;
-      for (unsigned int c = 0; c + 1 < dim && size > 0. && limit > 0.; ++c)
-        node.direction[c] = t(c) / size;
+      for (unsigned int axis = 0; axis + 1 < dim && size > 0. && limit > 0.; ++axis)
+        node.direction[axis] = t(axis) / size;
     }
   return nodes;
 }

@@ -82,8 +82,8 @@ private:
   /** The same for cone_newton(): in 3D on a flat at rest. */
   ConeProblem cones() const;
 
-  /** What each node does at @p d, a solution of cones(). */
-  std::vector<Node> nodes_at(const Eigen::VectorXd &d) const;
+  /** What each node does at @p d, a solution of cones(), by the augmented forces f - @p c d. */
+  std::vector<Node> nodes_at(const Eigen::VectorXd &d, const double c) const;
 
   /** Which combination of the forces (the rows) is zero at each displacement; a row of zeros where it is
    * not free. */

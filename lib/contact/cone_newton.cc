@@ -35,7 +35,7 @@ void add_friction(Residual &of,
                   const double limit,
                   const double mu)
 {
-  const double turn = limit / size, c = problem.c();
+  const double turn = limit / size;
   for (std::size_t a = 0; a < node.along.size(); ++a)
     {
       const Eigen::Index k = node.along[a];
@@ -49,7 +49,7 @@ void add_friction(Residual &of,
           const double across =
             turn * ((a == b ? 1. : 0.) - e * direction[static_cast<Eigen::Index>(b)]);
           of.derivative.row(k) -= across * problem.S.row(l);
-          of.derivative(k, l) += across * c;
+          of.derivative(k, l) += across * problem.c;
         }
     }
 }
@@ -58,7 +58,7 @@ void add_friction(Residual &of,
 Residual
 residual_at(const ConeProblem &problem, const Eigen::VectorXd &d, const double share)
 {
-  const double c          = problem.c();
+  const double c          = problem.c;
   const Eigen::VectorXd f = problem.F + problem.S * d, augmented = f - c * d;
   Residual of = {f, problem.S};
   for (const ConeProblem::Node &node : problem.nodes)

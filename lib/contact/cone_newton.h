@@ -24,10 +24,7 @@ struct ConeProblem
   std::vector<Node> nodes; ///< those that a side does not hold
 
   /** Of the forces that pull a displaced node back in the augmented forces f - c d (N/m). */
-  double c() const
-  {
-    return 0.3 * S.lpNorm<Eigen::Infinity>();
-  }
+  double c = 0.;
 };
 
 /**
