@@ -56,7 +56,7 @@ MPI_Datatype type_of()
     return MPI_UINT64_T;
 }
 
-/** Without MPI where a single process was not told of it. */
+/** Over the ranks; the value itself where there is one, or MPI was not started. */
 template <typename Number>
 Number reduce(Number value, const MPI_Op operation, const MPI_Comm communicator)
 {

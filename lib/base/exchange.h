@@ -40,13 +40,13 @@ Number min(const Number &value, const MPI_Comm communicator);
 
 namespace internal
 {
-/** Of any length. */
+/** Replaces the @p n @p bytes, which may be more than 2^31, by those of rank @p owner. Collective. */
 void broadcast_bytes(void *bytes,
                      const std::size_t n,
                      const int owner,
                      const MPI_Comm communicator);
 
-/** Texts of all ranks on all. */
+/** The texts of all ranks, in their order, on each of them. Collective. */
 std::vector<std::string> all_gather(const MPI_Comm communicator, const std::string &text);
 
 template <typename T>
@@ -137,10 +137,10 @@ std::string scatter(const MPI_Comm communicator, const std::vector<std::string> 
 std::string scatter(const MPI_Comm communicator,
                     const std::function<std::string(unsigned int)> &make);
 
-/** Replaces the @p n @p values, as many on all ranks, by their sums over the ranks. */
+/** Replaces the @p n @p values, as many on all ranks, by their sums over the ranks. Collective. */
 void sum_over_ranks(double *values, const std::size_t n, const MPI_Comm communicator);
 
-/** The same of all @p values. */
+/** Replaces each of the @p values, as many on all ranks, by its sum over the ranks. Collective. */
 void sum_over_ranks(std::vector<double> &values, const MPI_Comm communicator);
 
 /**

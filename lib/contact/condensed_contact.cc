@@ -301,8 +301,9 @@ std::optional<StaticContactSolution> CondensedContact<dim>::equilibrium(
         holds && normal >= -negligible && (at < 0 || touches || d[at] >= -short_way);
       found.state.push_back(state);
       found.normal_force.push_back(normal);
-      double size = 0., way = 0.,
-             against = 0.; // of friction, of the slip and of what is not against it
+      double size    = 0.; // of the friction
+      double way     = 0.; // of the slip
+      double against = 0.; // how far the slip is from being opposite to the friction
       for (unsigned int c = 0; c + 1 < dim; ++c)
         way = number(i, c) < 0 ? way : std::hypot(way, d[number(i, c)]);
       for (unsigned int c = 0; c + 1 < dim; ++c)
