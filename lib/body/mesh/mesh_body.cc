@@ -92,7 +92,7 @@ std::vector<double> volumes_of(const Mesh<dim> &mesh)
 
 template <int dim>
 MeshBody<dim>::MeshBody(const MeshBodyInput<dim> &given, MeshShare<dim> &&share)
-  : ElasticBody<dim>(given.n_columns > 0 ? given.n_columns : share.mesh.points.size(),
+  : PointBody<dim>(given.n_columns > 0 ? given.n_columns : share.mesh.points.size(),
                      given.n_columns > 0 ? share.mesh.points.size() / given.n_columns : 1,
                      given.phases,
                      given.periodicity)
@@ -103,9 +103,9 @@ MeshBody<dim>::MeshBody(const MeshBodyInput<dim> &given, MeshShare<dim> &&share)
   , in_mesh(std::move(share.point_in_mesh))
   , in_order(order_of(in_mesh))
   , cell_in_mesh(std::move(share.cell_in_mesh))
-  , n_owned(share.n_owned)
   , volumes(volumes_of(mesh))
 {
+  this->n_owned         = share.n_owned;
   this->extents         = share.outline.extents;
   this->total_volume    = share.outline.volume;
   this->mass            = share.outline.mass;
@@ -155,25 +155,6 @@ std::optional<NodeIndex> MeshBody<dim>::find(const unsigned int number) const
 }
 
 template <int dim>
-std::vector<std::uint64_t> MeshBody<dim>::owned_points() const
-{
-  return {in_mesh.begin(), in_mesh.begin() + static_cast<std::ptrdiff_t>(n_owned)};
-}
-
-template <int dim>
-std::vector<double> MeshBody<dim>::values_at(const std::vector<unsigned int> &numbers,
-                                             const NodalField<double> &field) const
-{
-  std::vector<double> values(dim * numbers.size(), 0.);
-  for (std::size_t k = 0; k < numbers.size(); ++k)
-    if (const auto node = find(numbers[k]); node && this->index(*node) < n_owned)
-      for (unsigned int c = 0; c < dim; ++c)
-        values[dim * k + c] = field(c, *node);
-  sum_over_ranks(values, this->communicator());
-  return values;
-}
-
-template <int dim>
 std::uint64_t MeshBody<dim>::number(const NodeIndex &node) const
 {
   return in_mesh[this->index(node)];
@@ -182,7 +163,7 @@ std::uint64_t MeshBody<dim>::number(const NodeIndex &node) const
 template <int dim>
 void MeshBody<dim>::set_sides(const MeshShare<dim> &share)
 {
-  of_contact           = share.outline.sides[ElasticBody<dim>::bottom].points;
+  this->of_contact     = share.outline.sides[ElasticBody<dim>::bottom].points;
   const bool may_close = dim == 2 && !share.is_divided && mesh.originals.empty();
   for (unsigned int id = 0; id < 2 * dim; ++id)
     {

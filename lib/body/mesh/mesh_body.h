@@ -1,12 +1,11 @@
 #ifndef mesoslip_body_mesh_mesh_body_h
 #define mesoslip_body_mesh_mesh_body_h
 
-#include "body/elastic_body.h"
+#include "body/point_body.h"
 #include "elasticity/uniform_material.h"
 #include "mesh/mesh.h"
 
 #include <array>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -53,7 +52,7 @@ struct MeshShare;
  * the ranks by METIS.
  */
 template <int dim>
-class MeshBody : public ElasticBody<dim>
+class MeshBody : public PointBody<dim>
 {
 public:
   using Cells = typename ElasticBody<dim>::Cells; ///< values in a group of cells
@@ -72,12 +71,7 @@ public:
 
   ~MeshBody() override;
 
-  /** The node of point @p number of the mesh, on the ranks that have it. */
-  std::optional<NodeIndex> find(const unsigned int number) const;
-
-  /** Numbers in the mesh of the first nodes of divided fields: each point is such a node on
-   * one rank. */
-  std::vector<std::uint64_t> owned_points() const;
+  std::optional<NodeIndex> find(const unsigned int number) const override;
 
   /** Points and cells of the fields of this rank. */
   const Mesh<dim> &local_mesh() const
@@ -90,17 +84,6 @@ public:
   {
     return cell_in_mesh;
   }
-
-  /** Numbers in the mesh of all nodes of the contact side, in the order of surface(). */
-  const std::vector<unsigned int> &contact_points() const
-  {
-    return of_contact;
-  }
-
-  /** Components of @p field at the points of the mesh with these @p numbers, on all ranks; those of
-   * a point together. Collective. */
-  std::vector<double> values_at(const std::vector<unsigned int> &numbers,
-                                const NodalField<double> &field) const;
 
   void copy_duplicates(NodalField<double> &field) const override;
   using ElasticBody<dim>::copy_duplicates;
@@ -129,8 +112,6 @@ private:
   const std::vector<unsigned int> in_mesh;  ///< see MeshShare::point_in_mesh
   const std::vector<unsigned int> in_order; ///< points of fields, by in_mesh
   const std::vector<unsigned int> cell_in_mesh; ///< see cell_numbers()
-  const std::size_t n_owned;                    ///< see owned_points()
-  std::vector<unsigned int> of_contact;         ///< see contact_points()
   const std::vector<double> volumes;            ///< of the cells (m^2, m^3)
   std::unique_ptr<MeshDiscretization<dim>> discretization;
 };

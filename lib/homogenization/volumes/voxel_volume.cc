@@ -24,10 +24,10 @@ voxel::Sides sides_of(const BoundaryCondition condition)
     }
 }
 
-voxel::HeldComponents held_components(const BoundaryCondition condition,
+voxel::HeldOnSides held_components(const BoundaryCondition condition,
                                       const unsigned int k)
 {
-  voxel::HeldComponents held;
+  voxel::HeldOnSides held;
   for (unsigned int across = 0; across < 3; ++across)
     for (unsigned int c = 0; c < 3; ++c)
       held[across][c] = is_prescribed<3>(condition, k, across, c);

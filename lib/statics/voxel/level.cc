@@ -44,32 +44,104 @@ Cells cells_of(const VoxelGrid &grid, const unsigned int n_coefficients)
   return Cells::cubes;
 }
 
-void clear_held(const VoxelGrid &grid, float *field)
-{
-  if (grid.sides != Sides::mixed)
-    return;
-  const std::size_t stride = grid.stride();
-  for (unsigned int k = 1; k <= grid.n_nodes(2); ++k)
-    for (unsigned int j = 1; j <= grid.n_nodes(1); ++j)
-      for (unsigned int c = 0; c < grid.n_components(); ++c)
-        {
-          float *row = field + (grid.node_row(j, k) * grid.n_components() + c) * stride;
-          const unsigned int along = grid.axis_of(c);
-          if ((grid.held[1][along] && grid.is_on_side(1, j)) ||
-              (grid.held[2][along] && grid.is_on_side(2, k)))
-            std::fill_n(row, stride, 0.F);
-          else if (grid.held[0][along])
-            row[1] = row[grid.n_nodes(0)] = 0.F;
-        }
-}
-
-Level::Level(const VoxelGrid &the_grid, CellStiffness &&the_stiffness)
+Level::Level(const VoxelGrid &the_grid,
+             CellStiffness &&the_stiffness,
+             const HeldComponents &held)
   : grid(the_grid)
   , stiffness(std::move(the_stiffness))
   , cells(cells_of(grid, stiffness.n_coefficients))
 {
   set_inverse_diagonal();
+  hold(held);
   estimate_largest_eigenvalue();
+}
+
+void Level::hold(const HeldComponents &held, const Springs &by_springs)
+{
+  for (; !replaced.empty(); replaced.pop_back())
+    inverse[replaced.back().first] = replaced.back().second;
+  held_places.clear();
+  take_springs(by_springs);
+  if (held.size() == 0)
+    return;
+  for (unsigned int k = 1; k <= grid.n_nodes(2); ++k)
+    for (unsigned int j = 1; j <= grid.n_nodes(1); ++j)
+      for (unsigned int c = 0; c < grid.n_components(); ++c)
+        {
+          const float *row = held.row(c, j, k);
+          for (unsigned int i = 1; i <= grid.n_nodes(0); ++i)
+            if (row[i] > 0.F)
+              held_places.push_back(static_cast<std::size_t>(row - held.data()) + i);
+        }
+  for (const std::size_t place : held_places)
+    {
+      replaced.emplace_back(place, inverse[place]);
+      inverse[place] = 0.F; // no step moves these
+    }
+}
+
+void Level::take_springs(const Springs &given)
+{
+  all_springs.clear();
+  if (given.direct.size() == 0)
+    return;
+  for (unsigned int k = 1; k <= grid.n_nodes(2); ++k)
+    for (unsigned int j = 1; j <= grid.n_nodes(1); ++j)
+      for (unsigned int i = 1; i <= grid.n_nodes(0); ++i)
+        for (unsigned int c = 0; c < 3; ++c)
+          for (unsigned int e = 0; e < 3; ++e)
+            {
+              const float stiffness = c == e ? given.direct.row(c, j, k)[i]
+                                             : given.mixed.row(3 - c - e, j, k)[i];
+              const auto place      = [&](const unsigned int component) {
+                return static_cast<std::size_t>(given.direct.row(component, j, k) -
+                                                given.direct.data()) +
+                       i;
+              };
+              if (stiffness != 0.F)
+                all_springs.push_back({place(c), place(e), stiffness});
+            }
+  for (const Spring &spring : all_springs)
+    if (spring.row == spring.column)
+      {
+        float &x = inverse[spring.row];
+        replaced.emplace_back(spring.row, x);
+        x = 1.F / (1.F / x + spring.stiffness);
+      }
+  if (!all_springs.empty() && left.size() == 0)
+    left = VoxelField<float>(grid);
+}
+
+void Level::add_forces_of_springs(const VoxelField<float> &x,
+                                  VoxelField<float> &forces) const
+{
+  for (const Spring &spring : all_springs)
+    forces.data()[spring.row] -= spring.stiffness * x.data()[spring.column];
+}
+
+/** A step of Chebyshev's, of which @p step knows the factors. */
+void Level::step_on_springs(const SweepArguments<float> &step,
+                            VoxelField<float> &x,
+                            const VoxelField<float> &b,
+                            VoxelField<float> &d)
+{
+  residual(x, b, left);
+  if (step.keep == 0.F)
+    std::fill_n(d.data(), d.size(), 0.F);
+  // Ghosts of d stay zero.
+  for (unsigned int k = 1; k <= grid.n_nodes(2) && step.x_is_d; ++k)
+    for (unsigned int j = 1; j <= grid.n_nodes(1); ++j)
+      for (unsigned int c = 0; c < grid.n_components(); ++c)
+        std::copy_n(x.row(c, j, k) + 1, grid.n_nodes(0), d.row(c, j, k) + 1);
+  first_step(step.step, left, left);
+  kernels().combine(d.size(), 1.F, left.data(), step.keep, d.data());
+  kernels().combine(x.size(), 1.F, d.data(), 1.F, x.data());
+}
+
+void Level::clear_held(float *field) const
+{
+  for (const std::size_t place : held_places)
+    field[place] = 0.F;
 }
 
 SweepArguments<float> Level::arguments(VoxelField<float> &x)
@@ -108,7 +180,14 @@ double Level::product(VoxelField<float> &x, VoxelField<float> &out)
 {
   SweepArguments<float> a = arguments(x);
   a.out                   = out.data();
-  return sum_over_ranks(grid, sweep_of<float>(kernels().product, source, cells)(a));
+  double energy           = sweep_of<float>(kernels().product, source, cells)(a);
+  for (const Spring &spring : all_springs)
+    {
+      const float force = spring.stiffness * x.data()[spring.column];
+      out.data()[spring.row] += force;
+      energy += 1. * x.data()[spring.row] * force;
+    }
+  return sum_over_ranks(grid, energy);
 }
 
 void Level::residual(VoxelField<float> &x,
@@ -119,6 +198,7 @@ void Level::residual(VoxelField<float> &x,
   a.b                     = b.data();
   a.out                   = out.data();
   sweep_of<float>(kernels().residual, source, cells)(a);
+  add_forces_of_springs(x, out);
 }
 
 void Level::smooth(const Smoothing &smoothing,
@@ -155,10 +235,15 @@ void Level::smooth(const Smoothing &smoothing,
           first_step(a.step, b, x);
           x.set_ghosts();
         }
-      else
+      else if (all_springs.empty())
         {
           sweep_of<float>(kernels().chebyshev, source, cells)(a);
           x.set_ghost_rows();
+        }
+      else
+        {
+          step_on_springs(a, x, b, d);
+          x.set_ghosts();
         }
     }
 }
@@ -210,7 +295,6 @@ void Level::set_inverse_diagonal()
           for (unsigned int i = 1; i <= nx; ++i)
             out[i] = 1.F / out[i];
         }
-  clear_held(grid, inverse.data()); // no step moves these
 }
 
 void Level::estimate_largest_eigenvalue()

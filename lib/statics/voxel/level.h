@@ -6,6 +6,7 @@
 #include "statics/voxel/kernels/kernels.h"
 #include "statics/voxel/voxel_field.h"
 
+#include <utility>
 #include <vector>
 
 namespace mesoslip::voxel
@@ -34,13 +35,34 @@ struct Smoothing
   double range        = 1. / 8; ///< of the spectrum
 };
 
+/** Stiffness of springs that hold nodes, in units of that of the kernels; without numbers there are
+ *  none. */
+struct Springs
+{
+  VoxelField<float> direct; ///< xx, yy and zz
+  VoxelField<float> mixed;  ///< yz, xz and xy
+};
+
 /** A grid of the multigrid: stiffness in single precision and Chebyshev's smoother with the
  *  diagonal. */
 class Level
 {
 public:
-  /** Estimates the largest eigenvalue of D^-1 K. */
-  Level(const VoxelGrid &grid, CellStiffness &&stiffness);
+  /** Estimates the largest eigenvalue of D^-1 K where what is @p held is left out. */
+  Level(const VoxelGrid &grid, CellStiffness &&stiffness, const HeldComponents &held);
+
+  /** Holds other components of Sides::mixed, and nodes by springs; the estimate stays, which is not
+   *  less than that where none is held. */
+  void hold(const HeldComponents &held, const Springs &by_springs = {});
+
+  /** Places of the held components in the numbers of a VoxelField. */
+  const std::vector<std::size_t> &held() const
+  {
+    return held_places;
+  }
+
+  /** Zero for the components of @p field, the numbers of a VoxelField, that are held. */
+  void clear_held(float *field) const;
 
   /** From now on the stiffness is that of the phases of the cells, which have to outlive it,
    *  as in kernels.h; what is stored is given back. @p table: as SweepArguments has it. */
@@ -64,8 +86,27 @@ public:
   const VoxelGrid grid;    ///< its cells
   CellStiffness stiffness; ///< of them
 
+  /** Part of a row of the stiffness of springs; places in the numbers of a VoxelField. */
+  struct Spring
+  {
+    std::size_t row, column;
+    float stiffness;
+  };
+
+  /** Those of this rank's nodes. */
+  const std::vector<Spring> &springs() const
+  {
+    return all_springs;
+  }
+
 private:
   SweepArguments<float> arguments(VoxelField<float> &x);
+  void take_springs(const Springs &given);
+  void add_forces_of_springs(const VoxelField<float> &x, VoxelField<float> &forces) const;
+  void step_on_springs(const SweepArguments<float> &step,
+                       VoxelField<float> &x,
+                       const VoxelField<float> &b,
+                       VoxelField<float> &d);
   unsigned int n_diagonals() const
   {
     return cells == Cells::cubes && grid.sides != Sides::mixed ? 1 : grid.n_components();
@@ -77,6 +118,11 @@ private:
   /** [z][y][n_diagonals][stride]; equal for the three components of cubes unless some are
    *  held. */
   LineVector<float> inverse;
+  std::vector<std::size_t>
+    held_places; ///< in fields, and in inverse, which is zero there
+  std::vector<Spring> all_springs;
+  std::vector<std::pair<std::size_t, float>> replaced; ///< of inverse, by springs or zero
+  VoxelField<float> left;                              ///< residual of a step on springs
   LineVector<float> work;
   LineVector<float> table;
   const CellIndices *phase = nullptr;
@@ -110,7 +156,7 @@ SweepArguments<Number> sweep_arguments(const VoxelGrid &grid, LineVector<Number>
   for (unsigned int d = 0; d < 3; ++d)
     a.n[d] = grid.n_nodes(d);
   a.stride   = grid.stride();
-  a.periodic = grid.sides == Sides::periodic;
+  a.periodic = grid.is_periodic(0);
   a.ratio[0] = static_cast<Number>(grid.ratio(0));
   a.ratio[1] = static_cast<Number>(grid.ratio(2));
   work.resize((n_work_rows + 6 * (std::size_t{a.n[1]} + 1)) * a.stride);

@@ -18,35 +18,47 @@ constexpr unsigned int fewest_planes = 4;
 
 /** Number of the unknown, or of none, of a node (field numbers) on the coarsest grid. */
 long unknown(const VoxelGrid &grid,
+             const HeldComponents &held,
              std::array<unsigned int, 3> node,
-             const unsigned int c)
+             const unsigned int axis)
 {
-  if (grid.flat && c == 1)
+  if (grid.flat && axis == 1)
     return -1;
-  long number = 0;
+  const unsigned int c = grid.flat ? axis / 2 : axis;
+  long number          = 0;
   for (unsigned int d = 3; d-- > 0;)
     {
       const unsigned int n = grid.n_nodes(d);
       if (grid.flat && d == 1)
         node[d] = 1;
-      else if (grid.sides == Sides::periodic)
+      else if (grid.is_periodic(d))
         node[d] = (node[d] + n - 1) % n + 1;
       if (node[d] < 1 || node[d] > n)
         return -1;
-      if (grid.sides == Sides::mixed && grid.held[d][c] && grid.is_on_side(d, node[d]))
-        return -1;
       number = number * n + node[d] - 1;
     }
-  return grid.n_components() * number + (grid.flat ? c / 2 : c);
+  if (held.size() > 0 && held.row(c, node[1], node[2])[node[0]] > 0.F)
+    return -1;
+  return grid.n_components() * number + c;
+}
+
+/** Gives all ranks what each has of it, with the ghosts. */
+HeldComponents of_all_ranks(const HeldComponents &part, const VoxelGrid &whole)
+{
+  HeldComponents held(whole);
+  gather_planes(part.grid(), part.data(), held.data(), part.plane_size());
+  held.set_ghosts();
+  return held;
 }
 } // namespace
 
 Multigrid::Multigrid(const VoxelGrid &grid,
                      CellStiffness &&stiffness,
-                     const Options &options)
+                     const Options &options,
+                     HeldComponents held)
 {
   const FlushDenormals flush;
-  levels.emplace_back(grid, std::move(stiffness));
+  levels.emplace_back(grid, std::move(stiffness), held);
   smoothings.push_back(options.finest);
   d.emplace_back(grid);
   x.emplace_back();
@@ -61,13 +73,38 @@ Multigrid::Multigrid(const VoxelGrid &grid,
                   std::max(last.degree, std::min(options.greatest, last.degree * options.growth));
                 const double growth = static_cast<double>(degree) / last.degree;
                 smoothings.push_back({degree, last.range / (growth * growth)});
-                add_level(next, coarsened(fine.grid, fine.stiffness, next));
+                add_level(next, coarsened(fine.grid, fine.stiffness, next), held);
     }
-  build_bottom();
+  build_bottom(held);
 }
 
-void Multigrid::add_level(VoxelGrid grid, CellStiffness &&stiffness)
+void Multigrid::hold(HeldComponents held, Springs springs)
 {
+  for (std::size_t l = 0; l < levels.size(); ++l)
+    {
+      const VoxelGrid &grid = levels[l].grid;
+      const bool gathers    = l > 0 && l == first_whole;
+      const VoxelGrid &part = gathers ? part_b.grid() : grid;
+      if (l > 0 && held.size() > 0)
+        held =
+          gathers ? of_all_ranks(coarsened(held, part), grid) : coarsened(held, part);
+      for (VoxelField<float> *field : {&springs.direct, &springs.mixed})
+        if (l > 0 && field->size() > 0)
+          {
+            VoxelField<float> below(part);
+            transfers[l - 1].restrict_to(*field, below);
+            *field = gathers ? of_all_ranks(below, grid) : std::move(below);
+          }
+      levels[l].hold(held, springs);
+    }
+  build_bottom(held);
+}
+
+/** Puts the components that are @p held on it in the place of those of the grid before. */
+void Multigrid::add_level(VoxelGrid grid, CellStiffness &&stiffness, HeldComponents &held)
+{
+  if (held.size() > 0)
+    held = coarsened(held, grid);
   if (grid.is_divided() && !has_planes(grid, fewest_planes))
     {
       first_whole = levels.size();
@@ -81,14 +118,16 @@ void Multigrid::add_level(VoxelGrid grid, CellStiffness &&stiffness)
       gather_planes(part, stiffness.numbers.data(), whole.numbers.data(),
                     grid.cell_rows_in_plane() * whole.n_coefficients * grid.stride());
       stiffness = std::move(whole);
+      if (held.size() > 0)
+        held = of_all_ranks(held, grid);
     }
-  levels.emplace_back(grid, std::move(stiffness));
+  levels.emplace_back(grid, std::move(stiffness), held);
   x.emplace_back(grid);
   b.emplace_back(grid);
   d.emplace_back(grid);
 }
 
-void Multigrid::build_bottom()
+void Multigrid::build_bottom(const HeldComponents &held)
 {
   Level &level         = levels.back();
   const VoxelGrid grid = level.grid;
@@ -113,7 +152,7 @@ void Multigrid::build_bottom()
       for (unsigned int k = 0; k < 24; ++k)
         {
           const unsigned int corner = k / 3;
-          index[k]                  = unknown(grid,
+          index[k]                  = unknown(grid, held,
                                               {{first[0] + (corner & 1U), first[1] + (corner >> 1 & 1U),
                                                 first[2] + (corner >> 2)}},
                                               k % 3);
@@ -123,6 +162,18 @@ void Multigrid::build_bottom()
           if (index[r] >= 0 && index[c] >= 0)
             K(index[r], index[c]) += matrix(r, c);
     }
+  const auto number = [&](const std::size_t place) {
+    const std::size_t row = place / grid.stride(), of_node = row / 3;
+    const std::size_t in_plane = grid.node_rows_in_plane();
+    return unknown(grid, held,
+                   {{static_cast<unsigned int>(place % grid.stride()),
+                     static_cast<unsigned int>(of_node % in_plane),
+                     static_cast<unsigned int>(of_node / in_plane)}},
+                   row % 3);
+  };
+  for (const Level::Spring &spring : level.springs())
+    if (number(spring.row) >= 0 && number(spring.column) >= 0)
+      K(number(spring.row), number(spring.column)) += spring.stiffness;
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(K);
   const Eigen::VectorXd &energies = modes.eigenvalues();
   Eigen::VectorXd inverse         = Eigen::VectorXd::Zero(n);
@@ -170,6 +221,7 @@ void Multigrid::visit(const std::size_t l,
   Level &level = levels[l];
   level.smooth(smoothings[l], true, solution, force, d[l]);
   level.residual(solution, force, d[l]);
+  level.clear_held(d[l].data());
   const bool gathers               = l + 1 == first_whole;
   const VoxelField<float> &x_below = gathers ? part_x : x[l + 1];
   VoxelField<float> &b_below       = gathers ? part_b : b[l + 1];
@@ -181,6 +233,8 @@ void Multigrid::visit(const std::size_t l,
     std::copy_n(x[l + 1].row(0, 0, part_x.grid().below()),
                 part_x.plane_size() * (part_x.n_nodes()[2] + 2), part_x.data());
   transfers[l].add_from(x_below, solution);
+  level.clear_held(solution.data());
+  solution.set_ghosts();
   level.smooth(smoothings[l], false, solution, force, d[l]);
 }
 } // namespace mesoslip::voxel

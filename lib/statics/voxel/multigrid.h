@@ -32,8 +32,15 @@ public:
     unsigned int greatest = 32; ///< degree
   };
 
-  /** Takes the finest grid; ghost cells of @p stiffness are set. */
-  Multigrid(const VoxelGrid &grid, CellStiffness &&stiffness, const Options &options);
+  /** Takes the finest grid; ghost cells of @p stiffness and ghosts of @p held are set. */
+  Multigrid(const VoxelGrid &grid,
+            CellStiffness &&stiffness,
+            const Options &options,
+            HeldComponents held);
+
+  /** Holds other components of Sides::mixed, whose ghosts are set, and nodes by @p springs, of which
+   *  coarse grids have what their nodes take of forces. */
+  void hold(HeldComponents held, Springs springs = {});
 
   /** @p solution = M^-1 @p force; ghosts of @p solution are set. */
   void vmult(VoxelField<float> &solution, const VoxelField<float> &force);
@@ -53,8 +60,8 @@ public:
 private:
   void
   visit(const std::size_t l, VoxelField<float> &solution, const VoxelField<float> &force);
-  void add_level(VoxelGrid grid, CellStiffness &&stiffness);
-  void build_bottom();
+  void add_level(VoxelGrid grid, CellStiffness &&stiffness, HeldComponents &held);
+  void build_bottom(const HeldComponents &held);
   void solve_bottom(VoxelField<float> &solution, const VoxelField<float> &force) const;
 
   std::deque<Level> levels;

@@ -43,7 +43,7 @@ int neighbour(const VoxelGrid &grid, const int step)
 {
   const int n     = static_cast<int>(grid.planes.size()) - 1,
             other = static_cast<int>(grid.rank) + step;
-  if (grid.sides == Sides::periodic)
+  if (grid.is_periodic(2))
     return (other + n) % n;
   return other < 0 || other >= n ? MPI_PROC_NULL : other;
 }

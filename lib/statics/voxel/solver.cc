@@ -1,12 +1,9 @@
 #include "statics/voxel/solver.h"
 
-#include "base/flush_denormals.h"
-
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace mesoslip::voxel
 {
@@ -23,48 +20,84 @@ double trusted_drop(const VoxelGrid &grid)
 /** What is left of the forces of a homogeneous volume, relative to those of its cells, is
  *  round-off. */
 constexpr double cancelled = 1e-12;
+
+VoxelGrid kind_of(const Sides sides, const bool flat)
+{
+  VoxelGrid grid;
+  grid.sides = sides;
+  grid.flat  = flat;
+  return grid;
+}
 } // namespace
 
-/** Norm of the loads of the cells before they cancel; see outer(). */
+Solver::Solver(const CellPlanes &cells,
+               const std::vector<VoigtMatrix<3>> &the_stiffness,
+               const Sides sides,
+               const bool flat)
+  : K(cells, the_stiffness, kind_of(sides, flat))
+  , iteration(K)
+  , strains(the_stiffness.size(), VoigtMatrix<3>::Zero())
+{
+  bool has_unknowns = true;
+  for (unsigned int d = 0; d < 3; ++d)
+    has_unknowns = has_unknowns && K.grid.n_all_nodes(d) > 0;
+  if (has_unknowns && sides != Sides::mixed)
+    multigrid = K.make_multigrid({});
+}
+
+void Solver::hold(const HeldOnSides &held)
+{
+  if (multigrid && held == held_on_sides)
+    return;
+  held_on_sides = held;
+  HeldComponents components(K.grid);
+  for (unsigned int k = 1; k <= K.grid.n_nodes(2); ++k)
+    for (unsigned int j = 1; j <= K.grid.n_nodes(1); ++j)
+      for (unsigned int c = 0; c < K.grid.n_components(); ++c)
+        for (unsigned int i = 1; i <= K.grid.n_nodes(0); ++i)
+          {
+            const std::array<unsigned int, 3> node = {{i, j, k}};
+            for (unsigned int d = 0; d < 3; ++d)
+              if (held[d][K.grid.axis_of(c)] && K.grid.is_on_side(d, node[d]))
+                components.row(c, j, k)[i] = 1.F;
+          }
+  components.set_ghosts();
+  multigrid.reset(); // not two at once
+  multigrid = K.make_multigrid(std::move(components));
+}
+
+/** Norm of the loads of the cells before they cancel; see load_of(). */
 double Solver::gross_load(const unsigned int k) const
 {
-  const double volume = voxels.spacing[0] * voxels.spacing[1] * voxels.spacing[2];
-  double sum          = 0.;
-  for (std::size_t phase = 0; phase < stiffness.size(); ++phase)
+  const VoxelGrid &grid = K.grid;
+  const double volume   = grid.spacing[0] * grid.spacing[1] * grid.spacing[2];
+  double sum            = 0.;
+  for (std::size_t phase = 0; phase < K.of_phases.size(); ++phase)
     for (unsigned int c = 0; c < 3; ++c)
       for (unsigned int d = 0; d < 3; ++d)
         {
-          const double stress = voxels.sides == Sides::free
-                                  ? (voigt_index<3>(c, d) == k ? 1. : 0.)
-                                  : stiffness[phase](voigt_index<3>(c, d), k) / modulus;
+          const double stress =
+            grid.sides == Sides::free
+              ? (voigt_index<3>(c, d) == k ? 1. : 0.)
+              : K.of_phases[phase](voigt_index<3>(c, d), k) / K.modulus;
           // On each of eight nodes, or of four that have twice as much.
-          const double force = stress * volume / (4. * voxels.spacing[d]);
-          sum += n_cells[phase] * (voxels.flat ? 16. : 8.) * force * force;
+          const double force = stress * volume / (4. * grid.spacing[d]);
+          sum += K.n_cells[phase] * (grid.flat ? 16. : 8.) * force * force;
         }
   return std::sqrt(sum);
 }
 
-/** Forces of load case @p k that nothing balances, those at held components included, and the
- *  square of their norm. */
-double Solver::unbalanced(const unsigned int k,
-                          VoxelField<double> &v,
-                          VoxelField<float> &out,
-                          double *exact)
+/** What all cells have in load case @p k. */
+CellLoad Solver::load_of(const unsigned int k) const
 {
-  SweepArguments<double> a = sweep_arguments(voxels, work);
-  a.x                      = v.data();
-  a.out                    = out.data();
-  a.exact                  = exact;
-  a.phase                  = phases.bytes();
-  a.material               = phases.words();
-  a.table                  = table.data();
-  const double volume      = voxels.spacing[0] * voxels.spacing[1] * voxels.spacing[2];
-  if (voxels.sides == Sides::free)
-    a.stress[k] = voxels.flat ? volume / 2. : volume / 4.;
+  const auto &edge    = K.grid.spacing;
+  const double volume = edge[0] * edge[1] * edge[2];
+  CellLoad load;
+  if (K.grid.sides == Sides::free)
+    load.stress[k] = K.grid.flat ? volume / 2. : volume / 4.;
   else
-    a.strain[k] = voxels.flat ? 2. : 4.;
-  const Cells cells = cells_of(voxels, n_coefficients);
-  return sum_over_ranks(voxels, sweep_of<double>(kernels().outer, source, cells)(a));
+    load.strain[k] = K.grid.flat ? 2. : 4.;
+  return load;
 }
 
 /** Residual of load case @p k, and the square of its norm. */
@@ -73,11 +106,11 @@ double Solver::outer(const unsigned int k,
                      VoxelField<float> &out,
                      double *exact)
 {
-  const double square = unbalanced(k, v, out, exact);
-  if (voxels.sides != Sides::mixed)
+  const double square = K.forces(load_of(k), v, out, exact);
+  if (K.grid.sides != Sides::mixed)
     return square;
-  clear_held(voxels, out.data());
-  return sum_over_ranks(voxels, kernels().dot(out.size(), out.data(), out.data()));
+  multigrid->finest().clear_held(out.data());
+  return sum_over_ranks(K.grid, kernels().dot(out.size(), out.data(), out.data()));
 }
 
 void Solver::residual(const unsigned int k,
@@ -87,7 +120,8 @@ void Solver::residual(const unsigned int k,
   v.set_ghosts();
   outer(k, v, multigrid->finest_buffer(), out.data());
   // From the units of stress and length.
-  const double unit = (voxels.sides == Sides::free ? 1. : modulus) * length * length;
+  const double unit =
+    (K.grid.sides == Sides::free ? 1. : K.modulus) * K.length * K.length;
   for (std::size_t i = 0; i < out.size(); ++i)
     out.data()[i] *= unit;
 }
@@ -96,76 +130,26 @@ SolverReport
 Solver::solve(const unsigned int k, const double tolerance, const unsigned int limit)
 {
   AssertThrow(
-    voxels.sides != Sides::mixed || multigrid,
+    K.grid.sides != Sides::mixed || multigrid,
     dealii::ExcMessage("hold() has to be called before mixed sides are solved."));
-  SolverReport report;
-  n_solved = k == voxels.load_case(n_solved) ? n_solved + 1 : 0;
+  n_solved = k == K.grid.load_case(n_solved) ? n_solved + 1 : 0;
   if (!multigrid)
-    return report;
-  const FlushDenormals flush;
-  for (VoxelField<float> *field : {&r, &p, &z})
-    if (field->size() == 0)
-      *field = VoxelField<float>(voxels);
+    return {};
   if (u.size() == 0)
-    u = VoxelField<double>(voxels);
+    u = VoxelField<double>(K.grid);
   else
     std::fill_n(u.data(), u.size(), 0.);
-  VoxelField<float> &q   = multigrid->finest_buffer(); // not needed across a cycle
-  const double reference = std::sqrt(outer(k, u, r));
-  double norm = reference, rz = 0., trusted = reference, least = reference;
-  double begun =
-    2. * reference;        // the residual from which the directions were last begun anew
-  bool is_new      = true; // whether they begin with the next one
-  const auto trust = [&]() {
-    u.set_ghosts();
-    trusted = norm = std::sqrt(outer(k, u, r));
-    least          = std::min(least, norm);
+  ConjugateGradients::Problem problem;
+  problem.residual = [&](VoxelField<double> &v, VoxelField<float> &out) {
+    return outer(k, v, out);
   };
-  const auto fail = [&](const std::string &what, const NotConverged::Reason reason) {
-    std::ostringstream text;
-    text << "conjugate gradients " << what << " after " << report.iterations
-         << " iterations at a relative residual of " << report.residual;
-    throw NotConverged(text.str(), reason, least / reference);
-  };
-  if (reference <= cancelled * gross_load(k))
-    norm = 0.;
-  while (norm > tolerance * reference || !std::isfinite(norm))
-    {
-      if (!std::isfinite(norm))
-        fail("met numbers that are not finite", NotConverged::Reason::not_finite);
-      if (report.iterations == limit)
-        fail("did not converge", NotConverged::Reason::iterations);
-      multigrid->vmult(z, r);
-      const double last = rz;
-      rz = sum_over_ranks(voxels, kernels().dot(r.size(), r.data(), z.data()));
-      const double beta = is_new ? 0. : rz / last;
-      kernels().combine(p.size(), 1.F, z.data(), static_cast<float>(beta), p.data());
-      const double pq = multigrid->finest().product(p, q);
-      clear_held(voxels, q.data());
-      if (!(pq > 0.) || !(rz > 0.))
-        {
-          // Directions are lost to round-off, the displacements are not.
-          trust();
-          report.residual = norm / reference;
-          if (is_new || !(norm < 0.5 * begun))
-            fail("broke down", NotConverged::Reason::broke_down);
-          begun  = norm;
-          is_new = true;
-          continue;
-        }
-      is_new             = false;
-      const double alpha = rz / pq;
-      norm               = std::sqrt(
-                      sum_over_ranks(voxels, kernels().step(r.size(), static_cast<float>(alpha),
-                                                            p.data(), q.data(), u.data(), r.data())));
-      ++report.iterations;
-      if (norm <= std::max(tolerance * reference, trusted_drop(voxels) * trusted))
-        trust();
-      report.residual = norm / reference;
-    }
-  u.set_ghosts();
-  if (voxels.sides == Sides::mixed)
-    unbalanced(k, u, r); // other load cases move what this one holds
+  problem.tolerance         = tolerance;
+  problem.negligible        = cancelled * gross_load(k);
+  problem.limit             = limit;
+  problem.trusted_drop      = trusted_drop(K.grid);
+  const SolverReport report = iteration.solve(u, *multigrid, problem);
+  if (K.grid.sides == Sides::mixed)
+    K.forces(load_of(k), u, iteration.r); // other load cases move what this one holds
   keep(k);
   return report;
 }
@@ -175,9 +159,9 @@ Solver::solve_all(const double tolerance,
                   const std::function<void(unsigned int)> &progress)
 {
   std::array<SolverReport, 6> reports;
-  for (unsigned int n = 0; n < voxels.n_load_cases(); ++n)
+  for (unsigned int n = 0; n < K.grid.n_load_cases(); ++n)
     {
-      const unsigned int k = voxels.load_case(n);
+      const unsigned int k = K.grid.load_case(n);
       reports[k]           = solve(k, tolerance);
       if (progress)
         progress(n + 1);

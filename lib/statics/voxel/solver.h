@@ -1,25 +1,22 @@
 #ifndef mesoslip_statics_voxel_solver_h
 #define mesoslip_statics_voxel_solver_h
 
-#include "grid/cell_planes.h"
-#include "grid/uniform_grid.h"
-#include "material/voigt.h"
-#include "statics/static_solver.h"
-#include "statics/voxel/multigrid.h"
+#include "statics/voxel/conjugate_gradients.h"
 #include "statics/voxel/packed_field.h"
-#include "statics/voxel/voxel_field.h"
+#include "statics/voxel/stiffness.h"
 
 #include <array>
 #include <functional>
-#include <memory>
 #include <vector>
 
 namespace mesoslip::voxel
 {
+/** Whether the displacement along axis c is zero on the two sides across an axis:
+ *  [across][c]. */
+using HeldOnSides = std::array<std::array<bool, 3>, 3>;
+
 /**
- * The six unit load cases of a volume of voxels: trilinear bricks, exactly integrated,
- * without a matrix. Conjugate gradients in single precision with a multigrid cycle; the
- * displacements and, from time to time, the residual are in double precision.
+ * The six unit load cases of a volume of voxels, see Stiffness and ConjugateGradients.
  *
  * Held, periodic and mixed sides: u = E.x + fluctuation with a unit strain E (engineering
  * shear), the fluctuation being zero at the sides (KUBC), periodic (PBC, up to a translation)
@@ -61,7 +58,7 @@ public:
 
   /** Of mixed sides: components of the fluctuation that are zero on them from now on; to be
    *  called before the first solve(), and between load cases that differ. */
-  void hold(const HeldComponents &held);
+  void hold(const HeldOnSides &held);
 
   /**
    * Solves load case @p k (Voigt) from zero until the residual is @p tolerance times that
@@ -118,16 +115,12 @@ public:
   /** Nodes and cells as the fields count them; lengths in edges along y. Not collective. */
   const VoxelGrid &grid() const
   {
-    return voxels;
+    return K.grid;
   }
 
 private:
-  void set_table();
-  void build_multigrid();
-  double unbalanced(const unsigned int k,
-                    VoxelField<double> &v,
-                    VoxelField<float> &out,
-                    double *exact = nullptr);
+  CellLoad load_of(const unsigned int k) const;
+  VoigtMatrix<3> mean_stiffness() const;
   double outer(const unsigned int k,
                VoxelField<double> &v,
                VoxelField<float> &out,
@@ -137,23 +130,14 @@ private:
   double dot_with_kept(const unsigned int k);
   void sum_strains(const unsigned int k);
   std::size_t first_cell_of_row(const unsigned int line, const unsigned int plane) const;
-  std::size_t in_table(const unsigned int coefficient, const std::size_t phase) const;
 
-  const std::vector<VoigtMatrix<3>> stiffness;
-  VoxelGrid voxels;
-  std::vector<double> n_cells;                            ///< of each phase
-  unsigned int n_coefficients   = 0;                      ///< as in CellStiffness
-  Source source                 = Source::phases;         ///< few, many or materials
-  unsigned int n_solved         = 0;                      ///< cases in order that are
-  double modulus                = 0.;                     ///< unit of stress (Pa)
-  double length                 = 1.;                     ///< unit of length (m)
-  VoigtMatrix<3> mean_stiffness = VoigtMatrix<3>::Zero(); ///< in units of modulus
-  CellIndices phases;
-  LineVector<double> table, work;
-  std::unique_ptr<Multigrid> multigrid;
-  VoxelField<double> u;            ///< of the case that is being solved
-  std::array<PackedField, 6> kept; ///< those that were
-  VoxelField<float> r, p, z;
+  const Stiffness K;
+  std::unique_ptr<Multigrid> multigrid; ///< none without unknowns, or before hold()
+  ConjugateGradients iteration;
+  HeldOnSides held_on_sides = {};
+  unsigned int n_solved     = 0;       ///< cases in order that are
+  VoxelField<double> u;                ///< of the case that is being solved
+  std::array<PackedField, 6> kept;     ///< those that were
   std::vector<VoigtMatrix<3>> strains; ///< of the fluctuations, summed for each phase
   VoigtMatrix<3> corrections = VoigtMatrix<3>::Zero(); ///< u_k . residual of l, k <= l
 };

@@ -4,6 +4,7 @@
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace mesoslip::voxel
 {
@@ -64,16 +65,14 @@ void add_strains(const VoxelGrid &grid,
 std::size_t Solver::first_cell_of_row(const unsigned int line,
                                       const unsigned int plane) const
 {
-  return voxels.cell_row(line, plane) * voxels.stride() + voxels.first();
+  return K.grid.cell_row(line, plane) * K.grid.stride() + K.grid.first();
 }
 
 /** What is wanted later of the displacements u of load case @p k and their residual. */
 void Solver::keep(const unsigned int k)
 {
   sum_strains(k);
-  // In the place of what the next solve makes anew.
-  p       = VoxelField<float>();
-  z       = VoxelField<float>();
+  iteration.release(); // before memory is taken
   kept[k] = PackedField();
   kept[k] = PackedField(u);
   for (unsigned int l = 0; l <= k; ++l)
@@ -84,17 +83,18 @@ void Solver::keep(const unsigned int k)
 /** r.u of load case @p k, over the ranks. */
 double Solver::dot_with_kept(const unsigned int k)
 {
-  LineVector<double> row(voxels.stride());
+  LineVector<double> row(K.grid.stride());
   double sum = 0.;
-  for (unsigned int plane = 1; plane <= voxels.n_nodes(2); ++plane)
-    for (unsigned int line = 1; line <= voxels.n_nodes(1); ++line)
-      for (unsigned int c = 0; c < voxels.n_components(); ++c)
+  for (unsigned int plane = 1; plane <= K.grid.n_nodes(2); ++plane)
+    for (unsigned int line = 1; line <= K.grid.n_nodes(1); ++line)
+      for (unsigned int c = 0; c < K.grid.n_components(); ++c)
         {
           // The ghosts of the residual are zero.
           kept[k].read_row(c, line, plane, row.data());
-          sum += kernels().mixed_dot(row.size(), r.row(c, line, plane), row.data());
+          sum +=
+            kernels().mixed_dot(row.size(), iteration.r.row(c, line, plane), row.data());
         }
-  return sum_over_ranks(voxels, sum);
+  return sum_over_ranks(K.grid, sum);
 }
 
 /** The column of @p k of the strains of each phase, from the displacements u. */
@@ -102,25 +102,25 @@ void Solver::sum_strains(const unsigned int k)
 {
   std::vector<double> sums(6 * strains.size());
   RowOfStrains strain;
-  for (unsigned int plane = 0; plane < voxels.n_cell_planes(); ++plane)
-    for (unsigned int j = 0; j < voxels.cells[1]; ++j)
+  for (unsigned int plane = 0; plane < K.grid.n_cell_planes(); ++plane)
+    for (unsigned int j = 0; j < K.grid.cells[1]; ++j)
       {
-        const unsigned int line = j + voxels.first(),
-                           at   = plane + voxels.first_cell_plane();
+        const unsigned int line = j + K.grid.first(),
+                           at   = plane + K.grid.first_cell_plane();
         for (std::vector<double> &component : strain)
-          component.assign(voxels.cells[0], 0.);
+          component.assign(K.grid.cells[0], 0.);
         add_strains(
-          voxels, line, at,
+          K.grid, line, at,
           [this](unsigned int, unsigned int c, unsigned int y, unsigned int z) {
             return u.row(c, y, z);
           },
           1., strain);
         const std::size_t first = first_cell_of_row(line, at);
         for (unsigned int m = 0; m < 6; ++m)
-          for (unsigned int i = 0; i < voxels.cells[0]; ++i)
-            sums[6 * std::size_t{phases[first + i]} + m] += strain[m][i];
+          for (unsigned int i = 0; i < K.grid.cells[0]; ++i)
+            sums[6 * std::size_t{K.phases[first + i]} + m] += strain[m][i];
       }
-  sum_over_ranks(voxels, sums.data(), static_cast<unsigned int>(sums.size()));
+  sum_over_ranks(K.grid, sums.data(), static_cast<unsigned int>(sums.size()));
   for (std::size_t id = 0; id < strains.size(); ++id)
     strains[id].col(k) = Eigen::Map<const VoigtVector<3>>(&sums[6 * id]);
 }
@@ -130,65 +130,75 @@ std::vector<Solver::PhaseStrains> Solver::phase_strains() const
   std::vector<PhaseStrains> result;
   for (std::size_t id = 0; id < strains.size(); ++id)
     {
-      result.push_back({n_cells[id], strains[id]});
-      if (voxels.sides == Sides::free)
-        result[id].sum /= modulus;
+      result.push_back({K.n_cells[id], strains[id]});
+      if (K.grid.sides == Sides::free)
+        result[id].sum /= K.modulus;
       else
-        result[id].sum += n_cells[id] * VoigtMatrix<3>::Identity();
+        result[id].sum += K.n_cells[id] * VoigtMatrix<3>::Identity();
     }
   return result;
 }
 
+/** In units of the modulus. */
+VoigtMatrix<3> Solver::mean_stiffness() const
+{
+  const double all    = std::accumulate(K.n_cells.begin(), K.n_cells.end(), 0.);
+  VoigtMatrix<3> mean = VoigtMatrix<3>::Zero();
+  for (std::size_t id = 0; id < K.of_phases.size(); ++id)
+    mean += K.n_cells[id] / all * K.of_phases[id] / K.modulus;
+  return mean;
+}
+
 VoigtMatrix<3> Solver::effective_stiffness() const
 {
-  AssertThrow(n_solved == voxels.n_load_cases(),
+  AssertThrow(n_solved == K.grid.n_load_cases(),
               dealii::ExcMessage("All load cases have to be solved."));
   if (!multigrid)
-    return mean_stiffness * modulus;
+    return mean_stiffness() * K.modulus;
   // Loads are stresses that are constant in each cell: their work is that of mean strains.
-  const double cells          = 1. * voxels.cells[0] * voxels.cells[1] * voxels.cells[2];
-  const double volume         = voxels.spacing[0] * voxels.spacing[1] * voxels.spacing[2];
+  const double cells          = 1. * K.grid.cells[0] * K.grid.cells[1] * K.grid.cells[2];
+  const double volume         = K.grid.spacing[0] * K.grid.spacing[1] * K.grid.spacing[2];
   VoigtMatrix<3> work_of_load = VoigtMatrix<3>::Zero();
   for (std::size_t id = 0; id < strains.size(); ++id)
-    if (voxels.sides == Sides::free)
+    if (K.grid.sides == Sides::free)
       work_of_load += strains[id] / cells;
     else
-      work_of_load -= stiffness[id] / modulus * strains[id] / cells;
+      work_of_load -= K.of_phases[id] / K.modulus * strains[id] / cells;
   for (unsigned int k = 0; k < 6; ++k)
     for (unsigned int l = k; l < 6; ++l)
       work_of_load(k, l) = work_of_load(l, k) =
         work_of_load(k, l) + corrections(k, l) / (volume * cells);
-  if (voxels.flat) // so that there is an inverse
+  if (K.grid.flat) // so that there is an inverse
     for (const unsigned int k : {1, 3, 5})
       work_of_load(k, k) = 1.;
-  if (voxels.sides == Sides::free)
-    return inverse<3>(work_of_load) * modulus;
-  return (mean_stiffness - work_of_load) * modulus;
+  if (K.grid.sides == Sides::free)
+    return inverse<3>(work_of_load) * K.modulus;
+  return (mean_stiffness() - work_of_load) * K.modulus;
 }
 
 void Solver::evaluate(const unsigned int j, const unsigned int k, RowOfCells &row) const
 {
-  const unsigned int plane = k + voxels.first_cell_plane(), line = j + voxels.first();
-  row.phase.resize(voxels.cells[0]);
-  for (unsigned int i = 0; i < voxels.cells[0]; ++i)
-    row.phase[i] = phases[first_cell_of_row(line, plane) + i];
-  const bool free = voxels.sides == Sides::free;
+  const unsigned int plane = k + K.grid.first_cell_plane(), line = j + K.grid.first();
+  row.phase.resize(K.grid.cells[0]);
+  for (unsigned int i = 0; i < K.grid.cells[0]; ++i)
+    row.phase[i] = K.phases[first_cell_of_row(line, plane) + i];
+  const bool free = K.grid.sides == Sides::free;
   std::array<std::vector<double>, 4> nodes;
   for (unsigned int load = 0; load < 6; ++load)
     {
       for (unsigned int m = 0; m < 6; ++m)
-        row.strain[load][m].assign(voxels.cells[0], !free && m == load ? 1. : 0.);
+        row.strain[load][m].assign(K.grid.cells[0], !free && m == load ? 1. : 0.);
       if (kept[load].empty())
         continue;
       for (std::vector<double> &corner : nodes)
         corner.resize(kept[load].n_in_row());
       add_strains(
-        voxels, line, plane,
+        K.grid, line, plane,
         [&](unsigned int corner, unsigned int c, unsigned int y, unsigned int z) {
           kept[load].read_row(c, y, z, nodes[corner].data());
           return nodes[corner].data();
         },
-        free ? 1. / modulus : 1., row.strain[load]);
+        free ? 1. / K.modulus : 1., row.strain[load]);
     }
 }
 } // namespace mesoslip::voxel

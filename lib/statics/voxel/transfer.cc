@@ -46,21 +46,19 @@ void complete_cells(const VoxelGrid &grid, CellStiffness &stiffness)
   const std::size_t line  = stiffness.n_coefficients * grid.stride(),
                     plane = line * grid.cell_rows_in_plane();
   sum_shared_cells(grid, stiffness.numbers.data(), plane);
-  if (grid.sides != Sides::periodic)
-    return;
   for (unsigned int k = 0; k <= grid.n_nodes(2); ++k)
     {
-      for (unsigned int j = 1; j <= grid.cells[1]; ++j)
+      for (unsigned int j = 1; j <= grid.cells[1] && grid.is_periodic(0); ++j)
         for (unsigned int m = 0; m < stiffness.n_coefficients; ++m)
           {
             float *row = stiffness.row(grid, m, j, k);
             row[0]     = row[grid.cells[0]];
           }
-      if (!grid.flat)
+      if (grid.is_periodic(1) && !grid.flat)
         std::copy_n(stiffness.row(grid, 0, grid.cells[1], k), line,
                     stiffness.row(grid, 0, 0, k));
     }
-  if (!grid.is_divided())
+  if (grid.is_periodic(2) && !grid.is_divided())
     std::copy_n(stiffness.row(grid, 0, 0, grid.cells[2]), plane,
                 stiffness.row(grid, 0, 0, 0));
 }
@@ -120,6 +118,36 @@ coarsened(const VoxelGrid &fine, CellStiffness &stiffness, const VoxelGrid &coar
   return result;
 }
 
+HeldComponents coarsened(const HeldComponents &fine, const VoxelGrid &coarse)
+{
+  HeldComponents result(coarse);
+  const VoxelGrid &grid = fine.grid();
+  // Fine nodes at or before a coarse one and at or behind it; equal where they coincide.
+  const auto around = [&](const unsigned int axis, const unsigned int node) {
+    const bool z            = axis == 2;
+    const std::size_t place = (node - std::size_t{1} + (z ? coarse.below() : 0)) *
+                              grid.cells[axis],
+                      cell = place / coarse.cells[axis];
+    const auto before      = static_cast<unsigned int>(cell + 1 - (z ? grid.below() : 0));
+    const unsigned int next = place % coarse.cells[axis] > 0 ? 1 : 0;
+    return std::array<unsigned int, 2>{{before, before + next}};
+  };
+  for (unsigned int k = 1; k <= coarse.n_nodes(2); ++k)
+    for (unsigned int j = 1; j <= coarse.n_nodes(1); ++j)
+      for (unsigned int i = 1; i <= coarse.n_nodes(0); ++i)
+        for (unsigned int c = 0; c < coarse.n_components(); ++c)
+          {
+            float held = 1.F;
+            for (const unsigned int z : around(2, k))
+              for (const unsigned int y : around(1, j))
+                for (const unsigned int x : around(0, i))
+                  held = std::min(held, fine.row(c, y, z)[x]);
+            result.row(c, j, k)[i] = held;
+          }
+  result.set_ghosts();
+  return result;
+}
+
 Transfer::Transfer(const VoxelGrid &fine, const VoxelGrid &coarse)
   : coarse_grid(coarse)
   , n_fine{{fine.n_nodes(0), fine.n_nodes(1), fine.n_nodes(2)}}
@@ -127,7 +155,7 @@ Transfer::Transfer(const VoxelGrid &fine, const VoxelGrid &coarse)
   , fine_stride(fine.stride())
   , coarse_stride(coarse.stride())
   , n_components(fine.n_components())
-  , periodic(fine.sides == Sides::periodic)
+  , periodic{{fine.is_periodic(0), fine.is_periodic(1), fine.is_periodic(2)}}
   , first(fine.first())
   , axes{{axis(fine, coarse, 0), axis(fine, coarse, 1), axis(fine, coarse, 2)}}
   , line(n_components * std::max(fine_stride, coarse_stride))
@@ -167,7 +195,9 @@ void Transfer::restrict_row(const float *fine, float *coarse) const
       const std::size_t n = n_coarse[0];
       for (std::size_t i = 1; i <= n; ++i)
         coarse[i] = same[2 * i] + 0.5F * same[2 * i + 1];
-      coarse[1] += first == 0 ? 0.5F * fine[1] : periodic ? 0.5F * fine[n_fine[0]] : 0.F;
+      coarse[1] += first == 0    ? 0.5F * fine[1]
+                   : periodic[0] ? 0.5F * fine[n_fine[0]]
+                                 : 0.F;
       for (std::size_t i = 2; i <= n; ++i)
         coarse[i] += 0.5F * same[2 * i - 1];
       return;
@@ -178,7 +208,7 @@ void Transfer::restrict_row(const float *fine, float *coarse) const
       coarse[x.left[i]] += (1.F - x.weight[i]) * fine[i];
       coarse[x.left[i] + 1] += x.weight[i] * fine[i];
     }
-  if (periodic)
+  if (periodic[0])
     coarse[1] += coarse[n_coarse[0] + 1];
   coarse[0] = coarse[n_coarse[0] + 1] = 0.F;
 }
@@ -198,7 +228,8 @@ void Transfer::restrict_to(const VoxelField<float> &r, VoxelField<float> &b)
         {
           const float w   = next == 1 ? axes[d].weight[i] : 1.F - axes[d].weight[i];
           unsigned int to = axes[d].left[i] + next;
-          if (periodic && to == n_coarse[d] + 1 && !(d == 2 && coarse_grid.is_divided()))
+          if (periodic[d] && to == n_coarse[d] + 1 &&
+              !(d == 2 && coarse_grid.is_divided()))
             to = 1;
           if (w != 0.F)
             result[to].push_back({i, w});
@@ -243,7 +274,7 @@ void Transfer::add_row(const float *coarse, float *fine) const
           same[2 * i] += coarse[i];
           same[2 * i + 1] += 0.5F * (coarse[i] + coarse[i + 1]);
         }
-      if (first == 1 && !periodic)
+      if (first == 1 && !periodic[0])
         same[2 * n + 1] = 0.F;
       return;
     }
@@ -274,6 +305,5 @@ void Transfer::add_from(const VoxelField<float> &c, VoxelField<float> &x)
         for (unsigned int component = 0; component < n_components; ++component)
           add_row(sum + component * coarse_stride, x.row(component, j, k));
       }
-  x.set_ghosts();
 }
 } // namespace mesoslip::voxel

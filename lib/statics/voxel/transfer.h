@@ -22,7 +22,7 @@ public:
   /** b = P^T r; ghosts of @p r are not read, those of @p b are overwritten. Collective. */
   void restrict_to(const VoxelField<float> &r, VoxelField<float> &b);
 
-  /** x += P c, ghosts of both set. Collective. */
+  /** x += P c, ghosts of @p c set; those of @p x are not. */
   void add_from(const VoxelField<float> &c, VoxelField<float> &x);
 
 private:
@@ -41,7 +41,7 @@ private:
   std::array<unsigned int, 3> n_fine, n_coarse; ///< nodes of this rank
   std::size_t fine_stride, coarse_stride;
   unsigned int n_components;
-  bool periodic;
+  std::array<bool, 3> periodic;
   unsigned int first;
   std::array<Axis, 3> axes;
   LineVector<float> line;
@@ -50,6 +50,10 @@ private:
 /** Coefficients of a coarser grid: means by volume. Collective. */
 CellStiffness
 coarsened(const VoxelGrid &fine, CellStiffness &stiffness, const VoxelGrid &coarse);
+
+/** Those of a coarser grid: of its nodes those between nodes of the fine one that all are. Ghosts
+ *  are set. Collective. */
+HeldComponents coarsened(const HeldComponents &fine, const VoxelGrid &coarse);
 
 /** The next coarser grid: half as many cells along the axes whose cells are short, divided
  *  as @p grid is. */

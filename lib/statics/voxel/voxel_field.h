@@ -67,7 +67,7 @@ public:
    *  their zeros. Collective. */
   void set_ghosts()
   {
-    if (voxels.sides == Sides::periodic)
+    if (voxels.is_periodic(0))
       for (unsigned int k = 1; k <= n[2]; ++k)
         for (unsigned int j = 1; j <= n[1]; ++j)
           for (unsigned int c = 0; c < n_components; ++c)
@@ -82,7 +82,7 @@ public:
   /** Those beyond the ends of y and z only. Collective. */
   void set_ghost_rows()
   {
-    if (voxels.sides == Sides::periodic && !voxels.flat)
+    if (voxels.is_periodic(1) && !voxels.flat)
       for (unsigned int k = 1; k <= n[2]; ++k)
         {
           std::copy_n(row(0, n[1], k), 3 * stride, row(0, 0, k));
@@ -90,7 +90,7 @@ public:
         }
     if (voxels.is_divided())
       set_ghost_planes(voxels, data(), plane_size());
-    else if (voxels.sides == Sides::periodic)
+    else if (voxels.is_periodic(2))
       {
         std::copy_n(row(0, 0, n[2]), plane_size(), row(0, 0, 0));
         std::copy_n(row(0, 0, 1), plane_size(), row(0, 0, n[2] + 1));
@@ -117,9 +117,8 @@ private:
   LineVector<Number> numbers;
 };
 
-/** Zero for the components of @p field, the numbers of a VoxelField, that Sides::mixed hold;
- *  for other sides nothing is done. */
-void clear_held(const VoxelGrid &grid, float *field);
+/** Of each component of a node 1 where it is held, else 0; without numbers nothing is. */
+using HeldComponents = VoxelField<float>;
 } // namespace mesoslip::voxel
 
 #endif

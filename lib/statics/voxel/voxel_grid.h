@@ -17,12 +17,8 @@ enum class Sides
   held,     ///< zero, so that the nodes of the sides are no unknowns
   free,     ///< nothing
   periodic, ///< the same on opposite ones
-  mixed     ///< some components are zero, see VoxelGrid::held
+  mixed     ///< some components are zero, see Level::hold(); axes may be periodic
 };
-
-/** Whether the displacement along axis c is zero on the two sides across an axis:
- *  [across][c]. */
-using HeldComponents = std::array<std::array<bool, 3>, 3>;
 
 /**
  * A box of cells and which of its nodes are unknowns. Planes of nodes across z may be
@@ -35,7 +31,7 @@ struct VoxelGrid
   std::array<unsigned int, 3> cells = {};          ///< numbers along x, y, z, of the box
   std::array<double, 3> spacing     = {};          ///< edges of a cell, in any unit
   Sides sides                       = Sides::held; ///< all six, of a flat grid four
-  HeldComponents held               = {};          ///< of Sides::mixed
+  std::array<bool, 3> joined = {}; ///< of Sides::mixed: axes whose ends are the same
 
   /** In plane strain: one cell along y, in fields one row of nodes for those at both of its
    *  ends, with the components along x and z; nothing depends on the edge along y. */
@@ -45,6 +41,12 @@ struct VoxelGrid
   std::vector<unsigned int> planes = {};
   MPI_Comm communicator            = MPI_COMM_SELF; ///< of the ranks
   unsigned int rank                = 0;             ///< this one
+
+  /** Whether the displacement is the same at both ends of an axis. */
+  bool is_periodic(const unsigned int axis) const
+  {
+    return sides == Sides::periodic || joined[axis];
+  }
 
   /** Whether other ranks have a part of it. */
   bool is_divided() const
@@ -57,8 +59,7 @@ struct VoxelGrid
   {
     if (flat && axis == 1)
       return 1;
-    return cells[axis] + (sides == Sides::free || sides == Sides::mixed) -
-           (sides == Sides::held);
+    return sides == Sides::held ? cells[axis] - 1 : cells[axis] + !is_periodic(axis);
   }
 
   /** Number of those of this rank. */

@@ -1,7 +1,8 @@
+#include "statics/voxel/stiffness.h"
+
 #include "base/exchange.h"
 #include "elasticity/brick/brick_matrices.h"
 #include "material/stiffness.h"
-#include "statics/voxel/solver.h"
 
 #include <algorithm>
 
@@ -57,8 +58,8 @@ padded_phases(const CellPlanes &cells, const VoxelGrid &grid, const std::size_t 
   const std::array<unsigned int, 3> &n = grid.cells;
   // Numbers of cells in a field, ghosts included, and of those in the box.
   const auto cell = [&](const std::size_t number, const unsigned int axis) {
-    return grid.sides == Sides::periodic ? (number + n[axis] - 1) % n[axis]
-                                         : number - grid.first();
+    return grid.is_periodic(axis) ? (number + n[axis] - 1) % n[axis]
+                                  : number - grid.first();
   };
   std::vector<unsigned int> planes;    // in the box
   std::vector<std::size_t> first_rows; // of the same planes in the field
@@ -102,104 +103,117 @@ Multigrid::Options options_for(const double ratio)
     return {{2, 1. / 10.}, 2, 8};
   return {{4, 1. / 20.}, 4, 32};
 }
-} // namespace
 
-Solver::Solver(const CellPlanes &cells,
-               const std::vector<VoigtMatrix<3>> &the_stiffness,
-               const Sides sides,
-               const bool flat)
-  : stiffness(the_stiffness)
-  , n_cells(count_cells(cells, the_stiffness.size()))
-  , length(cells.grid.spacing[1])
-  , strains(the_stiffness.size(), VoigtMatrix<3>::Zero())
+/** The box in edges along y, divided among the ranks. */
+VoxelGrid divided_grid(VoxelGrid grid, const CellPlanes &cells)
 {
-  voxels.sides = sides;
-  voxels.flat  = flat;
-  voxels.cells = cells.grid.cells;
+  grid.cells = cells.grid.cells;
   for (unsigned int d = 0; d < 3; ++d)
-    voxels.spacing[d] = cells.grid.spacing[d] / length;
-  divide(voxels, cells.communicator);
-  phases = padded_phases(cells, voxels, stiffness.size());
-  set_table();
-  for (unsigned int d = 0; d < 3; ++d)
-    if (voxels.n_all_nodes(d) == 0)
-      return; // no unknowns
-  if (sides != Sides::mixed)
-    build_multigrid();
+    grid.spacing[d] = cells.grid.spacing[d] / cells.grid.spacing[1];
+  divide(grid, cells.communicator);
+  return grid;
 }
 
-void Solver::hold(const HeldComponents &held)
+double largest_modulus(const std::vector<double> &n_cells,
+                       const std::vector<VoigtMatrix<3>> &stiffness)
 {
-  if (multigrid && held == voxels.held)
-    return;
-  multigrid.reset(); // not two at once
-  voxels.held = held;
-  build_multigrid();
+  double largest = 0.;
+  for (std::size_t phase = 0; phase < stiffness.size(); ++phase)
+    if (n_cells[phase] > 0.)
+      largest = std::max(largest, stiffness[phase].cwiseAbs().maxCoeff());
+  return largest;
+}
+} // namespace
+
+Stiffness::Stiffness(const CellPlanes &cells,
+                     const std::vector<VoigtMatrix<3>> &of_phases,
+                     const VoxelGrid &kind)
+  : of_phases(of_phases)
+  , length(cells.grid.spacing[1])
+  , grid(divided_grid(kind, cells))
+  , n_cells(count_cells(cells, of_phases.size()))
+  , phases(padded_phases(cells, grid, of_phases.size()))
+  , modulus(largest_modulus(n_cells, of_phases))
+{
+  set_table();
 }
 
 /** Place of a number of a phase in the table, see SweepArguments. */
-std::size_t Solver::in_table(const unsigned int coefficient,
-                             const std::size_t phase) const
+std::size_t Stiffness::in_table(const unsigned int coefficient,
+                                const std::size_t phase) const
 {
   if (source == Source::materials)
     return phase * n_of_material + coefficient;
   return std::size_t{256} * coefficient + phase;
 }
 
-/** What phases have of each coefficient, in units, and the mean stiffness. */
-void Solver::set_table()
+/** What phases have of each coefficient, in units. */
+void Stiffness::set_table()
 {
-  double sum     = 0.;
   n_coefficients = n_isotropic;
-  for (std::size_t phase = 0; phase < stiffness.size(); ++phase)
-    if (n_cells[phase] > 0.)
-      {
-        sum += n_cells[phase];
-        modulus = std::max(modulus, stiffness[phase].cwiseAbs().maxCoeff());
-        if (!is_isotropic(stiffness[phase]))
-          n_coefficients = n_general;
-      }
-  if (voxels.flat)
+  for (std::size_t phase = 0; phase < of_phases.size(); ++phase)
+    if (n_cells[phase] > 0. && !is_isotropic(of_phases[phase]))
+      n_coefficients = n_general;
+  if (grid.flat)
     n_coefficients = n_plane;
   source =
-    stiffness.size() + 1 <= kernels().few_phases ? Source::few_phases : Source::phases;
-  if (CellIndices::is_wide(stiffness.size()))
+    of_phases.size() + 1 <= kernels().few_phases ? Source::few_phases : Source::phases;
+  if (CellIndices::is_wide(of_phases.size()))
     {
-      if (voxels.flat)
+      if (grid.flat)
         throw std::invalid_argument("A flat box has more than 255 phases.");
       source         = Source::materials;
       n_coefficients = n_general;
     }
-  const unsigned int n = n_in_table(cells_of(voxels, n_coefficients));
-  table.assign(source == Source::materials ? (stiffness.size() + 1) * n_of_material
+  const unsigned int n = n_in_table(cells_of(grid, n_coefficients));
+  table.assign(source == Source::materials ? (of_phases.size() + 1) * n_of_material
                                            : std::size_t{256} * (n + 1),
                0.);
-  for (std::size_t phase = 0; phase < stiffness.size(); ++phase)
+  for (std::size_t phase = 0; phase < of_phases.size(); ++phase)
     if (n_cells[phase] > 0.)
       {
-        mean_stiffness += n_cells[phase] / sum * stiffness[phase] / modulus;
-        std::vector<double> c = coefficients_in(voxels, stiffness[phase], n_coefficients);
+        std::vector<double> c = coefficients_in(grid, of_phases[phase], n_coefficients);
         if (n == n_cubes)
           c.insert(c.end(), {c[0] / 3., (c[0] + 4. * c[1]) / 9.});
         for (unsigned int m = 0; m < n; ++m)
-          table[in_table(m, phase)] = c[m] / modulus * voxels.factor();
+          table[in_table(m, phase)] = c[m] / modulus * grid.factor();
         table[in_table(n, phase)] = 1.;
       }
 }
 
-void Solver::build_multigrid()
+std::unique_ptr<Multigrid> Stiffness::make_multigrid(HeldComponents held) const
 {
-  const std::size_t stride = voxels.stride();
+  const std::size_t stride = grid.stride();
   CellStiffness cells;
   cells.n_coefficients = n_coefficients;
-  cells.numbers.resize(voxels.n_cell_rows() * n_coefficients * stride);
-  for (std::size_t row = 0; row < voxels.n_cell_rows(); ++row)
+  cells.numbers.resize(grid.n_cell_rows() * n_coefficients * stride);
+  for (std::size_t row = 0; row < grid.n_cell_rows(); ++row)
     for (unsigned int m = 0; m < n_coefficients; ++m)
       for (std::size_t i = 0; i < stride; ++i)
         cells.numbers[(row * n_coefficients + m) * stride + i] =
           static_cast<float>(table[in_table(m, phases[row * stride + i])]);
-  multigrid = std::make_unique<Multigrid>(
-    voxels, std::move(cells), options_for(stiffness_ratio(n_cells, stiffness, voxels)));
+  auto multigrid = std::make_unique<Multigrid>(
+    grid, std::move(cells), options_for(stiffness_ratio(n_cells, of_phases, grid)),
+    std::move(held));
   multigrid->finest().take_phases(phases, source, {table.begin(), table.end()});
+  return multigrid;
+}
+
+double Stiffness::forces(const CellLoad &load,
+                         VoxelField<double> &v,
+                         VoxelField<float> &out,
+                         double *exact) const
+{
+  SweepArguments<double> a = sweep_arguments(grid, work);
+  a.x                      = v.data();
+  a.out                    = out.data();
+  a.exact                  = exact;
+  a.phase                  = phases.bytes();
+  a.material               = phases.words();
+  a.table                  = table.data();
+  std::copy(load.strain.begin(), load.strain.end(), a.strain);
+  std::copy(load.stress.begin(), load.stress.end(), a.stress);
+  const Cells cells = cells_of(grid, n_coefficients);
+  return sum_over_ranks(grid, sweep_of<double>(kernels().outer, source, cells)(a));
 }
 } // namespace mesoslip::voxel

@@ -1,0 +1,68 @@
+#ifndef mesoslip_statics_voxel_stiffness_h
+#define mesoslip_statics_voxel_stiffness_h
+
+#include "grid/cell_planes.h"
+#include "material/voigt.h"
+#include "statics/voxel/multigrid.h"
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace mesoslip::voxel
+{
+/** Strain and stress in all cells, in the units of SweepArguments. */
+struct CellLoad
+{
+  std::array<double, 6> strain = {}; ///< Voigt, is added to that of the displacements
+  std::array<double, 6> stress = {}; ///< Voigt, is taken off
+};
+
+/**
+ * Stiffness of a box of voxels, trilinear bricks that are exactly integrated, without a matrix:
+ * the phases of the cells of this rank and what they have of the coefficients of the kernels.
+ * Displacements u (m) and forces f (N) have f / (modulus length) = K u.
+ */
+class Stiffness
+{
+public:
+  /**
+   * Phases of the @p cells, which are needed no longer, have the stiffness @p of_phases (Pa). @p kind
+   * gives sides, periodic axes and whether it is flat; planes of nodes are divided among the ranks
+   * of the cells. Collective. @throws std::invalid_argument for a phase without a stiffness
+   */
+  Stiffness(const CellPlanes &cells,
+            const std::vector<VoigtMatrix<3>> &of_phases,
+            const VoxelGrid &kind);
+
+  const std::vector<VoigtMatrix<3>> of_phases; ///< Pa
+  const double length;                         ///< unit of length, an edge along y (m)
+  const VoxelGrid grid;                        ///< cells and nodes, edges in this unit
+  const std::vector<double> n_cells;           ///< of each phase, on all ranks
+  const CellIndices phases;                    ///< of the cells, [z][y][stride]
+  const double modulus; ///< unit of stress, the largest entry of all stiffnesses (Pa)
+
+  /** A preconditioner for it, which refers to this, where some components are @p held, whose ghosts
+   *  are set. Collective. */
+  std::unique_ptr<Multigrid> make_multigrid(HeldComponents held) const;
+
+  /** Forces of @p load less K v, also at held components, and the square of their norm; @p exact,
+   *  unless null, gets them in double precision, in the layout of @p v. Ghosts of @p v are set.
+   *  Collective. */
+  double forces(const CellLoad &load,
+                VoxelField<double> &v,
+                VoxelField<float> &out,
+                double *exact = nullptr) const;
+
+private:
+  void set_table();
+  std::size_t in_table(const unsigned int coefficient, const std::size_t phase) const;
+
+  unsigned int n_coefficients = 0;              ///< as in CellStiffness
+  Source source               = Source::phases; ///< few, many or materials
+  LineVector<double> table;
+  mutable LineVector<double> work;
+};
+} // namespace mesoslip::voxel
+
+#endif
