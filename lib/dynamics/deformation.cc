@@ -107,30 +107,23 @@ Deformation over_ranks(const Extremes &found, const MPI_Comm communicator)
 class BrickRow
 {
 public:
-  explicit BrickRow(const BrickSlab &slab)
-    : slab(slab)
-    , n_cells(slab.box.grid.cells[0])
+  explicit BrickRow(const UniformGrid<3> &grid)
+    : grid(grid)
+    , n_cells(grid.cells[0])
     , values{std::vector<double>(n_cells), std::vector<double>(n_cells),
              std::vector<double>(n_cells)}
   {
     nodes.fill(std::vector<double>(std::size_t{n_cells} + 1));
   }
 
-  /** The bricks of a layer above plane @p plane of nodes. */
+  /** Of row @p j of layer @p k; @p copy_row(c, j, k, to) copies those of a row of nodes. */
+  template <typename CopyRow>
   const RowValues &
-  evaluate(const NodalField<double> &u, const unsigned int plane, const unsigned int row)
+  evaluate(const unsigned int j, const unsigned int k, const CopyRow &copy_row)
   {
     for (unsigned int corner = 0; corner < 4; ++corner) // y + 2 z
       for (unsigned int c = 0; c < 3; ++c)
-        {
-          const std::size_t in_plane = std::size_t{row} + corner / 2,
-                            first    = slab.plane_start[plane + corner % 2] +
-                                    in_plane * slab.n_nodes[0];
-          std::vector<double> &to = nodes[3 * corner + c];
-          std::copy_n(u.row(c, 0) + first, slab.n_nodes[0], to.begin());
-          if (slab.box.periodic[0])
-            to.back() = to.front();
-        }
+        copy_row(c, j + corner % 2, k + corner / 2, nodes[3 * corner + c]);
     for (unsigned int i = 0; i < n_cells; ++i)
       evaluate_brick(i);
     return values;
@@ -144,7 +137,7 @@ private:
 
   void evaluate_brick(const unsigned int i)
   {
-    const auto &h = slab.box.grid.spacing;
+    const auto &h = grid.spacing;
     double edge[3][4][3]; // du/dx along the edges: [axis][the other two axes][component]
     double mean[3][3] = {};
     for (unsigned int d = 0; d < 3; ++d)
@@ -186,11 +179,45 @@ private:
     values.minus_jacobian[i] = -(smallest + 0. * strain);
   }
 
-  const BrickSlab &slab;
+  const UniformGrid<3> &grid;
   const unsigned int n_cells;
   std::array<std::vector<double>, 12> nodes; ///< [y + 2 z][component]
   RowValues values;
 };
+
+/** Of the bricks from the first of @p j and @p k to before the second. */
+template <typename CopyRow>
+Deformation largest_in_bricks(const UniformGrid<3> &grid,
+                              const std::array<unsigned int, 2> &j,
+                              const std::array<unsigned int, 2> &k,
+                              const CopyRow &copy_row,
+                              const MPI_Comm communicator)
+{
+  const auto &n  = grid.cells;
+  Extremes found = none();
+  BrickRow row(grid);
+  for (unsigned int y = j[0]; y < j[1]; ++y)
+    for (unsigned int z = k[0]; z < k[1]; ++z)
+      {
+        const RowValues &values   = row.evaluate(y, z, copy_row);
+        const std::uint64_t first = (std::uint64_t{z} * n[1] + y) * n[0];
+        for (unsigned int i = 0; i < n[0]; ++i)
+          {
+            take_larger(found[0], values.strain[i], first + i);
+            take_larger(found[1], values.rotation[i], first + i);
+            take_larger(found[2], values.minus_jacobian[i], first + i);
+          }
+      }
+  for (CellExtreme &extreme : found)
+    {
+      const std::array<std::uint64_t, 3> place = {
+        {extreme.cell % n[0], extreme.cell / n[0] % n[1], extreme.cell / n[0] / n[1]}};
+      for (unsigned int d = 0; d < 3; ++d)
+        extreme.middle[d] =
+          grid.origin[d] + (0.5 + static_cast<double>(place[d])) * grid.spacing[d];
+    }
+  return over_ranks(found, communicator);
+}
 
 /** What one cell of a mesh contributes to Extremes. */
 template <int dim>
@@ -259,36 +286,34 @@ Deformation largest_deformation(const UniformGrid<2> &grid,
   return over_ranks(found, communicator);
 }
 
+Deformation largest_deformation(
+  const UniformGrid<3> &grid,
+  const PlaneRange &planes,
+  const std::function<const double *(unsigned int, unsigned int, unsigned int)> &row,
+  const MPI_Comm communicator)
+{
+  return largest_in_bricks(
+    grid, {{0, grid.cells[1]}}, {{planes.first, planes.first + planes.count}},
+    [&](const unsigned int c, const unsigned int j, const unsigned int k,
+        std::vector<double> &to) { std::copy_n(row(c, j, k), to.size(), to.begin()); },
+    communicator);
+}
+
 Deformation largest_deformation(const BrickSlab &slab,
                                 const NodalField<double> &u,
                                 const MPI_Comm communicator)
 {
-  const UniformGrid<3> &grid = slab.box.grid;
-  const auto &n              = grid.cells;
-  Extremes found             = none();
-  BrickRow row(slab);
-  for (unsigned int plane = 0; plane + 1 < slab.n_planes; ++plane)
-    for (unsigned int k = 0; k < n[2]; ++k)
-      {
-        const RowValues &values = row.evaluate(u, plane, k);
-        const std::uint64_t first =
-          (std::uint64_t{k} * n[1] + slab.first_plane + plane) * n[0];
-        for (unsigned int i = 0; i < n[0]; ++i)
-          {
-            take_larger(found[0], values.strain[i], first + i);
-            take_larger(found[1], values.rotation[i], first + i);
-            take_larger(found[2], values.minus_jacobian[i], first + i);
-          }
-      }
-  for (CellExtreme &extreme : found)
-    {
-      const std::array<std::uint64_t, 3> place = {
-        {extreme.cell % n[0], extreme.cell / n[0] % n[1], extreme.cell / n[0] / n[1]}};
-      for (unsigned int d = 0; d < 3; ++d)
-        extreme.middle[d] =
-          grid.origin[d] + (0.5 + static_cast<double>(place[d])) * grid.spacing[d];
-    }
-  return over_ranks(found, communicator);
+  const auto copy_row = [&](const unsigned int c, const unsigned int j,
+                            const unsigned int k, std::vector<double> &to) {
+    const std::size_t first =
+      slab.plane_start[j - slab.first_plane] + std::size_t{k} * slab.n_nodes[0];
+    std::copy_n(u.row(c, 0) + first, slab.n_nodes[0], to.begin());
+    if (slab.box.periodic[0])
+      to.back() = to.front();
+  };
+  return largest_in_bricks(slab.box.grid,
+                           {{slab.first_plane, slab.first_plane + slab.n_planes - 1}},
+                           {{0, slab.box.grid.cells[2]}}, copy_row, communicator);
 }
 
 template <int dim>

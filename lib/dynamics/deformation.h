@@ -2,6 +2,7 @@
 #define mesoslip_dynamics_deformation_h
 
 #include "elasticity/brick/brick_slab.h"
+#include "grid/cell_planes.h"
 #include "grid/nodal_field.h"
 #include "grid/row_partition.h"
 #include "grid/uniform_grid.h"
@@ -9,6 +10,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <mpi.h>
 #include <vector>
@@ -58,7 +60,16 @@ Deformation largest_deformation(const std::vector<dealii::Point<dim>> &points,
                                 const NodalField<double> &u,
                                 const MPI_Comm communicator);
 
-/** The same on a box of bricks, where @p u (m) has a column for each point of the part.
+/** The same on a box of bricks of which a rank has some @p planes across z; @p row(c, j, k) begins the
+ * displacements (m) along axis c of the points of a row along x, those at both ends included.
+ * Collective. */
+Deformation largest_deformation(
+  const UniformGrid<3> &grid,
+  const PlaneRange &planes,
+  const std::function<const double *(unsigned int, unsigned int, unsigned int)> &row,
+  const MPI_Comm communicator);
+
+/** The same on a slab of such a box, where @p u (m) has a column for each point of the part.
  * Collective. */
 Deformation largest_deformation(const BrickSlab &slab,
                                 const NodalField<double> &u,

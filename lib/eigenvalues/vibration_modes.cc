@@ -2,8 +2,8 @@
 
 #include "base/errors.h"
 #include "base/exchange.h"
-#include "body/rigid_motions.h"
 #include "eigenvalues/free_dofs.h"
+#include "eigenvalues/inverse_stiffness.h"
 
 #include <deal.II/lac/arpack_solver.h>
 #include <deal.II/lac/parpack_solver.h>
@@ -19,125 +19,6 @@ namespace mesoslip
 namespace
 {
 using Vector = FreeDofs<2>::Vector; // in 3D the same
-
-/** The rigid motions that nothing holds, orthonormal with respect to the mass. */
-template <int dim>
-std::vector<Vector>
-orthonormal_motions(const ElasticBody<dim> &body, DofMask mask, const FreeDofs<dim> &dofs)
-{
-  if (dofs.has_platen())
-    for (const NodeIndex &node : body.surface(ElasticBody<dim>::top).nodes)
-      mask.release(dim - 1, node);
-  std::vector<Vector> motions;
-  // Neither can a platen turn.
-  for (const NodalField<double> &field :
-       free_rigid_motions(body, mask, !dofs.has_platen()))
-    {
-      Vector motion = dofs.zero();
-      dofs.gather(motion, field);
-      for (const Vector &other : motions)
-        motion.add(-dofs.mass_product(other, motion), other);
-      motion /= std::sqrt(dofs.mass_product(motion, motion));
-      motions.push_back(motion);
-    }
-  return motions;
-}
-
-/**
- * K^-1 on loads without resultant; solutions have no rigid motion (in the mass' sense).
- * Under a platen the body is solved for with the top held, u = K_hh^-1 f, and moves with
- * the platen on top of that: u + s z, where z is the response to a unit displacement of
- * the platen and s = z.f / z.K z, as z.K u = 0.
- */
-template <int dim>
-class InverseStiffness
-{
-public:
-  InverseStiffness(const ElasticBody<dim> &body,
-                   const DofMask &mask,
-                   const FreeDofs<dim> &dofs,
-                   const VibrationModesOptions &options)
-    : dofs(dofs)
-    , options(options)
-    , rigid(orthonormal_motions(body, mask, dofs))
-    , solver(body.make_solver())
-    , force(body.zero_field())
-    , u(force)
-  {
-    solver->set_constrained(mask);
-    if (dofs.has_platen() && !platen_moves_freely())
-      push_platen(body);
-  }
-
-  void vmult(Vector &dst, const Vector &src) const
-  {
-    // The mass times a motion is the load that accelerates the body in that motion.
-    Vector load(src), motion = dofs.zero();
-    for (const Vector &r : rigid)
-      {
-        dofs.vmult(motion, r);
-        load.add(-(r * src), motion);
-      }
-    dofs.scatter(force, load);
-    u.set_zero();
-    solve();
-    dofs.gather(dst, u);
-    if (response.size() > 0)
-      dst.add(response * load / platen_stiffness, response);
-    remove_rigid(dst);
-  }
-
-  void remove_rigid(Vector &x) const
-  {
-    for (const Vector &r : rigid)
-      x.add(-dofs.mass_product(r, x), r);
-  }
-
-  unsigned int n_rigid() const
-  {
-    return rigid.size();
-  }
-
-  mutable unsigned int n_solves = 0, iterations = 0;
-
-private:
-  void solve() const
-  {
-    if (options.before_solve)
-      options.before_solve(n_solves);
-    iterations += solver->solve(u, force, options.tolerance).iterations;
-    ++n_solves;
-  }
-
-  /** Then a load on it is a resultant, and vmult() has projected it out. */
-  bool platen_moves_freely() const
-  {
-    return std::any_of(rigid.begin(), rigid.end(), [this](const Vector &r) {
-      return std::fabs(dofs.of_platen(r)) > 1e-6 * r.linfty_norm();
-    });
-  }
-
-  void push_platen(const ElasticBody<dim> &body)
-  {
-    Vector unit = dofs.zero(), Kz = dofs.zero();
-    dofs.set_platen(unit, 1.);
-    dofs.scatter(u, unit);
-    solve();
-    response = dofs.zero();
-    dofs.gather(response, u);
-    body.vmult(force, u);
-    dofs.gather_forces(Kz, force);
-    platen_stiffness = response * Kz;
-  }
-
-  const FreeDofs<dim> &dofs;
-  const VibrationModesOptions &options;
-  const std::vector<Vector> rigid;
-  std::unique_ptr<StaticSolver> solver;
-  mutable NodalField<double> force, u;
-  Vector response;              ///< z; empty without a platen or when nothing resists it
-  double platen_stiffness = 0.; ///< z.K z (N/m^2)
-};
 
 /**
  * Divides @p shape by its largest displacement vector, which is returned, with the sign that
@@ -220,33 +101,69 @@ VibrationMode<dim> finish_mode(const Vector &eigenvector,
   return mode;
 }
 
-/** The eigenvectors of the lowest eigenvalues, in no particular order. */
+/** K^-1 where some eigenvectors, of a mass of one, are left out. */
 template <int dim>
-std::vector<Vector> lowest_eigenvectors(const FreeDofs<dim> &dofs,
-                                        const InverseStiffness<dim> &inverse,
-                                        const MPI_Comm communicator,
-                                        const unsigned int n_modes)
+class InverseWithout
+{
+public:
+  InverseWithout(const InverseStiffness<dim> &inverse,
+                 const FreeDofs<dim> &dofs,
+                 const std::vector<Vector> &found)
+    : inverse(inverse)
+    , dofs(dofs)
+    , found(found)
+  {
+  }
+
+  void vmult(Vector &dst, const Vector &src) const
+  {
+    inverse.vmult(dst, src);
+    remove(dst);
+  }
+
+  /** Also rigid motions. */
+  void remove(Vector &x) const
+  {
+    inverse.remove_rigid(x);
+    for (const Vector &mode : found)
+      x.add(-dofs.mass_product(mode, x), mode);
+  }
+
+private:
+  const InverseStiffness<dim> &inverse;
+  const FreeDofs<dim> &dofs;
+  const std::vector<Vector> &found;
+};
+
+/** @p n eigenvectors of the lowest eigenvalues but those of @p found. */
+template <int dim>
+std::vector<Vector> lanczos(const FreeDofs<dim> &dofs,
+                            const InverseWithout<dim> &inverse,
+                            const MPI_Comm communicator,
+                            const unsigned int n,
+                            const double tolerance,
+                            const unsigned int seed)
 {
   using dealii::ArpackSolver;
   using dealii::PArpackSolver;
   const unsigned int n_lanczos =
-    static_cast<unsigned int>(std::min<std::size_t>(2 * n_modes + 10, dofs.size() - 1));
+    static_cast<unsigned int>(std::min<std::size_t>(2 * n + 10, dofs.size() - 1));
   Vector start = dofs.zero();
-  std::mt19937 generator(1 + mpi::this_mpi_process(communicator));
+  std::mt19937 generator(seed + mpi::this_mpi_process(communicator));
   std::uniform_real_distribution<> number(-1., 1.);
   for (double &x : start)
     x = number(generator);
-  inverse.remove_rigid(start);
+  inverse.remove(start);
 
-  std::vector<std::complex<double>> values(n_modes);
-  std::vector<Vector> vectors(n_modes, start);
-  dealii::SolverControl control(1000, 1e-10, false, false);
+  std::vector<std::complex<double>> values(n);
+  std::vector<Vector> vectors(n, start);
+  dealii::SolverControl control(1000, tolerance, false, false);
   if (mpi::n_mpi_processes(communicator) == 1)
     {
       ArpackSolver arpack(control, ArpackSolver::AdditionalData(
                                      n_lanczos, ArpackSolver::largest_magnitude, true));
       arpack.set_initial_vector(start);
-      arpack.solve(dofs, dofs, inverse, values, vectors, n_modes);
+      arpack.solve(dofs, dofs, inverse, values, vectors, n);
       return vectors;
     }
   // PARPACK takes no part without entries.
@@ -261,13 +178,66 @@ std::vector<Vector> lowest_eigenvectors(const FreeDofs<dim> &dofs,
   arpack.set_initial_vector(start);
   try
     {
-      arpack.solve(dofs, dofs, inverse, values, vectors, n_modes);
+      arpack.solve(dofs, dofs, inverse, values, vectors, n);
     }
   catch (const dealii::ExceptionBase &)
     {
       throw NotConverged("the Lanczos iteration did not converge");
     }
   return vectors;
+}
+
+/** omega^2 of a vector. */
+template <int dim>
+double rayleigh_quotient(const Vector &x,
+                         const FreeDofs<dim> &dofs,
+                         const ElasticBody<dim> &body)
+{
+  NodalField<double> u = body.zero_field(), force = u;
+  dofs.scatter(u, x);
+  body.vmult(force, u);
+  Vector Ku = dofs.zero();
+  dofs.gather_forces(Ku, force);
+  return x * Ku / dofs.mass_product(x, x);
+}
+
+/**
+ * The eigenvectors of the lowest eigenvalues, in no particular order. A Krylov space has one vector of
+ * the several that belong to one eigenvalue, as of a square or a cylinder, and others by round-off only:
+ * what is missing is found by another iteration that leaves out what is known, to a lower accuracy first.
+ */
+template <int dim>
+std::vector<Vector> lowest_eigenvectors(const FreeDofs<dim> &dofs,
+                                        const InverseStiffness<dim> &inverse,
+                                        const ElasticBody<dim> &body,
+                                        const unsigned int n_modes)
+{
+  constexpr double accurate = 1e-10, rough = 1e-3;
+  std::vector<Vector> found;
+  const auto more = [&](const unsigned int n, const double tolerance) {
+    return lanczos<dim>(dofs, {inverse, dofs, found}, body.communicator(), n, tolerance,
+                        static_cast<unsigned int>(1 + 1000 * found.size()));
+  };
+  const auto keep = [&](const std::vector<Vector> &vectors) {
+    for (Vector x : vectors)
+      {
+        x /= std::sqrt(dofs.mass_product(x, x));
+        found.push_back(x);
+      }
+  };
+  keep(more(n_modes, accurate));
+  while (found.size() + 1 + inverse.n_rigid() < dofs.size())
+    {
+      std::vector<double> quotients;
+      for (const Vector &x : found)
+        quotients.push_back(rayleigh_quotient(x, dofs, body));
+      std::sort(quotients.begin(), quotients.end());
+      const double last = quotients[n_modes - 1];
+      if (!(rayleigh_quotient(more(1, rough)[0], dofs, body) < last * (1. - 1e-6)))
+        break;
+      keep(more(1, accurate));
+    }
+  return found;
 }
 } // namespace
 
@@ -290,13 +260,13 @@ VibrationModes<dim> vibration_modes(const ElasticBody<dim> &body,
   const InverseStiffness<dim> inverse(body, mask, dofs, options);
 
   VibrationModes<dim> result;
-  for (const Vector &x :
-       lowest_eigenvectors(dofs, inverse, body.communicator(), options.n_modes))
+  for (const Vector &x : lowest_eigenvectors(dofs, inverse, body, options.n_modes))
     result.modes.push_back(finish_mode(x, dofs, body, options.platen_mass.value_or(0.)));
   std::sort(result.modes.begin(), result.modes.end(),
             [](const VibrationMode<dim> &a, const VibrationMode<dim> &b) {
               return a.frequency < b.frequency;
             });
+  result.modes.resize(options.n_modes);
   result.n_rigid_motions   = inverse.n_rigid();
   result.n_solves          = inverse.n_solves;
   result.solver_iterations = inverse.iterations;

@@ -247,9 +247,13 @@ void check_mesh(const Keys &keys, const ContactParameters &p)
                "the body is a mesh", "remove Mesh/File");
   keys.only_if(p.mesh.is_plane_grid(), {"Performance/Temporal blocking"},
                "the body is no plane grid", "remove it");
-  keys.only_if(p.mesh.is_plane_grid() || p.static_solver == StaticSolverKind::ml,
+  const auto only_solver =
+    p.mesh.is_given() ? StaticSolverKind::ml : StaticSolverKind::multigrid;
+  keys.only_if(p.mesh.is_plane_grid() || p.static_solver == only_solver,
                {"Performance/Static solver"},
-               "bodies on meshes and in 3D are solved with ml", "remove it");
+               p.mesh.is_given() ? "bodies on meshes are solved with ml"
+                                 : "grids in 3D are solved with multigrid",
+               "remove it");
   const std::string held = p.mesh.mesh.dim == 2 ? "held in y" : "held in z";
   keys.require(
     p.modal_bottom == "free" || p.modal_bottom == "both" || p.modal_bottom == held,

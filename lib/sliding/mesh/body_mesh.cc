@@ -1,7 +1,9 @@
 #include "sliding/mesh/body_mesh.h"
 
 #include "base/errors.h"
+#include "base/object_exchange.h"
 #include "base/text.h"
+#include "body/mesh/mesh_body.h"
 #include "elasticity/element_operator.h"
 #include "exchange/datasets.h"
 #include "exchange/grid_file.h"
@@ -70,6 +72,37 @@ BodyMesh<dim>::distribute(const std::vector<unsigned int> &contact,
                           const MPI_Comm communicator) const
 {
   return distribute_mesh(this->mesh, contact, phases, isa, communicator);
+}
+
+template <int dim>
+std::unique_ptr<PointBody<dim>>
+BodyMesh<dim>::make_elastic(const MeshBodyParameters &parameters,
+                            const std::string &contact,
+                            const std::string &top,
+                            const std::vector<ElasticPhase<dim>> &phases,
+                            const MPI_Comm communicator,
+                            const bool whole) const
+{
+  MeshBodyInput<dim> input;
+  input.phases      = phases;
+  input.periodicity = {!parameters.periodic[0].empty(), !parameters.periodic[1].empty()};
+  input.contact_boundary = contact;
+  input.top_boundary     = top;
+  if (!whole)
+    return MeshBody<dim>::divide(this->mesh, input, communicator);
+  input.mesh = this->mesh;
+  broadcast_object(communicator, input.mesh);
+  return std::make_unique<MeshBody<dim>>(input, communicator);
+}
+
+template <int dim>
+Deformation BodyMesh<dim>::deformation(const PointBody<dim> &elastic,
+                                       const NodalField<double> &u) const
+{
+  const auto &body       = dynamic_cast<const MeshBody<dim> &>(elastic);
+  const Mesh<dim> &local = body.local_mesh();
+  return largest_deformation(local.points, local.cells, body.cell_numbers(), u,
+                             body.communicator());
 }
 
 template <int dim>

@@ -1,6 +1,8 @@
 #ifndef mesoslip_sliding_mesh_body_mesh_h
 #define mesoslip_sliding_mesh_body_mesh_h
 
+#include "body/point_body.h"
+#include "dynamics/deformation.h"
 #include "exchange/xdmf.h"
 #include "io/hdf5_file.h"
 #include "material/orientations.h"
@@ -36,7 +38,7 @@ public:
                           const unsigned int n_here,
                           const unsigned int n_ranks);
 
-  /** Gives the other ranks what they need to have their parts of it for steps. Collective. */
+  /** Gives the other ranks what they need to have their parts of it. Collective. */
   virtual void share(const BodyParameters & /*parameters*/)
   {
   }
@@ -126,6 +128,23 @@ public:
              const std::vector<ElasticPhase<dim>> &phases,
              const InstructionSet isa,
              const MPI_Comm communicator) const;
+
+  /**
+   * The body for statics and modes, with fields that are divided among the ranks; or if @p whole, with
+   * whole ones, and then all ranks hold the whole mesh. Groups of faces that are contact and top have these
+   * names, empty where there is none. Collective.
+   */
+  virtual std::unique_ptr<PointBody<dim>>
+  make_elastic(const MeshBodyParameters &parameters,
+               const std::string &contact,
+               const std::string &top,
+               const std::vector<ElasticPhase<dim>> &phases,
+               const MPI_Comm communicator,
+               const bool whole) const;
+
+  /** Of the cells under the displacement @p u of the @p elastic body that it made. Collective. */
+  virtual Deformation deformation(const PointBody<dim> &elastic,
+                                  const NodalField<double> &u) const;
 
   /** What is behind the name of the format of its files. */
   virtual std::string format_ending() const

@@ -3,6 +3,7 @@
 #include "base/files.h"
 #include "base/object_exchange.h"
 #include "base/text.h"
+#include "body/brick_body.h"
 #include "exchange/datasets.h"
 #include "exchange/grid_file.h"
 #include "exchange/mesh_datasets.h"
@@ -150,19 +151,6 @@ void keep_cells(BoxBody &body, std::vector<unsigned int> cells)
     }
   body.cell_in_box = std::move(cells);
 }
-
-/** The mesh of all cells, with the groups as meshes have them. */
-void make_whole_mesh(BoxBody &body)
-{
-  body.mesh = mesh_of_cells(body.box.grid);
-  for (unsigned int side = 0; side < 6; ++side)
-    for (const BoundaryFace<3> &face : body.group({}, {}, side))
-      {
-        auto &added = body.mesh.faces.emplace_back(4);
-        std::copy(face.points.begin(), face.points.end(), added.vertices.begin());
-        added.boundary_id = side;
-      }
-}
 } // namespace
 
 std::vector<BoundaryFace<3>>
@@ -198,8 +186,7 @@ BoxBody::group(const std::vector<BoundaryFace<3>> & /*faces*/,
 std::vector<MeshPlace> BoxBody::places_of(const std::vector<ProbePoint> &points) const
 {
   std::vector<unsigned int> cells = cells_around(box.grid, points);
-  if (cell_in_box.empty())
-    return locate_probes(mesh, points, cells);
+
   std::vector<unsigned int> found;
   for (const unsigned int cell : cells)
     if (const auto at = std::lower_bound(cell_in_box.begin(), cell_in_box.end(), cell);
@@ -213,7 +200,7 @@ BodyMemory BoxBody::read(const ContactParameters &parameters,
                          const unsigned int n_ranks)
 {
   const std::string &path = parameters.body.rve_file;
-  const bool whole        = parameters.analysis != ContactAnalysis::transient;
+
   std::shared_ptr<const RveFile<3>> rve;
   if (!path.empty())
     {
@@ -232,17 +219,12 @@ BodyMemory BoxBody::read(const ContactParameters &parameters,
   materials_in = reader_of_box(parameters.body, grid, rve);
   if (parameters.body.heterogeneous)
     oriented = rve->materials.oriented;
-  if (whole)
-    make_whole_mesh(*this);
-  else
-    {
-      const auto at_sides = cells_at_sides(grid.cells),
-                 near     = cells_around(grid, parameters.observation.probes);
-      std::vector<unsigned int> cells;
-      std::set_union(at_sides.begin(), at_sides.end(), near.begin(), near.end(),
-                     std::back_inserter(cells));
-      keep_cells(*this, cells);
-    }
+  const auto at_sides = cells_at_sides(grid.cells),
+             near     = cells_around(grid, parameters.observation.probes);
+  std::vector<unsigned int> cells;
+  std::set_union(at_sides.begin(), at_sides.end(), near.begin(), near.end(),
+                 std::back_inserter(cells));
+  keep_cells(*this, cells);
   mesh.boundaries = {"Left", "Right", "Front", "Back", "Contact", "Top"};
   phases          = make_phases<3>(parameters.mesh.phases);
   for (const Phase<3> &material : materials())
@@ -287,6 +269,32 @@ BoxBody::distribute(const std::vector<unsigned int> & /*contact*/,
                     const MPI_Comm communicator) const
 {
   return distribute_box(box, materials_in, probes, phases, isa, communicator);
+}
+
+std::unique_ptr<PointBody<3>>
+BoxBody::make_elastic(const MeshBodyParameters & /*parameters*/,
+                      const std::string & /*contact*/,
+                      const std::string & /*top*/,
+                      const std::vector<ElasticPhase<3>> &phases,
+                      const MPI_Comm communicator,
+                      const bool whole) const
+{
+  return std::make_unique<GridBody<3>>(box, materials_in, phases, communicator, whole);
+}
+
+Deformation BoxBody::deformation(const PointBody<3> &elastic,
+                                 const NodalField<double> &u) const
+{
+  const auto &body = dynamic_cast<const GridBody<3> &>(elastic);
+  voxel::VoxelField<double> field(body.stiffness().grid);
+  body.to_voxels(u, field);
+  const PlaneRange planes = body.cell_planes();
+  return largest_deformation(
+    box.grid, planes,
+    [&](const unsigned int c, const unsigned int j, const unsigned int k) {
+      return field.row(c, j % field.n_nodes()[1] + 1, k - planes.first + 1) + 1;
+    },
+    body.communicator());
 }
 
 void BoxBody::write_cells(Hdf5File &to) const

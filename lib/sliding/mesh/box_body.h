@@ -9,8 +9,8 @@ namespace mesoslip
 {
 /**
  * A grid in 3D as a body with the groups Left, Right (lower and upper x), Front, Back (y), Contact and Top
- * (z). Transient runs need no mesh but that of the cells at the sides and near the probes; that of other
- * analyses is whole. Nodes and cells are numbered with x fastest, then y.
+ * (z). Its mesh is that of the cells at the sides and near the probes. Nodes and cells are numbered with x
+ * fastest, then y.
  */
 class BoxBody : public BodyMesh<3>
 {
@@ -20,8 +20,7 @@ public:
   /** Reads the materials of the cells: their phases, or which of the oriented ones. */
   CellReader materials_in;
 
-  /** Numbers in the box of the points of the mesh, ascending, where the mesh has only some;
-   * empty: it has all. */
+  /** Numbers in the box of the points of the mesh, ascending. */
   std::vector<unsigned int> point_in_box;
 
   std::vector<unsigned int> cell_in_box; ///< the same of its cells
@@ -52,12 +51,12 @@ public:
 
   unsigned int whole_point(const unsigned int i) const override
   {
-    return point_in_box.empty() ? i : point_in_box[i];
+    return point_in_box[i];
   }
 
   unsigned int whole_cell(const unsigned int k) const override
   {
-    return cell_in_box.empty() ? k : cell_in_box[k];
+    return cell_in_box[k];
   }
 
   dealii::Point<3> point(const unsigned int number) const override;
@@ -85,6 +84,15 @@ public:
              const std::vector<ElasticPhase<3>> &phases,
              const InstructionSet isa,
              const MPI_Comm communicator) const override;
+
+  std::unique_ptr<PointBody<3>> make_elastic(const MeshBodyParameters &parameters,
+                                             const std::string &contact,
+                                             const std::string &top,
+                                             const std::vector<ElasticPhase<3>> &phases,
+                                             const MPI_Comm communicator,
+                                             const bool whole) const override;
+  Deformation deformation(const PointBody<3> &elastic,
+                          const NodalField<double> &u) const override;
 
   std::string format_ending() const override
   {

@@ -31,24 +31,32 @@ VoigtVector<dim> mean_strain(const Mesh<dim> &mesh,
   return strain / cell_measure(mesh, corners).volume;
 }
 
-/** Of the corners of the cells behind these @p faces, which rank 0 has. Collective. */
+/** Of the corners of the cells behind these @p faces, which rank 0 has, by their numbers in its mesh.
+ * Collective. */
 template <int dim>
 Displacements<dim> displacements_behind(const std::vector<BoundaryFace<dim>> &faces,
-                                        const Mesh<dim> &mesh,
-                                        const MeshBody<dim> &elastic,
+                                        const BodyMesh<dim> &morphology,
+                                        const PointBody<dim> &elastic,
                                         const NodalField<double> &u)
 {
   std::set<unsigned int> corners;
   for (const BoundaryFace<dim> &face : faces)
-    corners.insert(mesh.cells[face.cell].vertices.begin(),
-                   mesh.cells[face.cell].vertices.end());
-  std::vector<unsigned int> points(corners.begin(), corners.end());
+    {
+      const auto &vertices = morphology.mesh.cells[face.cell].vertices;
+      corners.insert(vertices.begin(), vertices.end());
+    }
+  std::vector<unsigned int> points;
+  for (const unsigned int corner : corners)
+    points.push_back(morphology.whole_point(corner));
   broadcast_object(elastic.communicator(), points);
   const std::vector<double> values = elastic.values_at(points, u);
   Displacements<dim> result;
-  for (std::size_t k = 0; k < points.size(); ++k)
-    std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(dim * k), dim,
-                result[points[k]].begin());
+  auto value = values.begin();
+  for (const unsigned int corner : corners)
+    {
+      std::copy_n(value, dim, result[corner].begin());
+      value += dim;
+    }
   return result;
 }
 } // namespace
@@ -56,19 +64,15 @@ Displacements<dim> displacements_behind(const std::vector<BoundaryFace<dim>> &fa
 template <int dim>
 std::vector<ContactCell> cells_at_contact(const BodyMesh<dim> &morphology,
                                           const MeshBodyParameters &parameters,
-                                          const MeshBody<dim> &elastic,
+                                          const PointBody<dim> &elastic,
                                           const NodalField<double> &u)
 {
   const Mesh<dim> &mesh = morphology.mesh;
   std::vector<BoundaryFace<dim>> faces;
   if (!mesh.cells.empty())
-    {
-      const auto group = std::find(mesh.boundaries.begin(), mesh.boundaries.end(),
-                                   parameters.contact_boundary);
-      faces            = faces_of_group(mesh, boundary_faces(mesh),
-                                        static_cast<unsigned int>(group - mesh.boundaries.begin()));
-    }
-  const Displacements<dim> behind         = displacements_behind(faces, mesh, elastic, u);
+    faces = group_faces(morphology, morphology.boundary(), "Mesh/Contact boundary",
+                        parameters.contact_boundary);
+  const auto behind = displacements_behind(faces, morphology, elastic, u);
   const std::vector<Phase<dim>> materials = morphology.materials();
   std::vector<ContactCell> found;
   for (const BoundaryFace<dim> &face : faces)
@@ -87,10 +91,10 @@ std::vector<ContactCell> cells_at_contact(const BodyMesh<dim> &morphology,
 
 template std::vector<ContactCell> cells_at_contact(const BodyMesh<2> &,
                                                    const MeshBodyParameters &,
-                                                   const MeshBody<2> &,
+                                                   const PointBody<2> &,
                                                    const NodalField<double> &);
 template std::vector<ContactCell> cells_at_contact(const BodyMesh<3> &,
                                                    const MeshBodyParameters &,
-                                                   const MeshBody<3> &,
+                                                   const PointBody<3> &,
                                                    const NodalField<double> &);
 } // namespace mesoslip

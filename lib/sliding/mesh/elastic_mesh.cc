@@ -8,47 +8,11 @@
 
 namespace mesoslip
 {
-namespace
-{
-template <int dim>
-MeshBodyInput<dim> input_without_mesh(const std::vector<ElasticPhase<dim>> &phases,
-                                      const MeshBodyDescription &body,
-                                      const MeshBodyParameters &parameters)
-{
-  MeshBodyInput<dim> input;
-  input.phases      = phases;
-  input.periodicity = {!parameters.periodic[0].empty(), !parameters.periodic[1].empty()};
-  // What the analysis does not need may not be there.
-  if (!body.contact.points.empty())
-    input.contact_boundary = parameters.contact_boundary;
-  if (!body.top.points.empty())
-    input.top_boundary = parameters.top_boundary;
-  return input;
-}
-} // namespace
-
-template <int dim>
-std::unique_ptr<MeshBody<dim>>
-make_mesh_body(const BodyMesh<dim> &morphology,
-               const std::vector<ElasticPhase<dim>> &phases,
-               const MeshBodyDescription &body,
-               const MeshBodyParameters &parameters,
-               const MPI_Comm communicator,
-               const bool whole)
-{
-  MeshBodyInput<dim> input = input_without_mesh(phases, body, parameters);
-  if (!whole)
-    return MeshBody<dim>::divide(morphology.mesh, input, communicator);
-  input.mesh = morphology.mesh;
-  broadcast_object(communicator, input.mesh);
-  return std::make_unique<MeshBody<dim>>(input, communicator);
-}
-
 template <int dim>
 DofMask held_by_mesh(const MeshBodyDescription &body,
                      const TopSetup &top,
                      const bool contact_held,
-                     const MeshBody<dim> &elastic)
+                     const PointBody<dim> &elastic)
 {
   DofMask held(elastic.n_columns(), 1);
   const auto hold = [&](const unsigned int c, const unsigned int point) {
@@ -92,7 +56,7 @@ std::size_t n_free_on_mesh(const Mesh<dim> &mesh,
 }
 
 template <int dim>
-void order_contact(MeshBodyDescription &body, const MeshBody<dim> &elastic)
+void order_contact(MeshBodyDescription &body, const PointBody<dim> &elastic)
 {
   const MeshBoundary contact         = body.contact;
   const std::vector<double> friction = body.friction;
@@ -114,15 +78,11 @@ void order_contact(MeshBodyDescription &body, const MeshBody<dim> &elastic)
 }
 
 #define MESOSLIP_INSTANTIATE(dim)                                                     \
-  template std::unique_ptr<MeshBody<dim>> make_mesh_body(                             \
-    const BodyMesh<dim> &, const std::vector<ElasticPhase<dim>> &,                    \
-    const MeshBodyDescription &, const MeshBodyParameters &, const MPI_Comm,          \
-    const bool);                                                                      \
   template DofMask held_by_mesh(const MeshBodyDescription &, const TopSetup &,        \
-                                const bool, const MeshBody<dim> &);                   \
+                                const bool, const PointBody<dim> &);                  \
   template std::size_t n_free_on_mesh(const Mesh<dim> &, const MeshBodyDescription &, \
                                       const TopSetup &, const bool);                  \
-  template void order_contact(MeshBodyDescription &, const MeshBody<dim> &);
+  template void order_contact(MeshBodyDescription &, const PointBody<dim> &);
 MESOSLIP_INSTANTIATE(2)
 MESOSLIP_INSTANTIATE(3)
 #undef MESOSLIP_INSTANTIATE

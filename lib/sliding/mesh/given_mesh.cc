@@ -43,9 +43,7 @@ GivenMesh<dim>::GivenMesh(const ContactParameters &given,
   broadcast_object(MPI_COMM_WORLD, body);
   broadcast_object(MPI_COMM_WORLD, known.memory);
   broadcast_object(MPI_COMM_WORLD, mesh->oriented);
-  // Only steps are divided before all else is made on rank 0.
-  if (parameters.analysis == ContactAnalysis::transient)
-    mesh->share(parameters.body);
+  mesh->share(parameters.body);
   for (const Phase<dim> &phase : oriented_phases(known.phases, mesh->oriented))
     phases.push_back({phase.stiffness, phase.density});
   if (n_ranks > body.n_cells)
@@ -201,7 +199,12 @@ std::vector<ProbePoint> GivenMesh<dim>::probe_places() const
 template <int dim>
 void GivenMesh<dim>::make_elastic(const MPI_Comm communicator, const bool whole)
 {
-  of_statics = make_mesh_body(*mesh, phases, body, parameters.mesh, communicator, whole);
+  // What the analysis does not need may not be there.
+  const bool has_contact = !body.contact.points.empty(),
+             has_top     = !body.top.points.empty();
+  of_statics             = mesh->make_elastic(
+                parameters.mesh, has_contact ? parameters.mesh.contact_boundary : "",
+    has_top ? parameters.mesh.top_boundary : "", phases, communicator, whole);
   if (body.contact.points.empty())
     return;
   order_contact(body, *of_statics);
@@ -257,7 +260,7 @@ std::vector<std::vector<double>> GivenMesh<dim>::contact_places() const
   std::vector<std::vector<double>> places(dim);
   for (const unsigned int point : body.contact.points)
     for (unsigned int c = 0; c < dim; ++c)
-      places[c].push_back(mesh->mesh.points[point][c]);
+      places[c].push_back(mesh->point(point)[c]);
   return places;
 }
 
@@ -274,9 +277,7 @@ ContactParts GivenMesh<dim>::contact_parts() const
 template <int dim>
 Deformation GivenMesh<dim>::deformation(const NodalField<double> &u) const
 {
-  const Mesh<dim> &local = of_statics->local_mesh();
-  return largest_deformation(local.points, local.cells, of_statics->cell_numbers(), u,
-                             of_statics->communicator());
+  return mesh->deformation(*of_statics, u);
 }
 
 template <int dim>
@@ -299,7 +300,9 @@ void GivenMesh<dim>::write_fields(
   const std::string &name,
   const std::vector<const NodalField<double> *> &fields) const
 {
-  write_divided_fields(file, path, name, fields, *mesh, *of_statics);
+  // Whole fields are the same on all ranks.
+  if (file || of_statics->communicator() != MPI_COMM_SELF)
+    write_divided_fields(file, path, name, fields, *mesh, *of_statics);
 }
 
 template <int dim>

@@ -1,7 +1,7 @@
 #ifndef mesoslip_sliding_mesh_given_mesh_h
 #define mesoslip_sliding_mesh_given_mesh_h
 
-#include "body/mesh/mesh_body.h"
+#include "body/point_body.h"
 #include "elasticity/dof_mask.h"
 #include "sliding/body_memory.h"
 #include "sliding/given_body.h"
@@ -65,7 +65,7 @@ private:
   void describe_contact();
 
   std::unique_ptr<DistributedBody<dim>> distributed; ///< of steps
-  std::unique_ptr<MeshBody<dim>> of_statics;         ///< see make_elastic()
+  std::unique_ptr<PointBody<dim>> of_statics;        ///< see make_elastic()
 };
 } // namespace mesoslip
 

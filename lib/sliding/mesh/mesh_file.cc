@@ -29,7 +29,7 @@ void write_divided_fields(std::optional<Hdf5File> &file,
                           const std::string &name,
                           const std::vector<const NodalField<double> *> &fields,
                           const BodyMesh<dim> &body,
-                          const MeshBody<dim> &elastic)
+                          const PointBody<dim> &elastic)
 {
   const MPI_Comm communicator = elastic.communicator();
   // Planes of a box are written as wholes.
@@ -65,7 +65,7 @@ void write_divided_fields(std::optional<Hdf5File> &file,
   template void write_divided_fields(std::optional<Hdf5File> &, const std::string &,  \
                                      const std::string &,                             \
                                      const std::vector<const NodalField<double> *> &, \
-                                     const BodyMesh<dim> &, const MeshBody<dim> &);
+                                     const BodyMesh<dim> &, const PointBody<dim> &);
 MESOSLIP_INSTANTIATE(2)
 MESOSLIP_INSTANTIATE(3)
 #undef MESOSLIP_INSTANTIATE

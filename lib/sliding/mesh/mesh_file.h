@@ -1,7 +1,7 @@
 #ifndef mesoslip_sliding_mesh_mesh_file_h
 #define mesoslip_sliding_mesh_mesh_file_h
 
-#include "body/mesh/mesh_body.h"
+#include "body/point_body.h"
 #include "exchange/xdmf.h"
 #include "io/hdf5_file.h"
 #include "sliding/mesh/body_mesh.h"
@@ -31,7 +31,7 @@ void write_divided_fields(std::optional<Hdf5File> &file,
                           const std::string &name,
                           const std::vector<const NodalField<double> *> &fields,
                           const BodyMesh<dim> &body,
-                          const MeshBody<dim> &elastic);
+                          const PointBody<dim> &elastic);
 } // namespace mesoslip
 
 #endif

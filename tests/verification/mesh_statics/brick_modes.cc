@@ -1,0 +1,75 @@
+// Modes of square prisms, many of which have a twin of the same frequency, against those of the
+// dense matrices. Runs on any number of ranks.
+
+#include "body/brick_body.h"
+#include "eigenvalues/vibration_modes.h"
+#include "material/stiffness.h"
+
+#include <Eigen/Eigenvalues>
+#include <gtest/gtest.h>
+
+using namespace mesoslip;
+
+namespace
+{
+CellReader one_phase()
+{
+  return
+    [](const CellBlock<3> &block) { return std::vector<std::uint16_t>(block.n_cells()); };
+}
+
+DofMask clamped_at_top(const ElasticBody<3> &body)
+{
+  DofMask held(body.n_columns(), 1);
+  for (const NodeIndex &node : body.surface(ElasticBody<3>::top).nodes)
+    for (unsigned int c = 0; c < 3; ++c)
+      held.constrain(c, node);
+  return held;
+}
+
+/** Frequencies (Hz) of the whole body, ascending. */
+std::vector<double> all_frequencies(const ElasticBody<3> &body)
+{
+  const DofMask held               = clamped_at_top(body);
+  const std::vector<double> masses = body.lumped_mass();
+  std::vector<Eigen::Index> number(3 * masses.size(), -1);
+  Eigen::Index n = 0;
+  for (std::size_t k = 0; k < number.size(); ++k)
+    if (!held.is_constrained(k % 3, {static_cast<unsigned int>(k / 3), 0}))
+      number[k] = n++;
+  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(n, n);
+  for (const MatrixEntry &entry : body.stiffness_entries())
+    if (number[entry.row] >= 0 && number[entry.column] >= 0)
+      K(number[entry.row], number[entry.column]) +=
+        entry.value / std::sqrt(masses[entry.row / 3] * masses[entry.column / 3]);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(K, Eigen::EigenvaluesOnly);
+  std::vector<double> frequencies;
+  for (const double x : eigen.eigenvalues())
+    frequencies.push_back(std::sqrt(x) / (2. * M_PI));
+  return frequencies;
+}
+} // namespace
+
+// The iteration for the modes alone leaves out the twin of mode 1 and of mode 6 of the second box.
+TEST(BrickModes, OfASquarePrismHaveTheirTwins)
+{
+  const std::vector<ElasticPhase<3>> steel = {{isotropic_stiffness<3>(2., 0.3), 1.5}};
+  for (const std::array<unsigned int, 3> &cells :
+       {std::array<unsigned int, 3>{{6, 6, 6}}, {{3, 3, 2}}})
+    {
+      const BrickBox box{{cells, {{0.1, 0.1, 0.1}}, {}}, {}};
+      const GridBody<3> whole(box, one_phase(), steel, MPI_COMM_SELF, true);
+      const std::vector<double> expected = all_frequencies(whole);
+      const GridBody<3> body(box, one_phase(), steel, MPI_COMM_WORLD);
+      for (const unsigned int n : {1, 2, 7, 12})
+        {
+          VibrationModesOptions options;
+          options.n_modes  = n;
+          const auto found = vibration_modes<3>(body, clamped_at_top(body), options);
+          ASSERT_EQ(found.modes.size(), n);
+          for (unsigned int k = 0; k < n; ++k)
+            EXPECT_NEAR(found.modes[k].frequency, expected[k], 1e-8 * expected[k])
+              << "mode " << k << " of " << n;
+        }
+    }
+}
