@@ -15,9 +15,10 @@ constexpr unsigned int no_node = SharedNodes::none;
 
 void sum_over_ranks(ContactHistory &samples, const MPI_Comm communicator)
 {
-  for (auto *values : {&samples.normal_force, &samples.tangential_force,
-                       &samples.sticking, &samples.slipping, &samples.separated,
-                       &samples.friction_energy, &samples.impact_energy})
+  for (auto *values :
+       {&samples.normal_force, &samples.tangential_force, &samples.sticking,
+        &samples.slipping, &samples.separated, &samples.friction_energy,
+        &samples.impact_energy, &samples.load_work})
     sum_over_ranks(*values, communicator);
   for (MonitoredNode &node : samples.nodes)
     for (auto *values :
@@ -120,6 +121,7 @@ void ContactRecorder<dim>::after(const SurfaceView<dim> &surface,
   samples.separated.push_back(contact.n_distinct_nodes() - sums.sticking - sums.slipping);
   samples.friction_energy.push_back(work.friction);
   samples.impact_energy.push_back(work.impact);
+  samples.load_work.push_back(work.load);
 
   constexpr unsigned int normal = dim - 1;
   for (std::size_t k = 0; k < nodes.size(); ++k)

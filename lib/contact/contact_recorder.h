@@ -57,6 +57,7 @@ struct ContactHistory
   std::vector<double> separated;        ///< numbers of nodes
   std::vector<double> friction_energy;  ///< J/m
   std::vector<double> impact_energy;    ///< J/m
+  std::vector<double> load_work;        ///< integral of F_N |V| since the start (J/m)
   std::vector<MonitoredNode> nodes;     ///< those that are monitored
 
   /** Of boost::serialization. */
@@ -64,7 +65,7 @@ struct ContactHistory
   void serialize(Archive &archive, const unsigned int)
   {
     archive &step &time &normal_force &tangential_force &sticking &slipping &separated;
-    archive &friction_energy &impact_energy &nodes;
+    archive &friction_energy &impact_energy &load_work &nodes;
   }
 };
 

@@ -121,6 +121,7 @@ void ContactSurface<dim>::advance(const SurfaceView<dim> &surface)
 
   total.friction += last.friction_energy;
   total.impact += last.impact_energy;
+  total.load += last.normal_force * std::fabs(flat_velocity) * step.dt;
   total.external += last.tangential_force * flat_velocity * step.dt;
   for (ContactObserver<dim> *observer : observers)
     if (observer->wants(surface.step))

@@ -205,7 +205,7 @@ public:
   void serialize(Archive &archive, const unsigned int)
   {
     archive &values &started;
-    serialize_members<3>(archive, total);
+    serialize_members<4>(archive, total);
     if (variable)
       archive &*variable;
   }

@@ -18,6 +18,7 @@ struct BoundaryWork
   double external = 0.; ///< by the top's load and the moving flat
   double friction = 0.; ///< dissipated by sliding on the flat
   double impact   = 0.; ///< dissipated by nodes that land
+  double load     = 0.; ///< integral of F_N |V|, of normal force and speed of the flat
 };
 
 /** Sampled energies (J/m); on the ranks the local shares until reduce() is called. */

@@ -64,7 +64,8 @@ void RveParameters::bind(Keys &keys)
               "stop. Lower it if the run warns that few digits hold [-]");
     keys.bind("Effective", effective, {"mean", "KUBC", "SUBC", "PBC", "MUBC"},
               "Effective stiffness of the composite, which contact_dynamics reads: the "
-              "mean of KUBC and SUBC, or the one of a single boundary condition [-]");
+              "mean of KUBC and SUBC or, unless both are wanted, of all boundary "
+              "conditions; or the one of a single boundary condition [-]");
     keys.bind("Effective symmetry", effective_full, {"orthotropic", "full"},
               "orthotropic: the entries that couple a shear to anything else, in 2D D13 "
               "and D23, are set to 0 in the effective stiffness, as in eq. (10) of the "

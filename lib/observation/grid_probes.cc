@@ -63,7 +63,10 @@ void GridProbes::sample_contact(const std::size_t k, ProbeHistory &history) cons
   const Place &place = places[k];
   if (place.j > 0 || place.xi[1] >= 1e-6)
     return;
-  const unsigned int node = place.i + (place.xi[0] > 0.5 ? 1 : 0);
+  // The last node of a periodic side is the first one.
+  const unsigned int right = place.i + (place.xi[0] > 0.5 ? 1 : 0),
+                     n     = material.grid().cells[0],
+                     node  = material.periodicity().x && right == n ? 0 : right;
   const double width = tributary_width(material.grid(), node, material.periodicity().x);
   history.traction.insert(
     history.traction.end(),

@@ -15,7 +15,7 @@ enum RecordColumn : std::size_t
   displacement,
   velocity,
   friction_energy, ///< since the sample before
-  load_power,
+  load_work,       ///< since the sample before
   apparent_friction,
   n_columns
 };
@@ -127,11 +127,9 @@ std::size_t SteadySeries::first(const double from) const
 
 SteadyRecord::SteadyRecord(const unsigned int interval,
                            const double dt,
-                           const LoadHistory &flat_velocity,
                            const std::size_t capacity)
   : interval(interval)
   , dt(dt)
-  , flat_velocity(flat_velocity)
   , contact(capacity)
   , top(capacity)
 {
@@ -142,13 +140,13 @@ void SteadyRecord::add(const ContactHistory &fresh)
   std::vector<double> values(n_columns);
   for (std::size_t k = 0; k < fresh.time.size(); ++k)
     {
-      values[displacement]    = fresh.nodes[0].ux[k];
-      values[velocity]        = fresh.nodes[0].vx[k];
-      values[friction_energy] = fresh.friction_energy[k] - last_friction_energy;
-      values[load_power] =
-        fresh.normal_force[k] * std::fabs(flat_velocity(fresh.time[k]));
+      values[displacement]      = fresh.nodes[0].ux[k];
+      values[velocity]          = fresh.nodes[0].vx[k];
+      values[friction_energy]   = fresh.friction_energy[k] - last_friction_energy;
+      values[load_work]         = fresh.load_work[k] - last_load_work;
       values[apparent_friction] = ratio(fresh.tangential_force[k], fresh.normal_force[k]);
       last_friction_energy      = fresh.friction_energy[k];
+      last_load_work            = fresh.load_work[k];
       contact.add(values);
     }
 }
@@ -171,10 +169,8 @@ SteadySeries SteadyRecord::series() const
   s.displacement      = contact.column(displacement);
   s.velocity          = contact.column(velocity);
   s.friction_energy   = running_sum(contact, friction_energy);
-  s.load_work         = running_sum(contact, load_power);
+  s.load_work         = running_sum(contact, load_work);
   s.apparent_friction = contact.column(apparent_friction);
-  for (double &work : s.load_work)
-    work *= interval * dt;
   for (std::size_t bin = 0; bin < contact.size(); ++bin)
     s.displacement_variance.push_back(contact.variance(displacement, bin, bin + 1));
   return s;

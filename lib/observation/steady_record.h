@@ -108,7 +108,6 @@ public:
   /** A sample every @p interval steps of @p dt seconds; @p capacity is even. */
   SteadyRecord(const unsigned int interval,
                const double dt,
-               const LoadHistory &flat_velocity,
                const std::size_t capacity = default_capacity);
 
   /** New samples of the contact, the reference node being its first one. */
@@ -130,7 +129,7 @@ public:
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    archive &contact &top &last_friction_energy;
+    archive &contact &top &last_friction_energy &last_load_work;
   }
 
 private:
@@ -138,9 +137,8 @@ private:
 
   unsigned int interval;
   double dt;
-  LoadHistory flat_velocity;
   CycleRecord contact, top;
-  double last_friction_energy = 0.;
+  double last_friction_energy = 0., last_load_work = 0.;
 };
 } // namespace mesoslip
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
@@ -26,6 +27,29 @@ namespace fs = std::filesystem;
 /** What every run replaces when it starts. */
 constexpr std::array<const char *, 4> papers = {
   {"summary.json", "log.txt", "parameters.prm", "original.prm"}};
+
+/** Results of the programs, but those of XDMF that go with them. */
+constexpr std::array<const char *, 21> results = {{"complex_modes.csv",
+                                                   "complex_modes.h5",
+                                                   "complex_modes_sweep.csv",
+                                                   "dynamics.h5",
+                                                   "energy.csv",
+                                                   "engineering_constants.csv",
+                                                   "ensemble.csv",
+                                                   "field_errors.csv",
+                                                   "friction_homogenization.csv",
+                                                   "history.csv",
+                                                   "load_steps.csv",
+                                                   "loads.csv",
+                                                   "loads.h5",
+                                                   "localization.h5",
+                                                   "modal.h5",
+                                                   "modes.csv",
+                                                   "phase_means.csv",
+                                                   "probes.csv",
+                                                   "rve.h5",
+                                                   "static_contact.csv",
+                                                   "stiffness.csv"}};
 
 bool is_result(const fs::directory_entry &entry)
 {
@@ -108,6 +132,32 @@ std::optional<RunKind> kind_of_results(const std::string &folder)
   return std::nullopt;
 }
 
+/** Whether the file begins as a run writes its parameters: "# contact_dynamics 0.1.0: ...". */
+bool is_of_run(const std::string &path)
+{
+  std::error_code ignored;
+  if (!fs::is_regular_file(path, ignored))
+    return false;
+  std::istringstream text(read_file(path));
+  std::string hash, program, version;
+  text >> hash >> program >> version;
+  return hash == "#" && !version.empty() && std::isdigit(version[0]) != 0;
+}
+
+/** A file that a run replaces in @p folder although none has been there; empty if there is none. */
+std::string foreign_file(const std::string &folder)
+{
+  std::error_code ignored;
+  for (const fs::directory_entry &entry : fs::directory_iterator(folder, ignored))
+    {
+      const std::string name = entry.path().filename().string();
+      if (std::find(papers.begin(), papers.end(), name) != papers.end() ||
+          std::find(results.begin(), results.end(), name) != results.end())
+        return name;
+    }
+  return "";
+}
+
 /** The folder itself, or the nearest one above that exists. */
 fs::path existing_part(const std::string &folder)
 {
@@ -151,6 +201,11 @@ void check_output_folder(const std::string &folder,
                     ", which those of " + kind.text() +
                     " would replace; choose another folder with --output, or remove "
                     "that one");
+  const std::string foreign = foreign_file(folder);
+  if (!foreign.empty() && !is_of_run(folder + "/parameters.prm"))
+    throw UserError("the output folder " + folder + " holds " + foreign +
+                    ", which this run would replace, and no parameters.prm of a run that "
+                    "wrote it; choose another folder with --output, or move that file");
 }
 
 std::string bytes_text(const double bytes)

@@ -28,7 +28,14 @@ void with_advice(const std::string &advice, const std::function<void()> &action)
     }
   catch (const NotConverged &e)
     {
-      throw NumericalFailure(std::string(e.what()) + "; " + advice);
+      throw NumericalFailure(std::string(e.what()) + "; " +
+                             (e.reason == NotConverged::Reason::iterations
+                                ? advice
+                                : "the cause is round-off, as of a body that is slender "
+                                  "or of cells that are, of phases "
+                                  "that differ very much, of one that is nearly "
+                                  "incompressible, or of loads beyond "
+                                  "the range of numbers"));
     }
 }
 

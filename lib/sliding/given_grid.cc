@@ -78,7 +78,9 @@ ReferenceNode reference_node(const ContactParameters &parameters,
   const double wanted        = parameters.observation.reference_x;
   const double x             = std::isnan(wanted) ? 0.5 * grid.extent(0) : wanted;
   ReferenceNode node;
-  node.number   = std::lround(std::clamp(x, 0., grid.extent(0)) / grid.spacing[0]);
+  node.number = std::lround(std::clamp(x, 0., grid.extent(0)) / grid.spacing[0]);
+  if (parameters.periodic) // the last one is the first
+    node.number %= grid.cells[0];
   node.position = {{node.number * grid.spacing[0], 0., 0.}};
   // As of a probe there: a point between two cells belongs to the upper one.
   node.phase =

@@ -255,10 +255,12 @@ private:
   {
     const FrictionLaw &law             = parameters.contact.law;
     const FrictionParameters &friction = parameters.friction;
-    return law.slip_law &&
-               !(friction.coefficient_by_phase && friction.slip_law.has_reference())
-             ? law.slip_law->largest(flat_speed)
-             : automatic;
+    if (!law.slip_law ||
+        (friction.coefficient_by_phase && friction.slip_law.has_reference()))
+      return automatic;
+    const double largest = law.slip_law->largest(flat_speed);
+    return std::isfinite(largest) ? largest
+                                  : automatic; // it may depend on more than the slip
   }
 
   Ranges observation() const

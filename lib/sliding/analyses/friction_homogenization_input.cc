@@ -1,11 +1,10 @@
 #include "base/errors.h"
 #include "base/files.h"
 #include "exchange/grid_file.h"
-#include "io/drafts.h"
 #include "sliding/analyses/friction_homogenization.h"
 #include "sliding/analyses/phases_of_contact.h"
 
-#include <filesystem>
+#include <cmath>
 #include <map>
 #include <numeric>
 
@@ -15,15 +14,6 @@ namespace
 {
 const std::string section = "Friction homogenization/";
 const char again[]        = "run contact_dynamics again";
-
-/** A file in the folder stands for the folder, as elsewhere. */
-std::string folder_of(const std::string &given)
-{
-  std::error_code ignored;
-  return std::filesystem::is_regular_file(given, ignored)
-           ? std::filesystem::path(given).parent_path().string()
-           : given;
-}
 
 Hdf5File open_dynamics(const RunSummary &summary)
 {
@@ -88,8 +78,34 @@ std::string differences_at_rest(RunConditions at_rest, RunConditions run)
   return differences_text(condition_differences(at_rest, run), true);
 }
 
+double contact_area(const Hdf5File &file)
+{
+  const auto areas = file.read<double>("/contact/area", {any_extent}, again);
+  return std::accumulate(areas.begin(), areas.end(), 0.);
+}
+
+/** That the homogeneous body is that of the heterogeneous one @p of, as far as files tell. */
+void require_same_body(const RunSummary &summary,
+                       const Hdf5File &file,
+                       const Hdf5File &of)
+{
+  const std::string digest = body_rve_digest(file), of_other = body_rve_digest(of);
+  if (!digest.empty() && !of_other.empty() && digest != of_other)
+    throw UserError(
+      summary.key + ": " + summary.folder +
+      " is a run with another RVE file than the heterogeneous run's; run it "
+      "again with the same Body/RVE file");
+  const double area = contact_area(file), wanted = contact_area(of);
+  const std::string unit = summary.find_number("dim") == 3. ? " m^2" : " m";
+  if (!(std::fabs(area - wanted) <= 1e-6 * wanted))
+    throw UserError(summary.key + ": the contact in " + summary.folder + " has " +
+                    to_text(area) + unit + ", that of the heterogeneous run " +
+                    to_text(wanted) + unit + "; run both on bodies of the same size");
+}
+
 FrictionRun read_homogeneous(const std::string &folder,
                              const FrictionRun &heterogeneous,
+                             const Hdf5File &of_heterogeneous,
                              std::vector<std::string> &warnings)
 {
   const RunSummary summary(section + "Homogeneous run", folder);
@@ -98,6 +114,7 @@ FrictionRun read_homogeneous(const std::string &folder,
   if (file.exists("/contact/phases"))
     throw UserError(summary.key + ": the body of " + run.folder +
                     " is heterogeneous; name a run of a homogeneous one");
+  require_same_body(summary, file, of_heterogeneous);
   const std::string loads = differences_text(
     condition_differences(run.conditions, heterogeneous.conditions), true);
   if (!loads.empty())
@@ -248,59 +265,6 @@ void read_static_contact(const std::string &folder,
 }
 } // namespace
 
-RunSummary::RunSummary(const std::string &key, const std::string &given)
-  : key(key)
-  , folder(folder_of(given))
-{
-  std::error_code ignored;
-  if (!std::filesystem::is_directory(folder, ignored))
-    throw UserError(key + ": there is no folder " + folder +
-                    "; run contact_dynamics first");
-  const std::string name = file("summary.json");
-  if (!std::filesystem::is_regular_file(name, ignored))
-    throw UserError(
-      key + ": " + folder +
-      " holds no summary.json, so the run has not finished; run contact_dynamics");
-  json = nlohmann::json::parse(read_file(name), nullptr, false);
-  if (!json.is_object())
-    throw UserError(key + ": " + name + " is no JSON object; run contact_dynamics again");
-  if (json.value("draft", false) && !drafts_are_accepted())
-    throw UserError(key + ": " + folder +
-                    " holds drafts, in which nothing was computed; run contact_dynamics "
-                    "without --try");
-}
-
-std::string RunSummary::file(const std::string &name) const
-{
-  return (std::filesystem::path(folder) / name).string();
-}
-
-std::string RunSummary::text(const std::string &name) const
-{
-  const auto found = json.find(name);
-  return found != json.end() && found->is_string() ? found->get<std::string>() : "";
-}
-
-void RunSummary::require_analysis(const std::string &analysis) const
-{
-  const std::string found = text("analysis");
-  if (found != analysis)
-    throw UserError(
-      key + ": " + folder + " holds " +
-      (found.empty() ? "no contact_dynamics run" : "the analysis '" + found + "'") +
-      ", but '" + analysis + "' is needed");
-}
-
-std::optional<double> RunSummary::find_number(const std::string &name,
-                                              const std::string &of) const
-{
-  const nlohmann::json object = of.empty() ? json : json.value(of, nlohmann::json());
-  const auto found            = object.find(name);
-  return found != object.end() && found->is_number()
-           ? std::optional<double>(found->get<double>())
-           : std::nullopt;
-}
-
 FrictionHomogenizationInput
 read_friction_homogenization(const FrictionHomogenizationParameters &parameters)
 {
@@ -313,8 +277,8 @@ read_friction_homogenization(const FrictionHomogenizationParameters &parameters)
   const Hdf5File file = open_dynamics(summary);
   input.heterogeneous = read_run(summary, file, input.warnings);
   if (!parameters.homogeneous_run.empty())
-    input.homogeneous =
-      read_homogeneous(parameters.homogeneous_run, input.heterogeneous, input.warnings);
+    input.homogeneous = read_homogeneous(parameters.homogeneous_run, input.heterogeneous,
+                                         file, input.warnings);
 
   const PhasesOfContact phases         = read_phases_of_contact(file);
   const ContactNodes nodes             = read_nodes(file, phases.share[0].size());

@@ -16,6 +16,7 @@
 #include <limits>
 #include <numeric>
 #include <set>
+#include <unordered_map>
 
 namespace mesoslip
 {
@@ -85,9 +86,24 @@ bool needs_top(const ContactParameters &parameters)
 /** What platen and contact ask of each other and of held boundaries. */
 void check_supports(const MeshBodyDescription &body,
                     const unsigned int normal,
-                    const MeshBodyParameters &parameters,
-                    const TopSetup &top)
+                    const ContactParameters &given)
 {
+  const MeshBodyParameters &parameters = given.mesh;
+  const TopSetup &top                  = given.top;
+  std::set<unsigned int> held;
+  for (const HeldComponent &h : body.held)
+    if (h.component == normal)
+      held.insert(h.point);
+  const bool is_static = given.analysis == ContactAnalysis::static_contact ||
+                         given.analysis == ContactAnalysis::complex_modes;
+  if (is_static &&
+      std::all_of(body.contact.points.begin(), body.contact.points.end(),
+                  [&](const unsigned int point) { return held.count(point) > 0; }))
+    throw UserError(std::string("Mesh/Held in ") + "xyz"[normal] + ": " +
+                    to_text(parameters.held[normal]) + " holds all of '" +
+                    parameters.contact_boundary +
+                    "', the Contact boundary, along the normal of the flat, which then "
+                    "carries nothing; leave it out");
   const std::set<unsigned int> top_points(body.top.points.begin(), body.top.points.end());
   for (const unsigned int point : body.contact.points)
     if (top_points.count(point) > 0)
@@ -102,16 +118,31 @@ void check_supports(const MeshBodyDescription &body,
                       "boundary out, or set Top/Kind = pressure or held");
 }
 /** The contact node nearest to Reference x, or to the middle of the contact, in 3D halfway
- * along y; of two that are equally near the last, as on grids. */
+ * along y; of two that are equally near the last, as on grids. Points that move together are one node
+ * in several places. */
 template <int dim>
 ReferenceNode reference_node(const BodyMesh<dim> &morphology,
                              const MeshBoundary &contact,
                              const double wanted_x)
 {
   const Mesh<dim> &mesh = morphology.mesh;
-  std::vector<dealii::Point<dim>> points;
+  std::unordered_map<unsigned int, unsigned int> number;
   for (const unsigned int point : contact.points)
-    points.push_back(mesh.points[point]);
+    number.emplace(point, static_cast<unsigned int>(number.size()));
+  std::vector<dealii::Point<dim>> points;
+  std::vector<unsigned int> node_of;
+  const auto add = [&](const unsigned int point) {
+    if (const auto found = number.find(mesh.original(point)); found != number.end())
+      {
+        points.push_back(mesh.points[point]);
+        node_of.push_back(found->second);
+      }
+  };
+  if (mesh.originals.empty())
+    for (const unsigned int point : contact.points) // in their order along the contact
+      add(point);
+  for (unsigned int point = 0; point < mesh.originals.size(); ++point)
+    add(point);
   const auto [lower, upper] = dealii::BoundingBox<dim>(points).get_boundary_points();
   dealii::Point<dim> middle = lower + 0.5 * (upper - lower);
   if (!std::isnan(wanted_x))
@@ -129,9 +160,9 @@ ReferenceNode reference_node(const BodyMesh<dim> &morphology,
       if (!(away.norm() <= nearest + 1e-9 * (upper - lower).norm()))
         continue;
       nearest     = away.norm();
-      node.number = static_cast<unsigned int>(i);
+      node.number = node_of[i];
     }
-  std::copy_n(&points[node.number][0], dim, node.position.begin());
+  std::copy_n(&mesh.points[contact.points[node.number]][0], dim, node.position.begin());
   node.area        = -contact.area[node.number];
   const auto place = morphology.places_of({{"the reference node", node.position}});
   node.phase       = morphology.phase_of(place[0].material);
@@ -234,7 +265,7 @@ MeshBodyDescription describe_body(const BodyMesh<dim> &morphology,
            boundary_points(mesh, faces_with(std::string("Held in ") + "xyz"[c], name))
              .points)
         body.held.push_back({mesh.original(point), c});
-  check_supports(body, dim - 1, parameters, given.top);
+  check_supports(body, dim - 1, given);
   body.n_points = morphology.n_points();
   body.n_cells  = morphology.n_cells();
   Digest digest;

@@ -77,7 +77,7 @@ RunStatistics<dim>::RunStatistics(const ContactParameters &parameters,
                 static_cast<unsigned int>(size.n_contact_nodes),
                 parameters.energy_interval,
                 context.communicator())
-  , record(time.statistics_interval, time.step.dt, parameters.contact.flat_velocity)
+  , record(time.statistics_interval, time.step.dt)
 {
   surfaces.contact.observe(recent_contact);
   surfaces.top.observe(recent_top);

@@ -32,7 +32,7 @@ struct ObservedBody : Body
              contact,
              5)
     , watch(LimitCycleCriterion(), 10, setup.energy_interval, MPI_COMM_SELF)
-    , statistics(recent_interval, setup.step.dt, setup.contact.flat_velocity, 16)
+    , statistics(recent_interval, setup.step.dt, 16)
     , recent_contact(recent_interval, setup.monitored_nodes, setup.step)
     , recent_top(recent_interval)
   {
