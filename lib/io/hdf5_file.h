@@ -185,6 +185,9 @@ public:
   /** False as well when there is no such object. */
   bool has_attribute(const std::string &object, const std::string &name) const;
 
+  /** Whether the header says that it is a draft. */
+  bool is_draft() const;
+
   /** Attribute `unit` of a dataset: SI symbols, "-" for pure numbers. */
   void write_unit(const std::string &dataset, const std::string &unit)
   {

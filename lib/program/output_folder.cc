@@ -2,6 +2,7 @@
 
 #include "base/errors.h"
 #include "base/files.h"
+#include "io/hdf5_file.h"
 #include "parameters/keys.h"
 
 #include <algorithm>
@@ -144,6 +145,19 @@ bool is_of_run(const std::string &path)
   return hash == "#" && !version.empty() && std::isdigit(version[0]) != 0;
 }
 
+/** Whether it is a file that --draft has made, alone in its folder. */
+bool is_draft(const std::string &path)
+{
+  try
+    {
+      return Hdf5File::open(path, "").is_draft();
+    }
+  catch (const UserError &) // no file of HDF5
+    {
+      return false;
+    }
+}
+
 /** A file that a run replaces in @p folder although none has been there; empty if there is none. */
 std::string foreign_file(const std::string &folder)
 {
@@ -151,8 +165,10 @@ std::string foreign_file(const std::string &folder)
   for (const fs::directory_entry &entry : fs::directory_iterator(folder, ignored))
     {
       const std::string name = entry.path().filename().string();
-      if (std::find(papers.begin(), papers.end(), name) != papers.end() ||
-          std::find(results.begin(), results.end(), name) != results.end())
+      if (entry.is_regular_file(ignored) &&
+          (std::find(papers.begin(), papers.end(), name) != papers.end() ||
+           std::find(results.begin(), results.end(), name) != results.end()) &&
+          !is_draft(entry.path().string()))
         return name;
     }
   return "";

@@ -1,10 +1,13 @@
 #include "sliding/body_memory.h"
 
+#include "base/exchange.h"
 #include "program/output_folder.h"
 #include "sliding/complex/complex_cases.h"
 #include "sliding/run_plan.h"
+#include "statics/voxel/planes.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace mesoslip
 {
@@ -25,15 +28,16 @@ double bytes_of_stepped_cell(const std::size_t n_corners)
 /** Of a component of a snapshot, which waits to be written. */
 constexpr double bytes_of_shown_dof = 35.;
 
-/** Statics, modes and complex modes of @p n_nodes. */
+/** Statics, modes and complex modes of @p n_nodes of a mesh, with ML, or of a box. */
 template <int dim>
 BodyMemory of_static_body(const ContactParameters &parameters,
                           const double n_nodes,
-                          const double bytes_of_mesh)
+                          const double bytes_of_mesh,
+                          const bool ml)
 {
   if (parameters.analysis == ContactAnalysis::complex_modes)
     return {0., 0., complex_modes_memory(dim * n_nodes, dim)};
-  return {bytes_of_mesh, static_node_memory(parameters, dim, true) * n_nodes, 0.};
+  return {bytes_of_mesh, static_node_memory(parameters, dim, ml) * n_nodes, 0.};
 }
 
 double bytes_of_snapshots(const ContactParameters &parameters, const double n_dofs)
@@ -63,7 +67,7 @@ BodyMemory memory_on_mesh(const ContactParameters &parameters, const Mesh<dim> &
   const double read = bytes_of_corner * corners;
   const auto points = static_cast<double>(mesh.points.size());
   if (parameters.analysis != ContactAnalysis::transient)
-    return of_static_body<dim>(parameters, points, read);
+    return of_static_body<dim>(parameters, points, read, true);
   return {read, steps - read + bytes_of_snapshots(parameters, dim * points), 0.};
 }
 
@@ -77,9 +81,16 @@ BodyMemory memory_of_box(const ContactParameters &parameters, const UniformGrid<
       nodes *= n + 1.;
       inside *= std::max(n, 2U) - 2.;
     }
+  const double bytes_at_sides = bytes_of_corners * (cells - inside);
   if (parameters.analysis != ContactAnalysis::transient)
-    return of_static_body<3>(parameters, nodes, bytes_of_corners * cells);
-  return {bytes_of_corners * (cells - inside),
+    {
+      BodyMemory memory = of_static_body<3>(parameters, nodes, bytes_at_sides, false);
+      if (!voxel::is_divided_among(grid.cells[2] + std::size_t{1},
+                                   mpi::n_mpi_processes(MPI_COMM_WORLD)))
+        std::swap(memory.divided, memory.on_each);
+      return memory;
+    }
+  return {bytes_at_sides,
           bytes_of_brick * cells + bytes_of_snapshots(parameters, 3. * nodes), 0.};
 }
 

@@ -210,9 +210,9 @@ double static_node_memory(const ContactParameters &parameters,
                           const bool ml)
 {
   if (parameters.analysis != ContactAnalysis::modal)
-    return !ml ? 720. : dim == 2 ? 4700. : 20000.;
+    return !ml ? (dim == 2 ? 720. : 850.) : dim == 2 ? 4700. : 20000.;
   const double bytes_of_a_mode = 50. * dim;
-  return (!ml        ? 750.
+  return (!ml        ? (dim == 2 ? 750. : 1050.)
           : dim == 2 ? 3500.
                      : 16400.) +
          bytes_of_a_mode * modal_options(parameters).n_modes;

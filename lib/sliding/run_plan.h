@@ -83,8 +83,8 @@ TimeStepChoice choose_time_step(const ContactParameters &parameters,
 /** Steps and quantities of the map of the contact that @p parameters ask for. */
 ContactMapSetup contact_map_setup(const ContactParameters &parameters, const double dt);
 
-/** Memory that statics or modes take for a node (bytes, as measured): with ML, or in 2D with the
- * multigrid. */
+/** Memory that statics or modes take for a node (bytes, as measured): with ML, or with the multigrid of
+ * grids. */
 double static_node_memory(const ContactParameters &parameters,
                           const unsigned int dim,
                           const bool ml);

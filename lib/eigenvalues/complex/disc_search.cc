@@ -54,7 +54,7 @@ std::vector<double> DiscSearch::left_out(const double bottom) const
 {
   std::vector<double> slow;
   for (const double rate : relaxing)
-    if (rate < bottom)
+    if (leaves_out_all || rate < bottom)
       slow.push_back(rate);
   return slow;
 }
@@ -63,7 +63,8 @@ std::optional<DiscSearch::Disc> DiscSearch::nearest(const Complex centre,
                                                     const int count,
                                                     const unsigned int seed,
                                                     const SearchRange &range,
-                                                    const double edge)
+                                                    const double edge,
+                                                    const double left)
 {
   if (options.before_factorization)
     options.before_factorization("Search",
@@ -111,7 +112,7 @@ std::optional<DiscSearch::Disc> DiscSearch::nearest(const Complex centre,
     }
   double farthest = 1. / std::abs(pairs->values[pairs->values.size() - 1]);
   for (const double rate : slow)
-    farthest *= edge / std::abs(centre + rate);
+    farthest *= std::max(edge, rate + left) / std::abs(centre + rate);
   return Disc{centre, std::pow(farthest, 1. / (1. + static_cast<double>(slow.size())))};
 }
 
@@ -144,10 +145,9 @@ void DiscSearch::cover(const SearchRange &range, const unsigned int seed)
 {
   const int largest = static_cast<int>(
     std::min<Eigen::Index>(most, std::max<Eigen::Index>(1, pencil.state_size() / 4)));
-  const int all = std::max(largest, static_cast<int>(pencil.state_size() / 4));
-  const std::size_t n_left_out = left_out(range.bottom).size();
-  const auto is_free           = [&](const Complex centre, const double radius) {
-    return n_left_out > 0 ||
+  const int all      = std::max(largest, static_cast<int>(pencil.state_size() / 4));
+  const auto is_free = [&](const Complex centre, const double radius) {
+    return !left_out(range.bottom).empty() ||
            std::all_of(relaxing.begin(), relaxing.end(), [&](const double rate) {
              return radius < 0.6 * std::abs(centre + rate);
            });
@@ -160,9 +160,14 @@ void DiscSearch::cover(const SearchRange &range, const unsigned int seed)
       const double left = range.left(high), right = range.right(edge, high);
       const double half = 0.5 * (right - left);
       const auto disc =
-        nearest(Complex(0.5 * (left + right), middle), count, seed, range, edge);
+        nearest(Complex(0.5 * (left + right), middle), count, seed, range, edge, left);
       if (!disc)
         {
+          if (count <= fewest && !leaves_out_all && !relaxing.empty())
+            {
+              leaves_out_all = true; // it takes as many more solves
+              continue;
+            }
           if (count <= fewest)
             throw NotConverged(brief_text(4,
                                           "the Arnoldi iteration did not converge near ",

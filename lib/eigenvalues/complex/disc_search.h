@@ -78,21 +78,23 @@ private:
     double radius = 0.;            ///< 1/s
   };
 
-  /** Those of relaxing that lie below the circular frequency @p bottom. */
+  /** Those of relaxing that lie below the circular frequency @p bottom, or all. */
   std::vector<double> left_out(const double bottom) const;
 
   /**
-   * Of the disc whatever has a circular frequency of @p edge at least. Eigenvalues near -r, r
-   * being one of left_out(), are many and alike, which Arnoldi iterations do not get through.
-   * So the operator T, with the eigenvalues 1 / (s - centre), is multiplied by T - 1 / (-r -
-   * centre), which makes the product |s + r| / |s - centre|^2 / |centre + r| in size: next to
-   * nothing for these, and at least that with |s + r| >= edge for what is wanted.
+   * Of the disc whatever has a circular frequency of @p edge and a growth rate of @p left at least.
+   * Eigenvalues near -r, r being one of left_out(), are many and alike, which Arnoldi iterations do
+   * not get through. So the operator T, with the eigenvalues 1 / (s - centre), is multiplied by T -
+   * 1 / (-r - centre), which makes the product |s + r| / |s - centre|^2 / |centre + r| in size:
+   * next to nothing for these, and for what is wanted at least that with |s + r| no less than edge
+   * and than r + left.
    */
   std::optional<Disc> nearest(const SlidingPencil::Complex centre,
                               const int count,
                               const unsigned int seed,
                               const SearchRange &range,
-                              const double edge);
+                              const double edge,
+                              const double left);
   void keep(const SlidingPencil::Complex s, ComplexVector u);
 
   const SlidingPencil &pencil;
@@ -101,6 +103,8 @@ private:
   ComplexModes &report;
   const std::vector<double> relaxing; ///< 1/s; eigenvalues near their negative are many
   std::vector<FoundMode> modes;
+  bool leaves_out_all =
+    false; ///< of relaxing, as an iteration has not converged with them
 };
 } // namespace mesoslip
 

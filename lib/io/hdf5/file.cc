@@ -223,8 +223,7 @@ Hdf5File Hdf5File::resume(const std::string &path, const std::string &hint)
                     "cannot be gone on with; " +
                     hint);
   Hdf5File file(path, open_file(part, H5F_ACC_RDWR), true);
-  if (!DraftMark::is_set() && file.has_attribute("/", "digest") &&
-      file.read_attribute<std::string>("/", "digest") == draft_digest)
+  if (!DraftMark::is_set() && file.is_draft())
     throw UserError(part + " is a draft, which no run goes on with; " + hint);
   return file;
 }

@@ -249,10 +249,15 @@ std::string Hdf5File::check_header(const std::string &format,
   return digest;
 }
 
+bool Hdf5File::is_draft() const
+{
+  return has_attribute("/", "digest") &&
+         read_attribute<std::string>("/", "digest") == draft_digest;
+}
+
 std::string Hdf5File::change_note(const std::string &program) const
 {
-  if (has_attribute("/", "digest") &&
-      read_attribute<std::string>("/", "digest") == draft_digest)
+  if (is_draft())
     return file_path + " is a draft for --validate, in which nothing was computed";
   if (signature == Signature::valid)
     return "";

@@ -98,9 +98,9 @@ void require_same_body(const RunSummary &summary,
   const double area = contact_area(file), wanted = contact_area(of);
   const std::string unit = summary.find_number("dim") == 3. ? " m^2" : " m";
   if (!(std::fabs(area - wanted) <= 1e-6 * wanted))
-    throw UserError(summary.key + ": the contact in " + summary.folder + " has " +
-                    to_text(area) + unit + ", that of the heterogeneous run " +
-                    to_text(wanted) + unit + "; run both on bodies of the same size");
+    throw UserError(brief_text(6, summary.key, ": the contact in ", summary.folder,
+                               " has ", area, unit, ", that of the heterogeneous run ",
+                               wanted, unit, "; run both on bodies of the same size"));
 }
 
 FrictionRun read_homogeneous(const std::string &folder,

@@ -48,8 +48,8 @@ GivenMesh<dim>::GivenMesh(const ContactParameters &given,
     phases.push_back({phase.stiffness, phase.density});
   if (n_ranks > body.n_cells)
     throw UserError("the mesh has " + std::to_string(body.n_cells) +
-                    " cells, which are divided among the processes; start fewer than " +
-                    std::to_string(n_ranks));
+                    " cells, which are divided among the processes; start at most " +
+                    std::to_string(body.n_cells));
   if (parameters.analysis == ContactAnalysis::transient)
     {
       distributed = mesh->distribute(body.contact.points, body.probes, phases,

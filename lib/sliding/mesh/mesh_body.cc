@@ -117,6 +117,7 @@ void check_supports(const MeshBodyDescription &body,
                       ": the platen of Top/Kind moves points that are held; leave the "
                       "boundary out, or set Top/Kind = pressure or held");
 }
+
 /** The contact node nearest to Reference x, or to the middle of the contact, in 3D halfway
  * along y; of two that are equally near the last, as on grids. Points that move together are one node
  * in several places. */
@@ -129,20 +130,17 @@ ReferenceNode reference_node(const BodyMesh<dim> &morphology,
   std::unordered_map<unsigned int, unsigned int> number;
   for (const unsigned int point : contact.points)
     number.emplace(point, static_cast<unsigned int>(number.size()));
-  std::vector<dealii::Point<dim>> points;
-  std::vector<unsigned int> node_of;
-  const auto add = [&](const unsigned int point) {
-    if (const auto found = number.find(mesh.original(point)); found != number.end())
-      {
-        points.push_back(mesh.points[point]);
-        node_of.push_back(found->second);
-      }
-  };
-  if (mesh.originals.empty())
-    for (const unsigned int point : contact.points) // in their order along the contact
-      add(point);
+  std::vector<unsigned int> all = contact.points;
   for (unsigned int point = 0; point < mesh.originals.size(); ++point)
-    add(point);
+    if (mesh.originals[point] != point && number.count(mesh.originals[point]) > 0)
+      all.push_back(point);
+  std::sort(all.begin(), all.end(), [&](const unsigned int a, const unsigned int b) {
+    return std::lexicographical_compare(&mesh.points[a][0], &mesh.points[a][0] + dim,
+                                        &mesh.points[b][0], &mesh.points[b][0] + dim);
+  });
+  std::vector<dealii::Point<dim>> points;
+  for (const unsigned int point : all)
+    points.push_back(mesh.points[point]);
   const auto [lower, upper] = dealii::BoundingBox<dim>(points).get_boundary_points();
   dealii::Point<dim> middle = lower + 0.5 * (upper - lower);
   if (!std::isnan(wanted_x))
@@ -160,7 +158,7 @@ ReferenceNode reference_node(const BodyMesh<dim> &morphology,
       if (!(away.norm() <= nearest + 1e-9 * (upper - lower).norm()))
         continue;
       nearest     = away.norm();
-      node.number = node_of[i];
+      node.number = number.at(mesh.original(all[i]));
     }
   std::copy_n(&mesh.points[contact.points[node.number]][0], dim, node.position.begin());
   node.area        = -contact.area[node.number];

@@ -7,7 +7,7 @@ import tempfile
 import h5py
 import numpy as np
 
-from mesh_dynamics import BODY, COMMON, DENSITY, MESH, OBSERVED, PLANE_PROBES, STATES, STEEL, STIFFNESS, check_equal, check_same_summary, group
+from mesh_dynamics import BODY, COMMON, DENSITY, MESH, OBSERVED, PLANE_PROBES, STATES, STEEL, STIFFNESS, check_equal, check_same_summary, group, probes
 from mesh_files import Box
 from mesh_static_contact import LOADS, columns
 from scenes import Folder, prm
@@ -62,6 +62,23 @@ def check_grid_as_mesh(folder):
             x, u = file["mesh/points"][...], file["snapshots/displacement"][-1]
             sides = [u[np.abs(x[:, 0] - end) < 1e-9][np.argsort(x[np.abs(x[:, 0] - end) < 1e-9][:, 1])] for end in (0, 0.012)]
             assert len(sides[0]) == 11 and np.array_equal(*sides) and np.abs(sides[0]).max() > 0.1 * np.abs(u).max()
+
+
+def check_seam(folder):
+    """The reference node and a probe at the end of the period are those at its start, on the grid and on the mesh."""
+    grid = prm({**COMMON, "Body/Stiffness": STIFFNESS, "Body/Density": DENSITY, "Body/Size": "0.012, 0.004", "Body/Cells": "24, 10",
+                "Sides/Periodic": "true"})
+    mesh = MESH + prm({**BODY, **PERIODIC})
+    each_step = ("--set=Observation/Probe interval=1", "--set=Observation/History interval=1")
+    for text in (grid, mesh):
+        folder.write("seam.prm", text + probes(seam="0.012, 0"))
+        seen = []
+        for x in (0, 0.012):
+            folder.run(0, "contact_dynamics", "seam.prm", "--output", "seam", f"--set=Observation/Reference x={x}", *each_step)
+            seen.append(group(folder, "seam", "reference"))
+        check_equal(seen[0], seen[1], 0, "reference node")
+        traction = group(folder, "seam", "probes/seam")["traction"]
+        assert np.abs(traction - seen[0]["traction"]).max() <= 1e-12 * np.abs(traction).max() and traction.any(), "probe"
 
 
 def displacement(folder, run):
@@ -193,6 +210,7 @@ def main():
     with tempfile.TemporaryDirectory() as path:
         folder = Folder(path)
         check_grid_as_mesh(folder)
+        check_seam(folder)
         check_modes_of_grid(folder)
         check_static_of_grid(folder)
         check_shifted_statics(folder)

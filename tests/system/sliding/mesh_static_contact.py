@@ -4,6 +4,7 @@ refused."""
 import csv
 import tempfile
 
+import h5py
 import numpy as np
 
 from mesh_files import Box
@@ -134,6 +135,26 @@ def check_steps(folder):
         assert named in said, said
 
 
+def check_held_side(folder):
+    """A side that is held along the normal of the flat under a pressure: its nodes stay where they are, and grid and mesh agree."""
+    common = {**LOADS, "Flat/Velocity": 2}
+    folder.write("side_grid.prm", prm({**common, "Body/Stiffness": STIFFNESS, "Body/Density": DENSITY, "Body/Size": "0.012, 0.004",
+                                       "Body/Cells": "24, 10", "Sides/Left": "both"}))
+    box = Box([12, 4], [24, 10], lambda x: "body")
+    box.name_side("Contact", 1, False).name_side("Top", 1, True).name_side("left", 0, False).write(folder("mesh.msh"))
+    folder.write("side_mesh.prm", prm({**common, "Mesh/File": "mesh.msh", "Mesh/Scale": 0.001, "Phases/Names": "body",
+                                       "Phases/body/Type": "stiffness", "Phases/body/Stiffness": STIFFNESS, "Phases/body/Density": DENSITY,
+                                       "Mesh/Held in x": "left", "Mesh/Held in y": "left"}))
+    names = ("pressure [Pa]", "displacement_x [m]")
+    for run in ("side_grid", "side_mesh"):
+        folder.run(0, "contact_dynamics", run + ".prm", "--output", run)
+    (expected, states), (found, others) = (columns(folder, run, *names) for run in ("side_grid", "side_mesh"))
+    assert_close(expected, found, 1e-6)
+    assert states == others and expected[0].max() > 0, (states, others)
+    with h5py.File(folder("side_grid", "dynamics.h5")) as file:
+        assert not file["snapshots/displacement"][-1, :, 0].any()
+
+
 def check_layer(folder):
     """One layer of hexahedra with u_y held is the plane body."""
     folder.write("flat.prm", prm({**LOADS, **MESH, "Flat/Velocity": 2}))
@@ -198,6 +219,7 @@ def main():
         for top in ("pressure", "platen"):
             check_grid_as_mesh(scenes, 0, top, {"Static contact/Load steps": 3, "Static contact/Flat displacement": 1e-7})
         check_steps(scenes)
+        check_held_side(scenes)
         check_layer(scenes)
         check_refused(scenes)
         check_along_the_motion(scenes)
