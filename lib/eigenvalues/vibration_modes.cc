@@ -245,9 +245,10 @@ void check_number_of_modes(const std::size_t n_free, const VibrationModesOptions
 {
   if (n_free < 2 * options.n_modes + 10)
     throw std::invalid_argument(std::to_string(options.n_modes) + " modes of only " +
-                                std::to_string(n_free) +
-                                " free degrees of freedom; at most half of them, less 5, "
-                                "can be computed");
+                                std::to_string(n_free) + " free degrees of freedom; " +
+                                (n_free < 12 ? "there have to be 12 at least"
+                                             : "at most half of them, less 5, can be "
+                                               "computed"));
 }
 
 template <int dim>

@@ -50,7 +50,8 @@ InstructionSet instruction_set(const std::string &name)
         return static_cast<InstructionSet>(k);
       names += (k == 0 ? "" : ", ") + std::string(set_names[k]);
     }
-  throw UserError("there is no instruction set '" + name + "'; use one of " + names);
+  throw UserError("there is no instruction set '" + name +
+                  "' on this kind of processor; use one of " + names);
 }
 
 InstructionSet resolve(const InstructionSet requested)

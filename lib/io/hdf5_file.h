@@ -155,7 +155,8 @@ public:
   std::vector<std::string> list(const std::string &group,
                                 const std::string &hint = "") const;
 
-  /** Extents of a dataset. */
+  /** Extents of a dataset. @throws UserError also if numbers of it lie in another file, as those of
+   * virtual datasets do, which is not there or too short. */
   Shape shape(const std::string &name, const std::string &hint = "") const;
 
   /** Whether a dataset holds floating point numbers. */
@@ -275,6 +276,7 @@ private:
   [[noreturn]] void fail_writing(const std::string &what);
   Hdf5Handle open_object(const std::string &name, const std::string &hint) const;
   Hdf5Handle open_dataset(const std::string &name, const std::string &hint) const;
+  void require_numbers(const Hdf5Handle &dataset, const std::string &name) const;
   Shape shape_of(const Hdf5Handle &object, const std::string &text) const;
   template <typename T>
   std::vector<T> read_values(const Hdf5Handle &object,

@@ -49,14 +49,9 @@ bool has_leading_zero(const std::string &word)
 }
 
 /** False if @p word is no whole number; NumPy writes them as 1.000000000000000000e+00. */
-bool parse_whole(const std::string &word, int &value)
+bool parse_whole(const std::string &word, double &value)
 {
-  double number;
-  if (!parse_number(word, number) || number != std::floor(number) ||
-      !(std::fabs(number) <= std::numeric_limits<int>::max()))
-    return false;
-  value = static_cast<int>(number);
-  return true;
+  return parse_number(word, value) && value == std::floor(value);
 }
 
 /** Throws if nothing stands before a comma of the line; the last one may end it. */
@@ -81,16 +76,19 @@ std::vector<int> parse_line(std::string line, const std::string &where)
   std::string word;
   while (words >> word)
     {
-      int value;
-      if (!parse_whole(word, value))
+      double value        = 0.;
+      const bool is_whole = parse_whole(word, value);
+      if (!is_whole || !(std::fabs(value) <= std::numeric_limits<int>::max()))
         throw UserError(where + "value " + std::to_string(values.size() + 1) + " is '" +
-                        word + "', which is not a whole number");
+                        word +
+                        (is_whole ? "', a whole number too large for 32 bits"
+                                  : "', which is not a whole number"));
       if (has_leading_zero(word))
         throw UserError(where + "value " + std::to_string(values.size() + 1) + " is '" +
                         word +
                         "', a number that begins with 0; if every digit is a "
                         "pixel, put blanks between them");
-      values.push_back(value);
+      values.push_back(static_cast<int>(value));
     }
   return values;
 }
@@ -261,6 +259,7 @@ Image read_png(const std::string &path, const std::string &bytes)
   Image image;
   image.width         = pixels.width;
   image.height        = pixels.height;
+  image.deep          = pixels.bits == 16;
   const std::size_t n = static_cast<std::size_t>(pixels.width) * pixels.height;
   for (std::size_t i = 0; i < n && pixels.channels > 2 && !image.coloured; ++i)
     image.coloured = pixels.value(i, 0) != pixels.value(i, 1) ||
@@ -277,10 +276,7 @@ Image read_png(const std::string &path, const std::string &bytes)
       }
   return image;
 }
-} // namespace
 
-namespace
-{
 /** A picture of @p values, the top row first. */
 Image whole_numbers(const std::string &path,
                     const std::size_t width,
@@ -299,7 +295,11 @@ Image whole_numbers(const std::string &path,
         image.values.push_back(static_cast<int>(value));
       else
         throw UserError(path + " holds " + to_text(value) +
-                        ", but pictures are of whole numbers; save it as uint8");
+                        ", but pictures are of whole numbers" +
+                        (std::fabs(value) > std::numeric_limits<int>::max()
+                           ? " that 32 bits hold; give the phases smaller ones"
+                           : "; scale its numbers, such as 0 to 1 to 0 to 255, round "
+                             "them and save them as whole ones"));
   return image;
 }
 

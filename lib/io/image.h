@@ -16,6 +16,7 @@ struct Image
   unsigned int height = 0; ///< pixels
   std::vector<int> values; ///< [height][width], the bottom row first
   bool coloured = false;   ///< values are 0xRRGGBB
+  bool deep     = false;   ///< of a PNG with 16 bits, whose grey levels go to 65535
 
   /** Digits of every number of a text with one number a row; 0: otherwise. */
   unsigned int digits = 0;

@@ -1,10 +1,10 @@
 #include "base/errors.h"
 #include "io/image.h"
+#include "io/slice_names.h"
 #include "io/tiff_image.h"
 #include "io/voxel_file.h"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <glob.h>
 
@@ -34,39 +34,10 @@ std::vector<std::string> pictures_in(const std::string &folder)
   std::vector<std::string> files;
   for (const fs::directory_entry &entry : fs::directory_iterator(folder))
     if (const std::string path = entry.path().string();
-        has_ending(path, ".png") || is_tiff_name(path))
+        entry.path().filename().string()[0] != '.' && // macOS keeps notes in ._NAME
+        (has_ending(path, ".png") || is_tiff_name(path)))
       files.push_back(path);
   return files;
-}
-
-/** The digits of @p text from @p at on, which it leaves behind them, without zeros in
- *  front. */
-std::string number_from(const std::string &text, std::size_t &at)
-{
-  const std::size_t end = std::min(text.find_first_not_of("0123456789", at), text.size());
-  std::string digits    = text.substr(at, end - at);
-  at                    = end;
-  return digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size()));
-}
-
-/** Whether @p a comes before @p b when numbers in names count as numbers: 9 before 10. */
-bool number_before(const std::string &a, const std::string &b)
-{
-  const auto digit = [](const char c) {
-    return std::isdigit(static_cast<unsigned char>(c)) != 0;
-  };
-  std::size_t i = 0, j = 0;
-  while (i < a.size() && j < b.size())
-    if (digit(a[i]) && digit(b[j]))
-      {
-        const std::string x = number_from(a, i), y = number_from(b, j);
-        if (x != y)
-          return x.size() != y.size() ? x.size() < y.size() : x < y;
-      }
-    else if (a[i++] != b[j++])
-      return a[i - 1] < b[j - 1];
-  const bool a_ended = i == a.size(), b_ended = j == b.size();
-  return a_ended && !b_ended;
 }
 
 /** Throws unless a file of a stack of files has one picture. */
@@ -88,8 +59,9 @@ public:
   {
     const bool pages = files.size() == 1 && is_tiff_name(files[0]);
     const auto n     = pages ? tiff_pages(files[0]) : files.size();
-    picture(0); // sets width and height
+    picture(0); // sets width, height and depth
     extents         = {n, height, width};
+    first_depth     = depth;
     const bool tiff = is_tiff_name(files[0]);
     for (const std::string &file : files)
       if (is_tiff_name(file) != tiff)
@@ -105,6 +77,11 @@ public:
                       std::to_string(height) + " pixels, and " + file_of(0) + " has " +
                       std::to_string(extents[2]) + " x " + std::to_string(extents[1]) +
                       "; pictures of a stack have one size");
+    if (depth != first_depth)
+      throw UserError(name_of(z) + "has " + depth + ", and " + name_of(0) + "has " +
+                      first_depth +
+                      ", in which the same grey is another number; save all pictures of "
+                      "a stack alike");
     return values;
   }
 
@@ -114,7 +91,15 @@ private:
     return files[files.size() == 1 ? 0 : z];
   }
 
-  /** The values of picture @p z, from the top row, whose size goes to width and height. */
+  /** For messages: a file, or a page of the only one, and a blank. */
+  std::string name_of(const std::size_t z) const
+  {
+    return file_of(z) +
+           (files.size() == 1 ? ", page " + std::to_string(z + 1) + ", " : " ");
+  }
+
+  /** The values of picture @p z, from the top row, whose size goes to width and height, and what is
+   * said of its numbers to depth. */
   std::vector<double> picture(const std::size_t z)
   {
     if (is_tiff_name(file_of(z)))
@@ -127,12 +112,17 @@ private:
         height          = image.height;
         whole           = whole && image.type.is_whole();
         type_name       = "'" + image.type.text() + "'";
+        depth           = std::to_string(image.bits) + " bits a pixel, " +
+                (image.type.kind == 'f'   ? "floating point"
+                 : image.type.kind == 'i' ? "signed"
+                                          : "unsigned");
         return std::move(image.values);
       }
     const Image image = read_image(file_of(z));
     width             = image.width;
     height            = image.height;
     type_name         = "of a PNG";
+    depth             = image.deep ? "grey levels of 16 bits" : "8 bits or fewer";
     std::vector<double> values;
     values.reserve(image.values.size());
     for (std::size_t y = height; y-- > 0;) // a picture begins at the bottom
@@ -143,6 +133,7 @@ private:
 
   const std::vector<std::string> files;
   std::size_t width = 0, height = 0; ///< of the picture read last
+  std::string depth, first_depth;    ///< of its numbers, and of those of the first one
 };
 } // namespace
 
@@ -159,11 +150,11 @@ std::vector<std::string> VoxelSource::files() const
                                 ".tif files"
                               : " matches no file; check the pattern"));
   std::sort(found.begin(), found.end());
-  const auto wrong = std::is_sorted_until(found.begin(), found.end(), number_before);
-  if (wrong != found.end())
-    throw UserError(path + ": by name, " + fs::path(*(wrong - 1)).filename().string() +
-                    " comes before " + fs::path(*wrong).filename().string() +
-                    ", against their numbers; write numbers with leading zeros");
+  std::vector<std::string> names;
+  names.reserve(found.size());
+  for (const std::string &file : found)
+    names.push_back(fs::path(file).filename().string());
+  require_slices_in_order(path, names);
   return found;
 }
 

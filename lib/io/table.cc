@@ -8,6 +8,7 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <boost/algorithm/string/case_conv.hpp>
 #include <boost/algorithm/string/replace.hpp>
 
 #include <algorithm>
@@ -150,7 +151,16 @@ CsvTable CsvTable::read(const std::string &path)
 
 bool CsvTable::has_column(const std::string &heading) const
 {
-  return std::find(headings.begin(), headings.end(), heading) != headings.end();
+  if (std::find(headings.begin(), headings.end(), heading) != headings.end())
+    return true;
+  const auto name = [](const std::string &text) {
+    return boost::algorithm::to_lower_copy(trimmed(text.substr(0, text.find('['))));
+  };
+  for (const std::string &other : headings)
+    if (name(other) == name(heading))
+      throw UserError(path + ": the column '" + other + "' has to be called '" + heading +
+                      "', with its numbers in that unit; convert them, or rename it");
+  return false;
 }
 
 std::size_t CsvTable::column(const std::string &heading) const

@@ -63,7 +63,8 @@ public:
     return cells.size();
   }
 
-  /** Whether there is one with this heading. */
+  /** Whether there is one with this heading. @throws UserError if there is one of the same name, but
+   * in another unit, or in other letters. */
   bool has_column(const std::string &heading) const;
 
   /** A column as numbers. @throws UserError for a missing column or anything not finite.

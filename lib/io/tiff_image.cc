@@ -4,6 +4,7 @@
 #include "base/files.h"
 
 #include <algorithm>
+#include <cstdarg>
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
@@ -25,11 +26,23 @@ struct CloseTiff
 
 using TiffFile = std::unique_ptr<TIFF, CloseTiff>;
 
+/** Whether the directory read last has a strip shorter than its rows: libtiff takes that for a wrong
+ * number, goes on behind the strip, and says so in a warning alone. */
+bool strip_is_short = false;
+
+void note_short_strip(const char * /*module*/, const char *text, va_list /*values*/)
+{
+  const std::string warning = text;
+  strip_is_short =
+    strip_is_short || (warning.rfind("Bogus", 0) == 0 &&
+                       warning.find("StripByteCounts") != std::string::npos);
+}
+
 TiffFile open_tiff(const std::string &path)
 {
   // What goes wrong is told by the values that functions return.
   TIFFSetErrorHandler(nullptr);
-  TIFFSetWarningHandler(nullptr);
+  TIFFSetWarningHandler(note_short_strip);
   require_readable_file("", path);
   TiffFile file(TIFFOpen(path.c_str(), "r"));
   if (!file)
@@ -193,6 +206,34 @@ void require_possible_page(const std::string &path, const double bytes)
     throw UserError(path + " claims " + to_text(bytes) +
                     " bytes of pixels, more than it can hold: it is damaged");
 }
+
+/** Whether the strips lie in the file and, uncompressed, have the bytes of their rows: libtiff takes
+ * what follows a strip for its end. */
+bool has_all_strips(TIFF *file,
+                    const std::string &path,
+                    const std::size_t row,
+                    const std::uint32_t height)
+{
+  std::uint16_t compression = COMPRESSION_NONE;
+  std::uint32_t rows        = height;
+  TIFFGetFieldDefaulted(file, TIFFTAG_COMPRESSION, &compression);
+  TIFFGetFieldDefaulted(file, TIFFTAG_ROWSPERSTRIP, &rows);
+  rows                   = std::clamp(rows, 1U, height);
+  std::uint64_t *offsets = nullptr, *counts = nullptr;
+  std::error_code code;
+  const std::uint64_t has    = std::filesystem::file_size(path, code);
+  const std::uint32_t strips = TIFFNumberOfStrips(file);
+  if (code || TIFFGetField(file, TIFFTAG_STRIPOFFSETS, &offsets) == 0 ||
+      TIFFGetField(file, TIFFTAG_STRIPBYTECOUNTS, &counts) == 0 ||
+      strips != (height - 1) / rows + 1)
+    return false;
+  for (std::uint32_t s = 0; s < strips; ++s)
+    if (offsets[s] > has || counts[s] > has - offsets[s] ||
+        (compression == COMPRESSION_NONE &&
+         counts[s] < row * std::min(rows, height - s * rows)))
+      return false;
+  return true;
+}
 } // namespace
 
 std::size_t tiff_pages(const std::string &path, const bool one_file)
@@ -232,6 +273,7 @@ TiffImage read_tiff(const std::string &path, const std::size_t page)
   const TiffFile file       = open_tiff(path);
   const std::string damaged = path + ": page " + std::to_string(page + 1) +
                               " of this TIFF is damaged or truncated; save it again";
+  strip_is_short = false;
   const bool has_page =
     TIFFSetDirectory(file.get(), static_cast<std::uint32_t>(page)) != 0;
   std::uint32_t width = 0, height = 0;
@@ -247,9 +289,12 @@ TiffImage read_tiff(const std::string &path, const std::size_t page)
   std::uint16_t bits = 1, meaning = PHOTOMETRIC_MINISBLACK;
   TIFFGetFieldDefaulted(file.get(), TIFFTAG_BITSPERSAMPLE, &bits);
   TIFFGetField(file.get(), TIFFTAG_PHOTOMETRIC, &meaning);
+  image.bits = bits;
   require_possible_page(path, 1. * width * height * bits / 8.);
   const auto row = static_cast<std::size_t>(TIFFScanlineSize64(file.get()));
   if (row != (image.width * bits + 7) / 8)
+    throw UserError(damaged);
+  if (strip_is_short || (has_page && !has_all_strips(file.get(), path, row, height)))
     throw UserError(damaged);
   std::string bytes(row * height, '\0');
   if (has_page)

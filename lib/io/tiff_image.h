@@ -15,6 +15,7 @@ struct TiffImage
   std::size_t width  = 0;     ///< pixels
   std::size_t height = 0;     ///< pixels
   NumberType type;            ///< of the numbers
+  unsigned int bits = 8;      ///< of a pixel: 1, or those of the type
   std::vector<double> values; ///< [height][width], the top row first, as they are stored
 };
 

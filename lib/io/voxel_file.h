@@ -40,9 +40,9 @@ struct VoxelSource
   /** By the end of the name. @throws UserError beginning with the path if none is read. */
   Kind kind() const;
 
-  /** The file, or the pictures of the stack in the order of their names. @throws UserError
-   * beginning with the path if there is none, or if that order is not the one of the
-   * numbers in the names */
+  /** The file, or the pictures of the stack in the order of their names, without those that
+   * begin with a dot. @throws UserError beginning with the path if there is none, or as
+   * require_slices_in_order() does */
   std::vector<std::string> files() const;
 };
 

@@ -230,6 +230,7 @@ void summarize_localization(const LocalizationOrigin &origin,
   summary["snapshots"]               = origin.snapshots;
   summary["direct_snapshots"]        = origin.direct_snapshots;
   summary["differences_of_the_runs"] = differences_json(origin);
+  summary["field_errors"]            = nullptr;
   if (!result.variants.empty())
     {
       summary["variant"] = result.variants[0].name;

@@ -56,6 +56,15 @@ std::vector<BoundaryFace<dim>> faces_of_group(const Mesh<dim> &mesh,
 template <int dim>
 std::size_t n_faces_in_file(const Mesh<dim> &mesh, const unsigned int boundary);
 
+/**
+ * Why the faces of group @p boundary in the file are more than @p found, those of them that bound the
+ * body: "are listed twice; ..." or "are not on the boundary of the body; ...".
+ */
+template <int dim>
+std::string why_not_found(const Mesh<dim> &mesh,
+                          const std::vector<BoundaryFace<dim>> &found,
+                          const unsigned int boundary);
+
 /** "(0.1, 0.2) m", the middle of the face. */
 template <int dim>
 std::string place_of(const Mesh<dim> &mesh, const BoundaryFace<dim> &face);

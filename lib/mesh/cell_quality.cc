@@ -26,7 +26,38 @@ std::array<unsigned int, dim> neighbours(const unsigned int v, const bool is_sim
     std::swap(result[0], result[1]);
   return result;
 }
+
+/** Throws if the sixteen digits of the largest coordinate leave less than seven for an edge. */
+template <int dim>
+void require_near_origin(const Mesh<dim> &mesh, const double largest_edge)
+{
+  constexpr double largest_ratio = 1e9;
+  for (const dealii::Point<dim> &point : mesh.points)
+    if (const double distance = point.norm();
+        distance > largest_ratio * largest_edge && largest_edge > 0.)
+      throw UserError("Mesh/File: a point lies " + to_text(distance) +
+                      " m from the origin, too far for edges of " +
+                      to_text(largest_edge) +
+                      " m, whose length its digits hardly tell; mesh the body near the "
+                      "origin");
+}
 } // namespace
+
+template <int dim>
+double cell_volume(const std::vector<dealii::Point<dim>> &points,
+                   const std::vector<unsigned int> &vertices)
+{
+  // deal.II multiplies coordinates as they are.
+  std::vector<dealii::Point<dim>> corners;
+  std::vector<unsigned int> numbers;
+  for (const unsigned int v : vertices)
+    {
+      numbers.push_back(static_cast<unsigned int>(numbers.size()));
+      corners.emplace_back(points[v] - points[vertices[0]]);
+    }
+  return dealii::GridTools::cell_measure(corners,
+                                         dealii::ArrayView<const unsigned int>(numbers));
+}
 
 template <int dim>
 MeshQuality<dim> cell_quality(const Mesh<dim> &mesh)
@@ -38,8 +69,7 @@ MeshQuality<dim> cell_quality(const Mesh<dim> &mesh)
   for (const Cell &cell : mesh.cells)
     {
       const auto &corners = cell.vertices;
-      quality.volume[cell.material_id] += dealii::GridTools::cell_measure(
-        mesh.points, dealii::ArrayView<const unsigned int>(corners));
+      quality.volume[cell.material_id] += cell_volume(mesh.points, corners);
       ++quality.n_cells[cell.material_id];
       for (unsigned int v = 0; v < corners.size(); ++v)
         {
@@ -65,6 +95,7 @@ MeshQuality<dim> cell_quality(const Mesh<dim> &mesh)
             }
         }
     }
+  require_near_origin(mesh, quality.largest_edge);
   if (!(quality.worst_jacobian > 1e-10))
     {
       std::vector<double> x(dim);
@@ -78,6 +109,10 @@ MeshQuality<dim> cell_quality(const Mesh<dim> &mesh)
   return quality;
 }
 
+template double cell_volume(const std::vector<dealii::Point<2>> &,
+                            const std::vector<unsigned int> &);
+template double cell_volume(const std::vector<dealii::Point<3>> &,
+                            const std::vector<unsigned int> &);
 template MeshQuality<2> cell_quality(const Mesh<2> &);
 template MeshQuality<3> cell_quality(const Mesh<3> &);
 } // namespace mesoslip

@@ -24,10 +24,16 @@ struct MeshQuality
   std::vector<std::size_t> n_cells; ///< of each phase of the mesh
 };
 
+/** Area (2D, m^2) or volume (m^3) of the cell with the corners @p vertices, negative if these run the
+ * other way round; far from the origin as near. */
+template <int dim>
+double cell_volume(const std::vector<dealii::Point<dim>> &points,
+                   const std::vector<unsigned int> &vertices);
+
 /**
  * Looks at the cells of a mesh. @throws UserError if a corner of one is flat or inside
  * out: then the cell is twisted or concave, and shape functions have no gradient somewhere
- * in it.
+ * in it; or if it lies so far from the origin that coordinates do not tell its corners apart.
  */
 template <int dim>
 MeshQuality<dim> cell_quality(const Mesh<dim> &mesh);

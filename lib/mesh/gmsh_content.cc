@@ -1,6 +1,7 @@
 #include "mesh/gmsh_content.h"
 
 #include "base/errors.h"
+#include "mesh/gmsh/counts.h"
 
 #include <deal.II/base/exceptions.h>
 
@@ -177,6 +178,7 @@ bool merge(const std::string &file, const int d)
     throw UserError(file +
                     (first.empty() ? " is empty" : " does not begin with $MeshFormat") +
                     "; save the mesh again in Gmsh's format");
+  require_gmsh_counts(file);
   gmsh::option::setNumber("Mesh.SwitchElementTags", 0);
   gmsh::merge(file);
   std::set<std::pair<int, int>> seen;

@@ -2,6 +2,7 @@
 
 #include "base/errors.h"
 #include "base/text.h"
+#include "mesh/cell_quality.h"
 #include "mesh/gmsh_content.h"
 #include "mesh/triangulation_cells.h"
 
@@ -94,8 +95,7 @@ std::size_t turn_cells(Mesh<dim> &mesh)
 {
   std::size_t n_turned = 0;
   for (Cell &cell : mesh.cells)
-    if (dealii::GridTools::cell_measure(
-          mesh.points, dealii::ArrayView<const unsigned int>(cell.vertices)) < 0.)
+    if (cell_volume(mesh.points, cell.vertices) < 0.)
       {
         std::vector<unsigned int> &v = cell.vertices;
         if (v.size() == 8)

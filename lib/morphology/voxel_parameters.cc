@@ -85,6 +85,8 @@ VoxelRegion region_of_voxels(const MicrostructureParameters &p,
   const std::string array = p.file + ", an array [" + std::to_string(shape[0]) + "][" +
                             std::to_string(shape[1]) + "][" + std::to_string(shape[2]) +
                             "] in the order [z][y][x]";
+  if (has[0] * has[1] * has[2] == 0)
+    throw UserError(array + ", has no voxels; save it again");
   VoxelRegion region;
   std::array<std::size_t, 3> cells = {}, whole = {};
   const std::size_t n = reading.coarsening;
@@ -115,6 +117,15 @@ VoxelRegion region_of_voxels(const MicrostructureParameters &p,
   if (!std::equal(cells.begin(), cells.end(), p.box.cells.begin()))
     {
       const bool all = region.size == has && n == 1;
+      const auto &in = p.box.cells;
+      std::string other;
+      if (!reading.raw_shape.empty())
+        other = "mend Microstructure/Raw shape, the numbers along x, y and z, or ";
+      else if (cells[0] == in[2] && cells[1] == in[1] && cells[2] == in[0])
+        other = "save the array with its axes the other way round, or ";
+      else if (cells[0] == in[0] && cells[1] == in[1] &&
+               reading.source(p.file).kind() == VoxelSource::Kind::stack)
+        other = "look whether pictures are missing or too many, or ";
       throw UserError(
         "Grid/Cells: " +
         to_text(std::vector<std::string>{
@@ -122,7 +133,7 @@ VoxelRegion region_of_voxels(const MicrostructureParameters &p,
         " cells do not fit " + array +
         (all ? ""
              : ", of which Crop and Coarsening leave " + numbers_list(cells) + " cells") +
-        "; set Grid/Cells = " + numbers_list(cells));
+        "; " + other + "set Grid/Cells = " + numbers_list(cells));
     }
   return region;
 }

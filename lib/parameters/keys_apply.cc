@@ -73,6 +73,9 @@ struct Declarations
       (section.empty() ? " at the top level" : " in " + in_quotes(section)) + "; ";
     const std::string meant =
       !elsewhere.empty() ? elsewhere.front() : nearest_word(name, siblings);
+    if (meant == name)
+      return start + "it stands at the top level, behind an 'end' of " +
+             in_quotes(section);
     if (!meant.empty())
       return start + "did you mean " + in_quotes(meant) + "?";
     if (siblings.empty())
@@ -186,26 +189,28 @@ void Keys::apply()
 
   for (const RawParameters::Entry &entry : raw.entries())
     {
+      const std::string where  = RawParameters::origin(entry) + ": ";
       const auto found         = index.find(entry.path);
       const auto renamed_key   = renames.find(entry.path);
       const auto renamed_value = renames.find(entry.path + " = " + entry.value);
       if (renamed_key != renames.end())
-        throw UserError(RawParameters::origin(entry) + ": the key " + entry.path +
-                        " is called " + in_quotes(renamed_key->second) +
-                        " now; rename it");
+        throw UserError(where + "the key " + entry.path + " is called " +
+                        in_quotes(renamed_key->second) + " now; rename it");
       if (renamed_value != renames.end())
-        throw UserError(RawParameters::origin(entry) + ": " + entry.path + " = " +
-                        entry.value + " is called " + in_quotes(renamed_value->second) +
-                        " now; set " + entry.path + " = " + renamed_value->second);
+        throw UserError(where + entry.path + " = " + entry.value + " is called " +
+                        in_quotes(renamed_value->second) + " now; set " + entry.path +
+                        " = " + renamed_value->second);
       if (found == index.end())
-        throw UserError(RawParameters::origin(entry) + ": " +
-                        declared.unknown("key", entry.path));
+        throw UserError(where + declared.unknown("key", entry.path));
       Key &key  = keys[found->second];
       key.value = entry.value;
       if (const auto inputs = key.is_list ? split_list(entry.value) : key.inputs();
           !inputs.empty())
         {
           key.value.clear();
+          if (std::find(inputs.begin(), inputs.end(), "") != inputs.end())
+            throw UserError(where + entry.path +
+                            " has a comma without a name; remove it");
           for (const std::string &input : inputs)
             key.value += (key.value.empty() ? "" : ", ") +
                          fs::absolute(RawParameters::folder(entry) / fs::path(input))
@@ -213,8 +218,8 @@ void Keys::apply()
                            .string();
         }
       if (!key.accepts(key.value))
-        throw UserError(RawParameters::origin(entry) + ": " + entry.path + " is '" +
-                        key.value + "' but must be " + key.allowed + advice(key));
+        throw UserError(where + entry.path + " is '" + key.value + "' but must be " +
+                        key.allowed + advice(key));
       if (!same_value(key.value, key.default_value))
         set[entry.path] = &entry;
     }

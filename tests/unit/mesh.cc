@@ -13,6 +13,7 @@
 #include <cstdio>
 #include <fstream>
 #include <optional>
+#include <sstream>
 
 using namespace mesoslip;
 
@@ -150,6 +151,20 @@ std::string refusal(const int dim,
   try
     {
       dim == 2 ? check(read_gmsh<2>(file, 1.)) : check(read_gmsh<3>(file, 1.));
+    }
+  catch (const UserError &e)
+    {
+      return e.what();
+    }
+  return "accepted";
+}
+
+/** Why the file is no mesh. */
+std::string reading_error()
+{
+  try
+    {
+      read_gmsh<2>(file, 1.);
     }
   catch (const UserError &e)
     {
@@ -504,4 +519,104 @@ TEST(Mesh, OppositeSidesHaveTheSameFaces)
   EXPECT_THROW(
     check({{0, 1, 2, 4}, {1, 3, 2, 7}, {1, 4, 5, 7}, {2, 4, 7, 6}, {1, 2, 4, 7}}),
     UserError);
+}
+
+TEST(Mesh, WrongCountsOfBinaryFilesAreRefused)
+{
+  for (const double version : {2.2, 4.1})
+    for (const std::string section : {"$Nodes\n", "$Elements\n"})
+      for (const int more : {-1, 1})
+        {
+          generate(2, "triangles", 0.5, version, true);
+          std::stringstream text;
+          text << std::ifstream(file, std::ios::binary).rdbuf();
+          std::string edited = text.str();
+          std::size_t at     = edited.find(section) + section.size();
+          if (version > 4.)
+            edited[at + 8] = static_cast<char>(edited[at + 8] + more); // of 64 bits
+          else
+            {
+              const std::size_t length = edited.find('\n', at) - at;
+              edited.replace(at, length,
+                             std::to_string(std::stol(edited.substr(at, length)) + more));
+            }
+          std::ofstream(file, std::ios::binary) << edited;
+          EXPECT_NE(reading_error().find(section.substr(0, section.size() - 1) + " "),
+                    std::string::npos)
+            << version << ' ' << section << ' ' << more << ": " << reading_error();
+        }
+}
+
+// Gmsh's library wrote beyond its memory, or left cells out.
+TEST(Mesh, WrongCountsAreRefused)
+{
+  for (const double version : {2.2, 4.1})
+    for (const std::string section : {"Nodes", "Elements"})
+      for (const long more : {-1, 1, 1000000000})
+        {
+          generate(2, "triangles", 0.5, version, false);
+          std::stringstream text;
+          text << std::ifstream(file).rdbuf();
+          std::string edited  = text.str();
+          const std::size_t n = section.size() + 3;
+          std::size_t at      = edited.find("\n$" + section + "\n") + n;
+          if (version > 4.)
+            at = edited.find(' ', at) + 1; // behind the number of blocks
+          const std::size_t length  = edited.find_first_of(" \n", at) - at;
+          const std::string counted = edited.substr(at, length);
+          edited.replace(at, length, std::to_string(std::stol(counted) + more));
+          std::ofstream(file) << edited;
+          EXPECT_NE(reading_error().find("and has " + counted + ";"), std::string::npos)
+            << version << ' ' << section << ' ' << more << ": " << reading_error();
+        }
+}
+
+TEST(Mesh, NumbersOfPointsFit)
+{
+  for (const std::string number : {"4294967297", "-1", "99999999999999999999"})
+    {
+      write_mesh(square, {"3 1 1 2 3 " + number});
+      EXPECT_NE(reading_error().find("has a point with the number"), std::string::npos);
+    }
+}
+
+TEST(Mesh, FacesThatAreNotFoundHaveAReason)
+{
+  const auto reason = [](const std::vector<std::string> &points,
+                         const std::vector<std::string> &cells) {
+    write_mesh(points, cells);
+    const Mesh<2> mesh = read_gmsh<2>(file, 1.);
+    return why_not_found(mesh, faces_of_group(mesh, boundary_faces(mesh), 0), 0);
+  };
+  EXPECT_EQ(reason(square, {"1 7 1 2", "1 7 2 1", "3 1 1 2 3 4"}),
+            "are listed twice; leave each there once");
+  EXPECT_EQ(reason(square, {"1 7 1 3", "2 1 1 2 3", "2 1 1 3 4"}),
+            "are not on the boundary of the body; take them out of it");
+  // Of a crack from the second point on the last cell has a point of its own.
+  EXPECT_NE(reason({"0 0 0", "1 0 0", "1 1 0", "0 1 0", "1 0 0", "2 1 0", ".5 2 0"},
+                   {"1 7 1 5", "3 1 1 2 3 4", "2 1 4 3 7", "2 1 3 6 7", "2 1 5 6 3"})
+              .find("there twice, at (1, 0) m"),
+            std::string::npos);
+}
+
+// deal.II multiplies coordinates as they are: far away triangles seemed to run the other way round.
+TEST(Mesh, CellsFarFromTheOrigin)
+{
+  const auto shifted = [](const std::string &by) {
+    write_mesh({by + "0 " + by + "0 0", by + "1 " + by + "0 0", by + "1 " + by + "1 0",
+                by + "0 " + by + "1 0"},
+               {"3 1 1 2 3 4"});
+    return cell_quality(read_gmsh<2>(file, 1.)).volume[0];
+  };
+  EXPECT_NEAR(shifted("10000000"), 1., 1e-15);
+  EXPECT_EQ(read_gmsh<2>(file, 1.).n_turned, 0U);
+  try
+    {
+      shifted("1000000000");
+      ADD_FAILURE() << "1e10 edges away from the origin";
+    }
+  catch (const UserError &error)
+    {
+      EXPECT_NE(std::string(error.what()).find("from the origin"), std::string::npos);
+    }
 }

@@ -38,6 +38,10 @@ namespace hdf5
 /** From now on Hdf5File::writing_has_failed(). */
 void note_failed_writing();
 
+/** What is wrong with other files that hold the numbers of @p dataset in the file @p path, as those
+ * of virtual and external datasets are: HDF5 takes zeros for what is missing. Empty: nothing. */
+std::string missing_numbers(const std::string &path, const hid_t dataset);
+
 /** The type of the numbers T in memory. */
 template <typename T>
 hid_t native_type()

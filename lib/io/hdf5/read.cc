@@ -74,7 +74,15 @@ Shape Hdf5File::shape_of(const Hdf5Handle &object, const std::string &text) cons
 
 Shape Hdf5File::shape(const std::string &name, const std::string &hint) const
 {
-  return shape_of(open_dataset(name, hint), dataset_text(name));
+  const Hdf5Handle dataset = open_dataset(name, hint);
+  require_numbers(dataset, name);
+  return shape_of(dataset, dataset_text(name));
+}
+
+void Hdf5File::require_numbers(const Hdf5Handle &dataset, const std::string &name) const
+{
+  if (const std::string what = hdf5::missing_numbers(file_path, dataset); !what.empty())
+    fail(dataset_text(name) + " " + what);
 }
 
 bool Hdf5File::is_floating(const std::string &name) const
@@ -155,7 +163,8 @@ std::vector<T> Hdf5File::read(const std::string &name,
                               const std::string &hint) const
 {
   const Hdf5Handle dataset = open_dataset(name, hint);
-  const Shape extents      = shape_of(dataset, dataset_text(name));
+  require_numbers(dataset, name);
+  const Shape extents = shape_of(dataset, dataset_text(name));
   if (!expected.empty() && !same_shape(extents, expected))
     fail(dataset_text(name) + " has the shape " + to_text(extents) + " instead of " +
            to_text(expected),

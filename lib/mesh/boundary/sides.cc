@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <set>
 
 namespace mesoslip
 {
@@ -15,6 +17,43 @@ std::size_t n_faces_in_file(const Mesh<dim> &mesh, const unsigned int boundary)
 {
   return std::count_if(mesh.faces.begin(), mesh.faces.end(),
                        [boundary](const Face &f) { return f.boundary_id == boundary; });
+}
+
+template <int dim>
+std::string why_not_found(const Mesh<dim> &mesh,
+                          const std::vector<BoundaryFace<dim>> &found,
+                          const unsigned int boundary)
+{
+  const auto sorted = [](auto vertices) {
+    std::sort(vertices.begin(), vertices.end());
+    return vertices;
+  };
+  std::set<std::vector<unsigned int>> of_body, of_file;
+  for (const BoundaryFace<dim> &face : found)
+    of_body.insert(sorted(std::vector<unsigned int>(
+      face.points.begin(), face.points.begin() + face.n_points)));
+  for (const Face &face : mesh.faces)
+    if (face.boundary_id == boundary && !of_file.insert(sorted(face.vertices)).second)
+      return "are listed twice; leave each there once";
+  const auto place = [&mesh](const unsigned int p) {
+    std::vector<double> x(dim);
+    for (unsigned int d = 0; d < dim; ++d)
+      x[d] = mesh.points[p][d];
+    return x;
+  };
+  std::map<std::vector<double>, unsigned int> of_missing;
+  for (const auto &face : of_file)
+    for (const unsigned int p : face)
+      if (of_body.count(face) == 0 && p < mesh.points.size())
+        of_missing.emplace(place(p), p);
+  for (unsigned int q = 0; q < mesh.points.size() && !of_missing.empty(); ++q)
+    if (const auto same = of_missing.find(place(q));
+        same != of_missing.end() && same->second != q)
+      return "are not on the boundary of the body, as a point of them is there twice, at "
+             "(" +
+             to_text(same->first) +
+             ") m; make one of the two, in Gmsh with Coherence Mesh";
+  return "are not on the boundary of the body; take them out of it";
 }
 
 template <int dim>
@@ -75,11 +114,13 @@ faces_of_box(const Mesh<dim> &mesh, const std::vector<BoundaryFace<dim>> &faces)
   return sides;
 }
 
-#define MESOSLIP_INSTANTIATE(dim)                                              \
-  template std::size_t n_faces_in_file(const Mesh<dim> &, const unsigned int); \
-  template std::string place_of(const Mesh<dim> &, const BoundaryFace<dim> &); \
-  template double shortest_edge(const Mesh<dim> &, const BoundaryFace<dim> &); \
-  template std::array<std::vector<BoundaryFace<dim>>, 2UL * dim> faces_of_box( \
+#define MESOSLIP_INSTANTIATE(dim)                                                   \
+  template std::size_t n_faces_in_file(const Mesh<dim> &, const unsigned int);      \
+  template std::string why_not_found(                                               \
+    const Mesh<dim> &, const std::vector<BoundaryFace<dim>> &, const unsigned int); \
+  template std::string place_of(const Mesh<dim> &, const BoundaryFace<dim> &);      \
+  template double shortest_edge(const Mesh<dim> &, const BoundaryFace<dim> &);      \
+  template std::array<std::vector<BoundaryFace<dim>>, 2UL * dim> faces_of_box(      \
     const Mesh<dim> &, const std::vector<BoundaryFace<dim>> &);
 MESOSLIP_INSTANTIATE(2)
 MESOSLIP_INSTANTIATE(3)

@@ -43,7 +43,7 @@ BodyMesh<dim>::group(const std::vector<BoundaryFace<dim>> &faces,
   if (found.empty() || all > found.size())
     throw UserError(key + ": of the group '" + this->mesh.boundaries[group] + "' " +
                     std::to_string(all - found.size()) + " of " + std::to_string(all) +
-                    " faces are not on the boundary of the body; take them out of it");
+                    " faces " + why_not_found(this->mesh, found, group));
   return found;
 }
 

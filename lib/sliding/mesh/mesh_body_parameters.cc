@@ -1,3 +1,4 @@
+#include "base/errors.h"
 #include "base/files.h"
 #include "parameters/keys.h"
 #include "sliding/mesh/mesh_body.h"
@@ -46,6 +47,9 @@ void MeshBodyParameters::bind(Keys &keys)
   }
   // With an RVE file the whole body has its effective stiffness.
   mesh.one_phase = keys.has_text("Body/RVE file");
+  if (mesh.one_phase && keys.has_text("Phases/Names"))
+    throw UserError("section Phases has no effect, as Body/RVE file is set and says what "
+                    "the body is of; remove it, or Body/RVE file");
   if (keys.has_text("Mesh/File") && !mesh.one_phase)
     bind_phases(keys, phases);
 }

@@ -56,6 +56,14 @@ TEST(FrictionTableFile, RowsInAnyOrder)
             1U);
 }
 
+TEST(FrictionTableFile, RefusesAnotherUnitOfThePressure)
+{
+  for (const std::string heading : {"pressure [MPa]", "Pressure [Pa]", "pressure"})
+    mesoslip_tests::expect_error(
+      "the column '" + heading + "' has to be called 'pressure [Pa]'",
+      [&]() { table_of("slip rate [m/s]," + heading + ",coefficient [-]\n0,1,0.4\n"); });
+}
+
 TEST(FrictionTableFile, RefusesWhatIsNoTable)
 {
   const std::string heading = "slip rate [m/s],pressure [Pa],coefficient [-]\n";

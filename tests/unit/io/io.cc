@@ -156,6 +156,8 @@ TEST(Parameters, NamesWhatIsWrong)
     "mean 'Time step'?");
   expect_contains(error_of("set Kind = one"), "did you mean 'Input/Deep/Kind'?");
   expect_contains(error_of("subsection Deep\nend"), "did you mean 'Input/Deep'?");
+  expect_contains(error_of("subsection Input\nsubsection Time step\nend\nend"),
+                  "there is no subsection 'Time step' in 'Input'; it stands at the top");
   expect_contains(error_of("subsection Time step\nset Zzzzzzzzz = 1\nend"),
                   "the keys here are Fraction, Size, Output");
   expect_contains(error_of("set Cells = 1\n\nset Cells = 2"),

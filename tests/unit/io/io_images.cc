@@ -163,6 +163,7 @@ TEST(Images, NameWhatIsWrong)
                   "i.txt:2: 3 values, but the rows before have 2");
   expect_contains(message("1 2\n1 x\n"), "i.txt:2: value 2 is 'x'");
   expect_contains(message("1 2.5\n"), "i.txt:1: value 2 is '2.5'");
+  expect_contains(message("1 99999999999\n"), "a whole number too large");
   expect_contains(message("# nothing\n"), "is empty");
   write_png(folder / "g.png", PNG_FORMAT_GRAY, {0, 128, 255, 7, 7, 255});
   write_png(folder / "a.png", PNG_FORMAT_GA,

@@ -28,6 +28,7 @@ struct TiffText
   unsigned int meaning    = 1;  ///< 0: 0 is white
   std::string description = ""; ///< of the first page
   unsigned int next_page  = 0;  ///< where it begins
+  unsigned int missing    = 0;  ///< bytes that its strip says to be shorter
 };
 
 /** A page whose description and then @p data follow it. */
@@ -51,7 +52,7 @@ std::string tiff_of(const std::string &data, const TiffText &text = {})
   add(273, 4, 1, begin + description.size());
   add(277, 3, 1, 1);
   add(278, 4, 1, 2);
-  add(279, 4, 1, 2 * n_row);
+  add(279, 4, 1, 2 * n_row - text.missing);
   return bytes + little_endian(text.next_page, 4) + description + data;
 }
 
@@ -89,6 +90,32 @@ TEST(Tiff, OneBitIsWhiteOrBlack)
       EXPECT_EQ(read_tiff(path).values, (std::vector<double>{a, b, a, b, a, b}));
       EXPECT_EQ(read_image(path).values[0], b) << "a picture begins at the bottom";
     }
+}
+
+TEST(Tiff, ShortStripsAreDamage)
+{
+  const TemporaryFolder folder;
+  const std::string path = folder / "short.tif";
+  for (const unsigned int missing : {1, 3, 6})
+    {
+      write_file(path, tiff_of(two_images, {8, 1, "", 0, missing}));
+      expect_error("page 1 of this TIFF is damaged", [&]() { read_tiff(path); });
+    }
+}
+
+TEST(Tiff, PicturesOfAStackHaveTheSameNumbers)
+{
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "stack");
+  write_file(folder / "stack/s0.tif", tiff_of(two_images, {16, 1}));
+  write_file(folder / "stack/s1.tif", tiff_of(two_images, {8, 1}));
+  VoxelSource source;
+  source.path     = folder / "stack";
+  const auto file = VoxelFile::open(source);
+  file->plane(0);
+  const std::string refusal = user_error([&]() { file->plane(1); });
+  expect_contains(refusal, "s1.tif has 8 bits a pixel");
+  expect_contains(refusal, "s0.tif has 16 bits a pixel");
 }
 
 TEST(Tiff, MissingPagesAreNamed)

@@ -157,6 +157,21 @@ def check_coarsening(folder):
     assert "phase 'stiff' is 12.5 % of the voxels and 0 % of the cells" in said, said
 
 
+def elsewhere(folder, array):
+    """Datasets whose numbers lie in other files: one is not there, the other one a byte too short."""
+    layout = h5py.VirtualLayout(array.shape, array.dtype)
+    for z, name in enumerate(("part.h5", "gone.h5")):
+        with h5py.File(folder(name), "w") as file:
+            file["part"] = array[2 * z:2 * z + 2]
+        layout[2 * z:2 * z + 2] = h5py.VirtualSource(name, "part", (2, *array.shape[1:]))
+    with h5py.File(folder("virtual.h5"), "w") as file:
+        file.create_virtual_dataset("voxels", layout)
+    os.remove(folder("gone.h5"))
+    with h5py.File(folder("external.h5"), "w") as file:
+        file.create_dataset("voxels", array.shape, array.dtype, external=[(folder("numbers.bin"), 0, array.nbytes)])
+    array.ravel()[:-1].tofile(folder("numbers.bin"))
+
+
 def check_refusals(folder):
     good = np.zeros((4, 3, 2), np.uint8)
     good[1], good[2:] = 1, 2
@@ -176,6 +191,11 @@ def check_refusals(folder):
     with open(folder("damaged", "slice_001.tif"), "r+b") as file:
         file.truncate(20)
     Image.fromarray(np.zeros((3, 2, 3), np.uint8)).save(folder("colour.tif"))
+    for name in ("depths", "gap"):
+        write_stack(folder, name, good, "png")
+    Image.fromarray(good[1].astype(np.uint16)).save(folder("depths", "slice_001.png"))
+    os.remove(folder("gap", "slice_001.png"))
+    elsewhere(folder, good)
     for name, more in (("turned", {"tiffinfo": {274: 3}}), ("blurred", {"compression": "jpeg"})):
         Image.fromarray(good[0]).save(folder(name + ".tif"), **more)
     os.makedirs(folder("empty"), exist_ok=True)
@@ -204,7 +224,11 @@ def check_refusals(folder):
             (raw | {"Raw shape": "2, 3, 5"}, ["24 bytes", "30"]),
             (raw | {"Raw shape": "2, 3, 4", "Raw type": "uint16"}, ["24 bytes", "48"]),
             (raw | {"Raw shape": "2, 3, 4", "Raw type": "half"}, ["Raw type", "uint8"]),
-            (raw | {"Raw shape": "4, 3, 2"}, ["Grid/Cells", "set Grid/Cells = 4, 3, 2"]),
+            (raw | {"Raw shape": "4, 3, 2"}, ["Grid/Cells", "mend Microstructure/Raw shape", "set Grid/Cells = 4, 3, 2"]),
+            ({"File": "virtual.h5", "Dataset": "voxels"}, ["virtual.h5", "the file gone.h5, which is not there"]),
+            ({"File": "external.h5", "Dataset": "voxels"}, ["numbers.bin", "has 23 of the 24 bytes"]),
+            ({"File": "depths"}, ["slice_001.png has grey levels of 16 bits", "slice_000.png has 8 bits"]),
+            ({"File": "gap"}, ["slice_001.png is missing between slice_000.png and slice_002.png"]),
             (h5, ["Dataset is empty"]),
             (h5 | {"Dataset": "nowhere"}, ["nowhere"]),
             (h5 | {"Dataset": "lzf"}, ["the filter 'lzf' (number 32000)", "gzip"]),
