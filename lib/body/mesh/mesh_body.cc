@@ -4,9 +4,8 @@
 #include "body/mesh/mesh_discretization.h"
 #include "body/mesh/mesh_share.h"
 #include "body/mesh/ml_solver.h"
+#include "mesh/cell_quality.h"
 #include "mesh/cell_shapes.h"
-
-#include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
 #include <limits>
@@ -84,8 +83,7 @@ std::vector<double> volumes_of(const Mesh<dim> &mesh)
 {
   std::vector<double> volumes;
   for (const auto &cell : mesh.cells)
-    volumes.push_back(dealii::GridTools::cell_measure(
-      mesh.points, dealii::ArrayView<const unsigned int>(cell.vertices)));
+    volumes.push_back(cell_volume<dim>(mesh.points, cell.vertices));
   return volumes;
 }
 } // namespace
@@ -93,9 +91,9 @@ std::vector<double> volumes_of(const Mesh<dim> &mesh)
 template <int dim>
 MeshBody<dim>::MeshBody(const MeshBodyInput<dim> &given, MeshShare<dim> &&share)
   : PointBody<dim>(given.n_columns > 0 ? given.n_columns : share.mesh.points.size(),
-                     given.n_columns > 0 ? share.mesh.points.size() / given.n_columns : 1,
-                     given.phases,
-                     given.periodicity)
+                   given.n_columns > 0 ? share.mesh.points.size() / given.n_columns : 1,
+                   given.phases,
+                   given.periodicity)
   , input(with_mesh(given, std::move(share.mesh)))
   , mesh(input.mesh)
   , all_ranks(share.all_ranks->communicator())

@@ -156,8 +156,7 @@ MeshOutline<dim> outline_of(const Mesh<dim> &mesh, const MeshBodyInput<dim> &inp
   MeshOutline<dim> outline;
   for (const auto &cell : mesh.cells)
     {
-      const double volume = dealii::GridTools::cell_measure(
-        mesh.points, dealii::ArrayView<const unsigned int>(cell.vertices));
+      const double volume = cell_volume<dim>(mesh.points, cell.vertices);
       outline.volume += volume;
       outline.mass += volume * input.phases[cell.material_id].density;
     }

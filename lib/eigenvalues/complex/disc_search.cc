@@ -47,15 +47,17 @@ DiscSearch::DiscSearch(const SlidingPencil &pencil,
   , options(options)
   , report(report)
   , relaxing(relaxing_rates(pencil))
+  , n_exact(static_cast<std::size_t>(pencil.law.delta > 0.) +
+            (pencil.law.state_time > 0.))
 {
 }
 
 std::vector<double> DiscSearch::left_out(const double bottom) const
 {
   std::vector<double> slow;
-  for (const double rate : relaxing)
-    if (leaves_out_all || rate < bottom)
-      slow.push_back(rate);
+  for (std::size_t k = 0; k < relaxing.size(); ++k)
+    if (relaxing[k] < bottom || (leaves_out_exact && k < n_exact))
+      slow.push_back(relaxing[k]);
   return slow;
 }
 
@@ -163,9 +165,13 @@ void DiscSearch::cover(const SearchRange &range, const unsigned int seed)
         nearest(Complex(0.5 * (left + right), middle), count, seed, range, edge, left);
       if (!disc)
         {
-          if (count <= fewest && !leaves_out_all && !relaxing.empty())
+          // Those of nodes that a slow flat holds are not exact, and remain.
+          const bool is_held = std::any_of(
+            relaxing.begin() + static_cast<std::ptrdiff_t>(n_exact), relaxing.end(),
+            [&](const double rate) { return rate < 0.01 * range.top; });
+          if (count <= fewest && !leaves_out_exact && n_exact > 0 && !is_held)
             {
-              leaves_out_all = true; // it takes as many more solves
+              leaves_out_exact = true; // it takes as many more solves
               continue;
             }
           if (count <= fewest)

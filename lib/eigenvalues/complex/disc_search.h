@@ -78,7 +78,7 @@ private:
     double radius = 0.;            ///< 1/s
   };
 
-  /** Those of relaxing that lie below the circular frequency @p bottom, or all. */
+  /** Those of relaxing that lie below the circular frequency @p bottom, and exact ones if wanted. */
   std::vector<double> left_out(const double bottom) const;
 
   /**
@@ -102,9 +102,9 @@ private:
   const ComplexModesOptions &options;
   ComplexModes &report;
   const std::vector<double> relaxing; ///< 1/s; eigenvalues near their negative are many
+  const std::size_t n_exact; ///< of these, the first, which are 1/delta and 1/tau
   std::vector<FoundMode> modes;
-  bool leaves_out_all =
-    false; ///< of relaxing, as an iteration has not converged with them
+  bool leaves_out_exact = false; ///< as an iteration has not converged with them
 };
 } // namespace mesoslip
 

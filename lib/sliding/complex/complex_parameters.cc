@@ -20,8 +20,8 @@ void ComplexModesParameters::bind(Keys &keys)
     "wave as long as the body is high [Hz]");
   keys.bind("Lowest frequency", lowest_frequency, Range::non_negative(),
             "Modes below this frequency are neither looked for nor counted. Above 0 it "
-            "keeps the search away from what only relaxes, which does not converge else "
-            "if friction relaxes slowly, about from 0.3 ms on [Hz]");
+            "keeps the search away from what only relaxes, which takes many solves if "
+            "friction relaxes slowly, about from 0.3 ms on [Hz]");
   keys.require(!(lowest_frequency >= highest_frequency), "Lowest frequency",
                to_text(lowest_frequency) + " Hz is not below Highest frequency, " +
                  to_text(highest_frequency) + " Hz");

@@ -89,8 +89,9 @@ public:
   /** Part of a row of the stiffness of springs; places in the numbers of a VoxelField. */
   struct Spring
   {
-    std::size_t row, column;
-    float stiffness;
+    std::size_t row    = 0;  ///< of the force
+    std::size_t column = 0;  ///< of the displacement
+    float stiffness    = 0.; ///< in units of that of the kernels
   };
 
   /** Those of this rank's nodes. */
