@@ -1,6 +1,7 @@
 #include "body/brick_solver.h"
 
 #include "base/exchange.h"
+#include "base/text.h"
 #include "body/rigid_motions.h"
 
 #include <Eigen/Dense>
@@ -17,15 +18,9 @@ namespace
  * whole body, and the forces of cells cancel. */
 constexpr double trusted = 1e-2;
 
-/** Calls action(c, j, k) for the rows of nodes of this rank. */
-template <typename Action>
-void for_each_row(const voxel::VoxelGrid &grid, const Action &action)
-{
-  for (unsigned int k = 1; k <= grid.n_nodes(2); ++k)
-    for (unsigned int j = 1; j <= grid.n_nodes(1); ++j)
-      for (unsigned int c = 0; c < 3; ++c)
-        action(c, j, k);
-}
+/** Iterations in single precision; what takes more suffers from round-off. */
+constexpr unsigned int most_in_single = 200;
+
 } // namespace
 
 BrickSolver::BrickSolver(const GridBody<3> &body)
@@ -297,7 +292,19 @@ SolverReport BrickSolver::solve(NodalField<double> &u,
   };
   problem.tolerance    = tolerance * reference / norm;
   problem.trusted_drop = trusted;
-  report               = iteration.solve(correction, *multigrid, problem);
+  problem.limit        = most_in_single;
+  try
+    {
+      report = iteration.solve(correction, *multigrid, problem);
+    }
+  catch (const NotConverged &e)
+    {
+      if (e.reason == NotConverged::Reason::not_finite)
+        throw;
+      report.iterations        = most_in_single;
+      report.single_iterations = most_in_single;
+      report                   = iterate_in_double(problem, report);
+    }
   report.residual *= norm / reference;
 
   body.to_voxels(u, product);

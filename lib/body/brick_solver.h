@@ -15,7 +15,7 @@ namespace mesoslip
  * Statics of a GridBody<3>: conjugate gradients with the multigrid of voxels, in which components of
  * any nodes may be held. Coarse grids do not know of holds at few nodes; what they leave of rigid
  * motions is solved for besides: with R, the motions where nothing is held, and the inverse of
- * R.(K + S) R.
+ * R.(K + S) R. Where single precision does not do, directions in double precision follow.
  */
 class BrickSolver : public StaticSolver
 {
@@ -58,6 +58,8 @@ private:
   double dot(const Motion &motion, const voxel::VoxelField<Number> &field) const;
   void remove_motions(Field &field) const;
 
+  SolverReport iterate_in_double(const voxel::ConjugateGradients::Problem &problem,
+                                 SolverReport report);
   void move_rigidly(voxel::VoxelField<float> &z, const voxel::VoxelField<float> &r) const;
 
   const GridBody<3> &body;

@@ -85,12 +85,14 @@ public:
              const InstructionSet isa,
              const MPI_Comm communicator) const override;
 
+  /** A GridBody<3>, by planes across z, whatever the names of contact and top. Collective. */
   std::unique_ptr<PointBody<3>> make_elastic(const MeshBodyParameters &parameters,
                                              const std::string &contact,
                                              const std::string &top,
                                              const std::vector<ElasticPhase<3>> &phases,
                                              const MPI_Comm communicator,
                                              const bool whole) const override;
+  /** Of a GridBody<3>. Collective. */
   Deformation deformation(const PointBody<3> &elastic,
                           const NodalField<double> &u) const override;
 

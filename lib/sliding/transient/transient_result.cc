@@ -273,10 +273,9 @@ void TransientResult::evaluate_friction()
   const double nominal          = nominal_load(*this, acted.begin, acted.end);
   std::vector<double> load_work = series.load_work;
   // Where nothing touches, the work of before leaves round-off.
-  const double negligible = 1e-9 * largest(series.load_work);
-  load_power =
-    acted.value * (acted.end - acted.begin) > negligible ? acted.value : 0.;
-  load_meaning                  = "the mean of F_N |V|";
+  const double work = acted.value * (acted.end - acted.begin);
+  load_power        = work > 1e-9 * largest(series.load_work) ? acted.value : 0.;
+  load_meaning      = "the mean of F_N |V|";
   if (std::fabs(acted.value - nominal) <= nominal_tolerance * nominal)
     {
       load_power   = nominal;

@@ -18,7 +18,6 @@ constexpr unsigned int fewest_planes = 4;
 
 /** Number of the unknown, or of none, of a node (field numbers) on the coarsest grid. */
 long unknown(const VoxelGrid &grid,
-             const HeldComponents &held,
              std::array<unsigned int, 3> node,
              const unsigned int axis)
 {
@@ -37,8 +36,6 @@ long unknown(const VoxelGrid &grid,
         return -1;
       number = number * n + node[d] - 1;
     }
-  if (held.size() > 0 && held.row(c, node[1], node[2])[node[0]] > 0.F)
-    return -1;
   return grid.n_components() * number + c;
 }
 
@@ -75,7 +72,8 @@ Multigrid::Multigrid(const VoxelGrid &grid,
                 smoothings.push_back({degree, last.range / (growth * growth)});
                 add_level(next, coarsened(fine.grid, fine.stiffness, next), held);
     }
-  build_bottom(held);
+  assemble_bottom();
+  invert_bottom();
 }
 
 void Multigrid::hold(HeldComponents held, Springs springs)
@@ -97,7 +95,7 @@ void Multigrid::hold(HeldComponents held, Springs springs)
           }
       levels[l].hold(held, springs);
     }
-  build_bottom(held);
+  invert_bottom();
 }
 
 /** Puts the components that are @p held on it in the place of those of the grid before. */
@@ -127,13 +125,14 @@ void Multigrid::add_level(VoxelGrid grid, CellStiffness &&stiffness, HeldCompone
   d.emplace_back(grid);
 }
 
-void Multigrid::build_bottom(const HeldComponents &held)
+void Multigrid::assemble_bottom()
 {
   Level &level         = levels.back();
   const VoxelGrid grid = level.grid;
   const auto n = static_cast<Eigen::Index>(grid.n_components()) * grid.n_nodes(0) *
                  grid.n_nodes(1) * grid.n_nodes(2);
-  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(n, n);
+  Eigen::MatrixXd &K = bottom;
+  K                  = Eigen::MatrixXd::Zero(n, n);
   const std::vector<BrickMatrix> matrices =
     cell_matrices(grid, level.stiffness.n_coefficients);
   for (unsigned int cell = 0; cell < grid.cells[0] * grid.cells[1] * grid.cells[2];
@@ -152,7 +151,7 @@ void Multigrid::build_bottom(const HeldComponents &held)
       for (unsigned int k = 0; k < 24; ++k)
         {
           const unsigned int corner = k / 3;
-          index[k]                  = unknown(grid, held,
+          index[k]                  = unknown(grid,
                                               {{first[0] + (corner & 1U), first[1] + (corner >> 1 & 1U),
                                                 first[2] + (corner >> 2)}},
                                               k % 3);
@@ -162,18 +161,33 @@ void Multigrid::build_bottom(const HeldComponents &held)
           if (index[r] >= 0 && index[c] >= 0)
             K(index[r], index[c]) += matrix(r, c);
     }
-  const auto number = [&](const std::size_t place) {
-    const std::size_t row = place / grid.stride(), of_node = row / 3;
+}
+
+/** With springs, and zero where it is held. */
+void Multigrid::invert_bottom()
+{
+  const Level &level    = levels.back();
+  const VoxelGrid &grid = level.grid;
+  const Eigen::Index n  = bottom.rows();
+  Eigen::MatrixXd K     = bottom;
+  const auto number     = [&](const std::size_t place) {
+    const unsigned int n_components = grid.n_components();
+    const std::size_t row = place / grid.stride(), of_node = row / n_components;
     const std::size_t in_plane = grid.node_rows_in_plane();
-    return unknown(grid, held,
-                   {{static_cast<unsigned int>(place % grid.stride()),
+    return unknown(grid,
+                       {{static_cast<unsigned int>(place % grid.stride()),
                      static_cast<unsigned int>(of_node % in_plane),
                      static_cast<unsigned int>(of_node / in_plane)}},
-                   row % 3);
+                       grid.axis_of(row % n_components));
   };
   for (const Level::Spring &spring : level.springs())
     if (number(spring.row) >= 0 && number(spring.column) >= 0)
       K(number(spring.row), number(spring.column)) += spring.stiffness;
+  for (const std::size_t place : level.held())
+    {
+      K.row(number(place)).setZero();
+      K.col(number(place)).setZero();
+    }
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(K);
   const Eigen::VectorXd &energies = modes.eigenvalues();
   Eigen::VectorXd inverse         = Eigen::VectorXd::Zero(n);

@@ -61,7 +61,8 @@ private:
   void
   visit(const std::size_t l, VoxelField<float> &solution, const VoxelField<float> &force);
   void add_level(VoxelGrid grid, CellStiffness &&stiffness, HeldComponents &held);
-  void build_bottom(const HeldComponents &held);
+  void assemble_bottom();
+  void invert_bottom();
   void solve_bottom(VoxelField<float> &solution, const VoxelField<float> &force) const;
 
   std::deque<Level> levels;
@@ -73,7 +74,7 @@ private:
    *  b as the latter is divided. */
   std::size_t first_whole = 0;
   VoxelField<float> part_x, part_b;
-  Eigen::MatrixXd bottom_inverse;
+  Eigen::MatrixXd bottom, bottom_inverse; ///< of the coarsest grid
 };
 } // namespace mesoslip::voxel
 

@@ -117,6 +117,16 @@ private:
   LineVector<Number> numbers;
 };
 
+/** Calls @p action (c, j, k) for the rows of nodes of this rank. */
+template <typename Action>
+void for_each_row(const VoxelGrid &grid, const Action &action)
+{
+  for (unsigned int k = 1; k <= grid.n_nodes(2); ++k)
+    for (unsigned int j = 1; j <= grid.n_nodes(1); ++j)
+      for (unsigned int c = 0; c < grid.n_components(); ++c)
+        action(c, j, k);
+}
+
 /** Of each component of a node 1 where it is held, else 0; without numbers nothing is. */
 using HeldComponents = VoxelField<float>;
 } // namespace mesoslip::voxel
