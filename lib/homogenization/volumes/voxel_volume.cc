@@ -25,7 +25,7 @@ voxel::Sides sides_of(const BoundaryCondition condition)
 }
 
 voxel::HeldOnSides held_components(const BoundaryCondition condition,
-                                      const unsigned int k)
+                                   const unsigned int k)
 {
   voxel::HeldOnSides held;
   for (unsigned int across = 0; across < 3; ++across)
