@@ -9,12 +9,12 @@ namespace mesoslip
 {
 namespace
 {
-using Place = std::array<unsigned int, 3>;
+using BrickPlace = std::array<unsigned int, 3>;
 
 /** Numbers of points along the axes. */
-Place n_points(const BrickBox &box)
+BrickPlace n_points(const BrickBox &box)
 {
-  const Place &n = box.grid.cells;
+  const BrickPlace &n = box.grid.cells;
   return {{n[0] + 1, n[1] + 1, n[2] + 1}};
 }
 
@@ -26,7 +26,7 @@ unsigned int n_planes(const BrickBox &box, const voxel::VoxelGrid &grid)
 
 unsigned int n_nodes(const BrickBox &box, const voxel::VoxelGrid &grid)
 {
-  const Place n = n_points(box);
+  const BrickPlace n = n_points(box);
   return n[0] * n[1] * n_planes(box, grid);
 }
 

@@ -164,7 +164,8 @@ std::vector<MatrixEntry> GridBody<3>::stiffness_entries() const
                   unsigned int block = 0;
                   for (unsigned int d = 3; d-- > 0;)
                     block = 3 * block + 1 + (other >> d & 1U) - (corner >> d & 1U);
-                  blocks[block] += matrices[phase].block<3, 3>(3 * corner, 3 * other);
+                  blocks[block] += matrices[phase].block<3, 3>(Eigen::Index{3} * corner,
+                                                               Eigen::Index{3} * other);
                 }
           for (unsigned int block = 0; block < 27; ++block)
             {

@@ -106,7 +106,7 @@ void BrickSolver::find_motions(const DofMask &mask, const std::vector<SpringEntr
         }
       std::fill_n(product.data(), product.size(), 0.);
       add_motion(motion, product);
-      motions.push_back(motion / std::sqrt(dot(motion, product)));
+      motions.emplace_back(motion / std::sqrt(dot(motion, product)));
     }
 }
 

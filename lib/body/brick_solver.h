@@ -29,7 +29,7 @@ public:
   }
 
   void set_constrained_on_springs(const DofMask &mask,
-                                  const std::vector<SpringEntry> &springs) override;
+                                  const std::vector<SpringEntry> &on) override;
 
   SolverReport solve(NodalField<double> &u,
                      const NodalField<double> &force,
@@ -47,7 +47,7 @@ private:
   };
 
   void take_springs(const std::vector<SpringEntry> &on, voxel::Springs &fields);
-  void find_motions(const DofMask &mask, const std::vector<SpringEntry> &springs);
+  void find_motions(const DofMask &mask, const std::vector<SpringEntry> &on);
   void condense_motions();
   void keep_held(Field &field) const;
   double unbalanced(Field &v, voxel::VoxelField<float> &rounded);
