@@ -23,6 +23,17 @@ std::vector<BrickMatrix> brick_matrices_of(const voxel::Stiffness &stiffness)
     }
   return result;
 }
+
+/** The stiffness between two corners. */
+Eigen::Matrix3d
+corner_block(const BrickMatrix &matrix, const unsigned int row, const unsigned int column)
+{
+  Eigen::Matrix3d block;
+  for (unsigned int r = 0; r < 3; ++r)
+    for (unsigned int c = 0; c < 3; ++c)
+      block(r, c) = matrix(3 * row + r, 3 * column + c);
+  return block;
+}
 } // namespace
 
 std::optional<GridBody<3>::Place> GridBody<3>::voxel_node(const NodeIndex &node) const
@@ -164,8 +175,7 @@ std::vector<MatrixEntry> GridBody<3>::stiffness_entries() const
                   unsigned int block = 0;
                   for (unsigned int d = 3; d-- > 0;)
                     block = 3 * block + 1 + (other >> d & 1U) - (corner >> d & 1U);
-                  blocks[block] += matrices[phase].block<3, 3>(Eigen::Index{3} * corner,
-                                                               Eigen::Index{3} * other);
+                  blocks[block] += corner_block(matrices[phase], corner, other);
                 }
           for (unsigned int block = 0; block < 27; ++block)
             {

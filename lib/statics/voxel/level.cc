@@ -91,15 +91,15 @@ void Level::take_springs(const Springs &given)
         for (unsigned int c = 0; c < 3; ++c)
           for (unsigned int e = 0; e < 3; ++e)
             {
-              const float stiffness = c == e ? given.direct.row(c, j, k)[i]
-                                             : given.mixed.row(3 - c - e, j, k)[i];
-              const auto place      = [&](const unsigned int component) {
+              const float entry = c == e ? given.direct.row(c, j, k)[i]
+                                         : given.mixed.row(3 - c - e, j, k)[i];
+              const auto place  = [&](const unsigned int component) {
                 return static_cast<std::size_t>(given.direct.row(component, j, k) -
                                                 given.direct.data()) +
                        i;
               };
-              if (stiffness != 0.F)
-                all_springs.push_back({place(c), place(e), stiffness});
+              if (entry != 0.F)
+                all_springs.push_back({place(c), place(e), entry});
             }
   for (const Spring &spring : all_springs)
     if (spring.row == spring.column)
