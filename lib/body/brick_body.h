@@ -96,11 +96,11 @@ private:
   const MPI_Comm ranks;
   const bool is_whole; ///< fields are, as that was asked for or there are few planes
   const std::unique_ptr<const voxel::Stiffness> K;
-  const unsigned int first_plane;                  ///< of the points of this rank
-  std::vector<unsigned int> points;                ///< of the nodes of a field
-  std::vector<unsigned int> node_of;               ///< of each point from that plane on
-  mutable voxel::VoxelField<double> input, output; ///< of products
-  mutable voxel::VoxelField<float> rounded;        ///< the same
+  const unsigned int first_plane;    ///< of the points of this rank
+  std::vector<unsigned int> points;  ///< number in the box of the point of each node
+  std::vector<unsigned int> node_of; ///< node of each point from that plane on
+  mutable voxel::VoxelField<double> input, output; ///< fields that vmult() works with
+  mutable voxel::VoxelField<float> rounded; ///< the same, which kernels write as well
 };
 } // namespace mesoslip
 

@@ -1,8 +1,6 @@
 #include "body/brick_solver.h"
 
 #include "base/exchange.h"
-#include "base/text.h"
-#include "body/rigid_motions.h"
 
 #include <Eigen/Dense>
 
@@ -20,7 +18,6 @@ constexpr double trusted = 1e-2;
 
 /** Iterations in single precision; what takes more suffers from round-off. */
 constexpr unsigned int most_in_single = 200;
-
 } // namespace
 
 BrickSolver::BrickSolver(const GridBody<3> &body)
@@ -31,6 +28,8 @@ BrickSolver::BrickSolver(const GridBody<3> &body)
   , product(K.grid)
   , correction(K.grid)
 {
+  for (int m = 0; m < RigidMotions<3>::n; ++m)
+    rigid.push_back(motion_of(RigidMotions<3>::Coefficients::Unit(m)));
 }
 
 void BrickSolver::set_constrained_on_springs(const DofMask &mask,
@@ -75,37 +74,41 @@ void BrickSolver::take_springs(const std::vector<SpringEntry> &on, voxel::Spring
       }
 }
 
+/** Of coefficients of the rigid motions. */
+BrickSolver::Motion
+BrickSolver::motion_of(const RigidMotions<3>::Coefficients &coefficients) const
+{
+  const RigidMotions<3> all(body);
+  Motion motion;
+  motion.col(0) = all.at({}) * coefficients;
+  for (unsigned int d = 0; d < 3; ++d)
+    {
+      std::array<double, 3> point = {};
+      point[d]                    = body.extent(d);
+      motion.col(1 + d) = (all.at(point) * coefficients - motion.col(0)) / body.extent(d);
+    }
+  return motion;
+}
+
 /** Those that constraints and springs leave. */
 void BrickSolver::find_motions(const DofMask &mask, const std::vector<SpringEntry> &on)
 {
-  const RigidMotions<3> all(body);
-  const auto affine = [&](const RigidMotions<3>::Coefficients &of) {
-    Motion motion;
-    motion.col(0) = all.at({}) * of;
-    for (unsigned int d = 0; d < 3; ++d)
-      {
-        std::array<double, 3> point = {};
-        point[d]                    = body.extent(d);
-        motion.col(1 + d) = (all.at(point) * of - motion.col(0)) / body.extent(d);
-      }
-    return motion;
+  const auto put = [this](const Motion &motion) {
+    std::fill_n(product.data(), product.size(), 0.);
+    add_motion(motion, product);
   };
-  rigid.clear();
-  for (int m = 0; m < RigidMotions<3>::n; ++m)
-    rigid.push_back(affine(RigidMotions<3>::Coefficients::Unit(m)));
   motions.clear();
-  for (const auto &left : RigidMotions<3>::left_by(all.hold_of(mask, true, on)))
+  const auto hold = RigidMotions<3>(body).hold_of(mask, true, on);
+  for (const auto &left : RigidMotions<3>::left_by(hold))
     {
-      Motion motion = affine(left);
+      Motion motion = motion_of(left);
       for (unsigned int again = 0; again < 2; ++again)
         {
-          std::fill_n(product.data(), product.size(), 0.);
-          add_motion(motion, product);
+          put(motion);
           for (const Motion &other : motions)
             motion -= dot(other, product) * other;
         }
-      std::fill_n(product.data(), product.size(), 0.);
-      add_motion(motion, product);
+      put(motion);
       motions.emplace_back(motion / std::sqrt(dot(motion, product)));
     }
 }
@@ -114,16 +117,14 @@ void BrickSolver::find_motions(const DofMask &mask, const std::vector<SpringEntr
 void BrickSolver::condense_motions()
 {
   const auto n      = static_cast<Eigen::Index>(rigid.size());
-  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(n, n), gram = A;
-  std::fill_n(load.data(), load.size(), 0.);
+  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(n, n);
   for (Eigen::Index m = 0; m < n; ++m)
     {
       std::fill_n(correction.data(), correction.size(), 0.);
       add_motion(rigid[static_cast<std::size_t>(m)], correction);
-      for (const std::size_t place : multigrid->finest().held())
-        correction.data()[place] = 0.;
+      clear_held(correction);
       correction.set_ghosts();
-      unbalanced(correction, multigrid->finest_buffer());
+      take_forces(correction, multigrid->finest_buffer());
       for (Eigen::Index l = 0; l < n; ++l)
         A(l, m) = -dot(rigid[static_cast<std::size_t>(l)], product);
     }
@@ -141,20 +142,28 @@ void BrickSolver::condense_motions()
     modes.eigenvectors() * inverse.asDiagonal() * modes.eigenvectors().transpose();
 }
 
+/** The displacement at the first node of a row, and by how much it grows from node to node. */
+std::array<double, 2> BrickSolver::along_row(const Motion &motion,
+                                             const unsigned int c,
+                                             const unsigned int j,
+                                             const unsigned int k) const
+{
+  const auto &h = K.grid.spacing;
+  return {{motion(c, 0) + K.length * (motion(c, 2) * (j - 1.) * h[1] +
+                                      motion(c, 3) * (k + K.grid.below() - 1.) * h[2]),
+           K.length * motion(c, 1) * h[0]}};
+}
+
 template <typename Number>
 void BrickSolver::add_motion(const Motion &motion, voxel::VoxelField<Number> &field) const
 {
-  const auto &h = K.grid.spacing;
-  for_each_row(
-    K.grid, [&](const unsigned int c, const unsigned int j, const unsigned int k) {
-      const double first = motion(c, 0) +
-                           K.length * (motion(c, 2) * (j - 1.) * h[1] +
-                                       motion(c, 3) * (k + K.grid.below() - 1.) * h[2]),
-                   step = K.length * motion(c, 1) * h[0];
-      Number *row       = field.row(c, j, k) + 1;
-      for (unsigned int i = 0; i < K.grid.n_nodes(0); ++i)
-        row[i] += static_cast<Number>(first + i * step);
-    });
+  for_each_row(K.grid,
+               [&](const unsigned int c, const unsigned int j, const unsigned int k) {
+                 const auto [first, step] = along_row(motion, c, j, k);
+                 Number *row              = field.row(c, j, k) + 1;
+                 for (unsigned int i = 0; i < K.grid.n_nodes(0); ++i)
+                   row[i] += static_cast<Number>(first + i * step);
+               });
 }
 
 /** Over the ranks. */
@@ -162,18 +171,14 @@ template <typename Number>
 double BrickSolver::dot(const Motion &motion,
                         const voxel::VoxelField<Number> &field) const
 {
-  const auto &h = K.grid.spacing;
-  double sum    = 0.;
-  for_each_row(
-    K.grid, [&](const unsigned int c, const unsigned int j, const unsigned int k) {
-      const double first = motion(c, 0) +
-                           K.length * (motion(c, 2) * (j - 1.) * h[1] +
-                                       motion(c, 3) * (k + K.grid.below() - 1.) * h[2]),
-                   step = K.length * motion(c, 1) * h[0];
-      const Number *row = field.row(c, j, k) + 1;
-      for (unsigned int i = 0; i < K.grid.n_nodes(0); ++i)
-        sum += row[i] * (first + i * step);
-    });
+  double sum = 0.;
+  for_each_row(K.grid,
+               [&](const unsigned int c, const unsigned int j, const unsigned int k) {
+                 const auto [first, step] = along_row(motion, c, j, k);
+                 const Number *row        = field.row(c, j, k) + 1;
+                 for (unsigned int i = 0; i < K.grid.n_nodes(0); ++i)
+                   sum += row[i] * (first + i * step);
+               });
   return sum_over_ranks(K.grid, sum);
 }
 
@@ -208,12 +213,25 @@ double BrickSolver::square_of(const Field &field) const
   return sum_over_ranks(K.grid, sum);
 }
 
-/** product = load - (K + S) v, but zero where it is held; the square of its norm. */
-double BrickSolver::unbalanced(Field &v, voxel::VoxelField<float> &rounded)
+void BrickSolver::clear_held(Field &field) const
+{
+  for (const std::size_t place : multigrid->finest().held())
+    field.data()[place] = 0.;
+}
+
+/** product = -(K + S) v, but zero where it is held. */
+void BrickSolver::take_forces(Field &v, voxel::VoxelField<float> &rounded)
 {
   K.forces({}, v, rounded, product.data());
   for (const Spring &spring : springs)
     product.data()[spring.row] -= spring.stiffness * v.data()[spring.column];
+  clear_held(product);
+}
+
+/** product = load - (K + S) v, where the load is zero at what is held; the square of its norm. */
+double BrickSolver::unbalanced(Field &v, voxel::VoxelField<float> &rounded)
+{
+  take_forces(v, rounded);
   for_each_row(K.grid,
                [&](const unsigned int c, const unsigned int j, const unsigned int k) {
                  const double *given = load.row(c, j, k) + 1;
@@ -221,8 +239,6 @@ double BrickSolver::unbalanced(Field &v, voxel::VoxelField<float> &rounded)
                  for (unsigned int i = 0; i < K.grid.n_nodes(0); ++i)
                    row[i] += given[i];
                });
-  for (const std::size_t place : multigrid->finest().held())
-    product.data()[place] = 0.;
   return square_of(product);
 }
 
@@ -253,6 +269,7 @@ SolverReport BrickSolver::solve(NodalField<double> &u,
   for (std::size_t i = 0; i < load.size(); ++i)
     load.data()[i] /= body.unit_stiffness();
   remove_motions(load);
+  clear_held(load);
 
   // The scale is the residual of the prescribed values alone.
   body.to_voxels(u, correction);
@@ -284,7 +301,6 @@ SolverReport BrickSolver::solve(NodalField<double> &u,
       });
     return square;
   };
-
   if (inverse_rigid.size() > 0)
     problem.improve = [this](auto &z, const auto &r) { move_rigidly(z, r); };
   problem.round_off = [this](const Field &v) {
@@ -301,9 +317,9 @@ SolverReport BrickSolver::solve(NodalField<double> &u,
     {
       if (e.reason == NotConverged::Reason::not_finite)
         throw;
-      report.iterations        = most_in_single;
-      report.single_iterations = most_in_single;
-      report                   = iterate_in_double(problem, report);
+      report                   = iteration.report;
+      report.single_iterations = report.iterations;
+      iterate_in_double(problem, report);
     }
   report.residual *= norm / reference;
 

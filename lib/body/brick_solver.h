@@ -2,10 +2,12 @@
 #define mesoslip_body_brick_solver_h
 
 #include "body/brick_body.h"
+#include "body/rigid_motions.h"
 #include "statics/voxel/conjugate_gradients.h"
 
 #include <Eigen/Core>
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -48,9 +50,16 @@ private:
 
   void take_springs(const std::vector<SpringEntry> &on, voxel::Springs &fields);
   void find_motions(const DofMask &mask, const std::vector<SpringEntry> &on);
+  Motion motion_of(const RigidMotions<3>::Coefficients &coefficients) const;
   void condense_motions();
   void keep_held(Field &field) const;
+  void clear_held(Field &field) const;
+  void take_forces(Field &v, voxel::VoxelField<float> &rounded);
   double unbalanced(Field &v, voxel::VoxelField<float> &rounded);
+  std::array<double, 2> along_row(const Motion &motion,
+                                  const unsigned int c,
+                                  const unsigned int j,
+                                  const unsigned int k) const;
   double square_of(const Field &field) const;
   template <typename Number>
   void add_motion(const Motion &motion, voxel::VoxelField<Number> &field) const;
@@ -58,8 +67,8 @@ private:
   double dot(const Motion &motion, const voxel::VoxelField<Number> &field) const;
   void remove_motions(Field &field) const;
 
-  SolverReport iterate_in_double(const voxel::ConjugateGradients::Problem &problem,
-                                 SolverReport report);
+  void iterate_in_double(const voxel::ConjugateGradients::Problem &problem,
+                         SolverReport &report);
   void move_rigidly(voxel::VoxelField<float> &z, const voxel::VoxelField<float> &r) const;
 
   const GridBody<3> &body;

@@ -13,9 +13,8 @@ constexpr unsigned int most_iterations = 5000;
 
 /** Flexible conjugate gradients (Polak and Ribiere's beta) from where the correction is, with the same
  * preconditioner. */
-SolverReport
-BrickSolver::iterate_in_double(const voxel::ConjugateGradients::Problem &problem,
-                               SolverReport report)
+void BrickSolver::iterate_in_double(const voxel::ConjugateGradients::Problem &problem,
+                                    SolverReport &report)
 {
   Field r(K.grid), p(K.grid);
   voxel::VoxelField<float> z(K.grid), &b = iteration.r;
@@ -34,13 +33,10 @@ BrickSolver::iterate_in_double(const voxel::ConjugateGradients::Problem &problem
     return sum_over_ranks(K.grid, sum);
   };
   correction.set_ghosts();
-  double norm       = std::sqrt(unbalanced(correction, multigrid->finest_buffer()));
-  r                 = product;
-  const Field given = load;
-  std::fill_n(load.data(), load.size(), 0.); // so that unbalanced() is a product
+  double norm  = std::sqrt(unbalanced(correction, multigrid->finest_buffer()));
+  r            = product;
   double alpha = 0., rz = 0.;
   const auto fail = [&](const char *what, const NotConverged::Reason reason) {
-    load = given;
     throw NotConverged(brief_text(6, "conjugate gradients ", what, " after ",
                                   report.iterations,
                                   " iterations at a relative residual of ", norm),
@@ -67,7 +63,7 @@ BrickSolver::iterate_in_double(const voxel::ConjugateGradients::Problem &problem
         x         = norm * z.row(c, j, k)[i] + beta * x;
       });
       p.set_ghosts();
-      unbalanced(p, multigrid->finest_buffer()); // product = -K p
+      take_forces(p, multigrid->finest_buffer());
       double pq = 0.;
       for_each([&](unsigned int c, unsigned int j, unsigned int k, unsigned int i) {
         pq -= p.row(c, j, k)[i] * product.row(c, j, k)[i];
@@ -83,8 +79,6 @@ BrickSolver::iterate_in_double(const voxel::ConjugateGradients::Problem &problem
       norm = std::sqrt(square_of(r));
       ++report.iterations;
     }
-  load            = given;
   report.residual = norm;
-  return report;
 }
 } // namespace mesoslip

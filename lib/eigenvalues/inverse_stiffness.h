@@ -40,8 +40,8 @@ public:
     return rigid.size();
   }
 
-  mutable unsigned int n_solves   = 0; ///< so far
-  mutable unsigned int iterations = 0; ///< of all of them
+  mutable unsigned int n_solves   = 0; ///< number of solves with K so far
+  mutable unsigned int iterations = 0; ///< of the iterative solver in all these solves
 
 private:
   void solve() const;

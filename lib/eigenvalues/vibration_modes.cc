@@ -214,6 +214,7 @@ std::vector<Vector> lowest_eigenvectors(const FreeDofs<dim> &dofs,
 {
   constexpr double accurate = 1e-10, rough = 1e-3;
   std::vector<Vector> found;
+  std::vector<double> quotients; // of them, ascending
   const auto more = [&](const unsigned int n, const double tolerance) {
     return lanczos<dim>(dofs, {inverse, dofs, found}, body.communicator(), n, tolerance,
                         static_cast<unsigned int>(1 + 1000 * found.size()));
@@ -222,16 +223,14 @@ std::vector<Vector> lowest_eigenvectors(const FreeDofs<dim> &dofs,
     for (Vector x : vectors)
       {
         x /= std::sqrt(dofs.mass_product(x, x));
+        quotients.push_back(rayleigh_quotient(x, dofs, body));
         found.push_back(x);
       }
+    std::sort(quotients.begin(), quotients.end());
   };
   keep(more(n_modes, accurate));
   while (found.size() + 1 + inverse.n_rigid() < dofs.size())
     {
-      std::vector<double> quotients;
-      for (const Vector &x : found)
-        quotients.push_back(rayleigh_quotient(x, dofs, body));
-      std::sort(quotients.begin(), quotients.end());
       const double last = quotients[n_modes - 1];
       if (!(rayleigh_quotient(more(1, rough)[0], dofs, body) < last * (1. - 1e-6)))
         break;

@@ -31,8 +31,8 @@ SolverReport ConjugateGradients::solve(VoxelField<double> &u,
   std::fill_n(p.data(), p.size(), 0.F);               // not a number times zero is none
   VoxelField<float> &q   = multigrid.finest_buffer(); // not needed across a cycle
   const double reference = std::sqrt(problem.residual(u, r));
-  SolverReport report;
-  report.residual = 1.;
+  report                 = {};
+  report.residual        = 1.;
   double norm = reference, rz = 0., trusted = reference, least = reference;
   double begun =
     2. * reference;        // the residual from which the directions were last begun anew

@@ -31,7 +31,7 @@ public:
 
     double tolerance    = 0.;   ///< of the residual, relative to that at the start
     double negligible   = 0.;   ///< a residual that is none
-    unsigned int limit  = 2000; ///< of the iterations
+    unsigned int limit  = 2000; ///< largest number of iterations
     double trusted_drop = 1e-4; ///< of the residual after which it is computed anew
   };
 
@@ -49,6 +49,7 @@ public:
   void release();
 
   VoxelField<float> r; ///< the residual
+  SolverReport report; ///< of the last solve, also of one that has not converged
 
 private:
   const Stiffness &stiffness;

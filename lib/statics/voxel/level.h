@@ -89,8 +89,8 @@ public:
   /** Part of a row of the stiffness of springs; places in the numbers of a VoxelField. */
   struct Spring
   {
-    std::size_t row    = 0;  ///< of the force
-    std::size_t column = 0;  ///< of the displacement
+    std::size_t row    = 0;  ///< place of the component of the force
+    std::size_t column = 0;  ///< place of that of the displacement
     float stiffness    = 0.; ///< in units of that of the kernels
   };
 

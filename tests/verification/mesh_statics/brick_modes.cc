@@ -2,6 +2,7 @@
 // dense matrices. Runs on any number of ranks.
 
 #include "body/brick_body.h"
+#include "divided_body.h"
 #include "eigenvalues/vibration_modes.h"
 #include "material/stiffness.h"
 
@@ -18,19 +19,10 @@ CellReader one_phase()
     [](const CellBlock<3> &block) { return std::vector<std::uint16_t>(block.n_cells()); };
 }
 
-DofMask clamped_at_top(const ElasticBody<3> &body)
-{
-  DofMask held(body.n_columns(), 1);
-  for (const NodeIndex &node : body.surface(ElasticBody<3>::top).nodes)
-    for (unsigned int c = 0; c < 3; ++c)
-      held.constrain(c, node);
-  return held;
-}
-
 /** Frequencies (Hz) of the whole body, ascending. */
 std::vector<double> all_frequencies(const ElasticBody<3> &body)
 {
-  const DofMask held               = clamped_at_top(body);
+  const DofMask held               = verification::held_at_top(body);
   const std::vector<double> masses = body.lumped_mass();
   std::vector<Eigen::Index> number(3 * masses.size(), -1);
   Eigen::Index n = 0;
@@ -64,8 +56,9 @@ TEST(BrickModes, OfASquarePrismHaveTheirTwins)
       for (const unsigned int n : {1, 2, 7, 12})
         {
           VibrationModesOptions options;
-          options.n_modes  = n;
-          const auto found = vibration_modes<3>(body, clamped_at_top(body), options);
+          options.n_modes = n;
+          const auto found =
+            vibration_modes<3>(body, verification::held_at_top(body), options);
           ASSERT_EQ(found.modes.size(), n);
           for (unsigned int k = 0; k < n; ++k)
             EXPECT_NEAR(found.modes[k].frequency, expected[k], 1e-8 * expected[k])

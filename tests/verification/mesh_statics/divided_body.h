@@ -19,6 +19,17 @@ divided(const mesoslip::MeshBodyInput<3> &input)
   return mesoslip::MeshBody<3>::divide(is_root ? input.mesh : mesoslip::Mesh<3>(), rest,
                                        MPI_COMM_WORLD);
 }
+
+/** All components of the nodes of the top. */
+inline mesoslip::DofMask held_at_top(const mesoslip::ElasticBody<3> &body)
+{
+  mesoslip::DofMask held(body.n_columns(), 1);
+  for (const mesoslip::NodeIndex &node :
+       body.surface(mesoslip::ElasticBody<3>::top).nodes)
+    for (unsigned int c = 0; c < 3; ++c)
+      held.constrain(c, node);
+  return held;
+}
 } // namespace verification
 
 #endif

@@ -47,15 +47,6 @@ MeshBodyInput<3> bar(const bool standing, const bool simplices)
   return body;
 }
 
-DofMask held_at_top(const ElasticBody<3> &body)
-{
-  DofMask held(body.n_columns(), 1);
-  for (const NodeIndex &node : body.surface(ElasticBody<3>::top).nodes)
-    for (unsigned int c = 0; c < 3; ++c)
-      held.constrain(c, node);
-  return held;
-}
-
 /** Largest difference from the field @p whole of the body @p all, over the largest value. */
 double difference(const ElasticBody<3> &body,
                   const NodalField<double> &field,
@@ -92,7 +83,7 @@ StaticContactSolution pressed_bar(const ElasticBody<3> &body, const int sliding)
 {
   const SurfaceNodes<3> &bottom = body.surface(ElasticBody<3>::bottom);
   StaticContactProblem problem;
-  problem.constrained  = held_at_top(body);
+  problem.constrained  = verification::held_at_top(body);
   problem.displacement = body.zero_field();
   problem.force        = body.zero_field();
   for (const NodeIndex &node : body.surface(ElasticBody<3>::top).nodes)
@@ -140,8 +131,10 @@ TEST(DividedBody, IsThatOfWholeFields)
         VibrationModesOptions options;
         options.n_modes     = 3;
         options.platen_mass = 0.7;
-        const auto modes    = vibration_modes<3>(body, held_at_top(body), options),
-                   expected = vibration_modes<3>(all, held_at_top(all), options);
+        const auto modes =
+                     vibration_modes<3>(body, verification::held_at_top(body), options),
+                   expected =
+                     vibration_modes<3>(all, verification::held_at_top(all), options);
         EXPECT_EQ(modes.n_rigid_motions, expected.n_rigid_motions);
         for (std::size_t k = 0; k < expected.modes.size(); ++k)
           {
