@@ -22,7 +22,7 @@ class GridBody;
  * whole, and each rank solves alone.
  */
 template <>
-class GridBody<3> : public PointBody<3>
+class GridBody<3> final : public PointBody<3>
 {
 public:
   /** Cells have the numbers in @p phases that @p materials gives for them. With @p whole fields these

@@ -94,7 +94,8 @@ void check_input(const std::string &folder,
 struct RunKind
 {
   std::string program;
-  std::string analysis = {}; ///< empty where the program has one only
+  std::string analysis = {};    ///< empty where the program has one only
+  bool is_told         = false; ///< by the first line, with the version of the program
 
   /** "the analysis 'modal' of contact_dynamics". */
   std::string text() const
@@ -112,10 +113,11 @@ std::optional<RunKind> kind_in_parameters(const std::string &path)
     return std::nullopt;
   std::istringstream text(read_file(path));
   RunKind kind;
-  std::string line, hash;
+  std::string line, hash, version;
   const std::string analysis = "set Analysis = ";
   std::getline(text, line);
-  std::istringstream(line) >> hash >> kind.program;
+  std::istringstream(line) >> hash >> kind.program >> version;
+  kind.is_told = hash == "#" && !version.empty() && std::isdigit(version[0]) != 0;
   while (kind.analysis.empty() && std::getline(text, line))
     if (line.compare(0, analysis.size(), analysis) == 0)
       kind.analysis = line.substr(analysis.size());
@@ -131,18 +133,6 @@ std::optional<RunKind> kind_of_results(const std::string &folder)
         entry.path().filename() == "summary.json")
       return kind_in_parameters(folder + "/parameters.prm");
   return std::nullopt;
-}
-
-/** Whether the file begins as a run writes its parameters: "# contact_dynamics 0.1.0: ...". */
-bool is_of_run(const std::string &path)
-{
-  std::error_code ignored;
-  if (!fs::is_regular_file(path, ignored))
-    return false;
-  std::istringstream text(read_file(path));
-  std::string hash, program, version;
-  text >> hash >> program >> version;
-  return hash == "#" && !version.empty() && std::isdigit(version[0]) != 0;
 }
 
 /** Whether it is a file that --draft has made, alone in its folder. */
@@ -161,6 +151,9 @@ bool is_draft(const std::string &path)
 /** A file that a run replaces in @p folder although none has been there; empty if there is none. */
 std::string foreign_file(const std::string &folder)
 {
+  const auto run = kind_in_parameters(folder + "/parameters.prm");
+  if (run && run->is_told)
+    return "";
   std::error_code ignored;
   for (const fs::directory_entry &entry : fs::directory_iterator(folder, ignored))
     {
@@ -218,7 +211,7 @@ void check_output_folder(const std::string &folder,
                     " would replace; choose another folder with --output, or remove "
                     "that one");
   const std::string foreign = foreign_file(folder);
-  if (!foreign.empty() && !is_of_run(folder + "/parameters.prm"))
+  if (!foreign.empty())
     throw UserError("the output folder " + folder + " holds " + foreign +
                     ", which this run would replace, and no parameters.prm of a run that "
                     "wrote it; choose another folder with --output, or move that file");

@@ -52,7 +52,7 @@ struct MeshShare;
  * the ranks by METIS.
  */
 template <int dim>
-class MeshBody : public PointBody<dim>
+class MeshBody final : public PointBody<dim>
 {
 public:
   using Cells = typename ElasticBody<dim>::Cells; ///< values in a group of cells
