@@ -64,7 +64,7 @@ struct AlgebraicMultigrid::Library
     require(MatCreateVecs(matrix, &x, &y));
   }
 
-  /** PETSc wants them orthonormal. */
+  /** PETSc wants them orthonormal, and one at least. */
   void set_near_null_space(std::vector<Vector> motions)
   {
     std::vector<Vec> vectors;
@@ -84,6 +84,8 @@ struct AlgebraicMultigrid::Library
         require(VecRestoreArray(vector, &values));
         vectors.push_back(vector);
       }
+    if (vectors.empty()) // nothing is free
+      return;
     MatNullSpace space = nullptr;
     require(MatNullSpaceCreate(PetscObjectComm(reinterpret_cast<PetscObject>(matrix)),
                                PETSC_FALSE, static_cast<PetscInt>(vectors.size()),

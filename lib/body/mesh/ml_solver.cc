@@ -239,6 +239,8 @@ SolverReport MlSolver<dim>::solve(NodalField<double> &u,
       correction = 0.;
       report = conjugate_gradients(constrained, correction, r, preconditioner, reference,
                                    tolerance);
+      // Aggregates of GAMG may mix held components with free ones, which CG undoes to its tolerance.
+      clear_fixed(correction);
       x += correction;
     }
   remove_motions(x);
