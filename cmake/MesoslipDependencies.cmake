@@ -68,7 +68,7 @@ endif()
 set(other_multigrid_ml gamg)
 set(other_multigrid_gamg ml)
 set_property(GLOBAL PROPERTY mesoslip_left_out
-             ${CMAKE_SOURCE_DIR}/lib/body/mesh/algebraic_multigrid_${other_multigrid_${MESOSLIP_MULTIGRID}}.cc)
+             ${CMAKE_SOURCE_DIR}/lib/body/mesh/algebra_${other_multigrid_${MESOSLIP_MULTIGRID}}.cc)
 
 if(missing)
   message(FATAL_ERROR "mesoslip needs what was not found:${missing}")

@@ -39,10 +39,8 @@ FreeDofs<dim>::FreeDofs(const ElasticBody<dim> &body,
       if (owns_platen())
         add(dim - 1, platen_nodes.front(), moved);
     }
-  const auto owned = dealii::Utilities::MPI::create_ascending_partitioning(
-    body.communicator(), masses.size());
   partitioner = std::make_shared<dealii::Utilities::MPI::Partitioner>(
-    owned[mpi::this_mpi_process(body.communicator())], body.communicator());
+    masses.size(), 0, body.communicator());
 }
 
 template <int dim>

@@ -45,10 +45,11 @@ BoundaryFace<dim>
 face_of_cell(const Mesh<dim> &mesh, const unsigned int k, const unsigned int number)
 {
   const auto &vertices = mesh.cells[k].vertices;
+  const LinearCell<dim> reference(vertices.size());
   BoundaryFace<dim> face;
   face.cell     = k;
   face.n_points = 0;
-  for (const unsigned int v : LinearCell<dim>(vertices.size()).corners_of_face(number))
+  for (const unsigned int v : reference.corners_of_face(number))
     face.points[face.n_points++] = vertices[v];
   return face;
 }

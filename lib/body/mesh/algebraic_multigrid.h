@@ -1,11 +1,7 @@
 #ifndef mesoslip_body_mesh_algebraic_multigrid_h
 #define mesoslip_body_mesh_algebraic_multigrid_h
 
-#include <deal.II/lac/trilinos_sparse_matrix.h>
-#include <deal.II/lac/trilinos_vector.h>
-
-#include <memory>
-#include <vector>
+#include "body/mesh/distributed_matrix.h"
 
 namespace mesoslip
 {
@@ -19,7 +15,7 @@ namespace mesoslip
 class AlgebraicMultigrid
 {
 public:
-  using Vector = dealii::TrilinosWrappers::MPI::Vector; ///< owned degrees of freedom
+  using Vector = DistributedVector; ///< owned degrees of freedom
 
   AlgebraicMultigrid();
   ~AlgebraicMultigrid();
@@ -28,7 +24,7 @@ public:
   static const char *name();
 
   /** Sets it up anew. */
-  void initialize(const dealii::TrilinosWrappers::SparseMatrix &matrix,
+  void initialize(const DistributedMatrix &matrix,
                   const unsigned int dim,
                   const std::vector<Vector> &near_null_space);
 

@@ -15,13 +15,12 @@ CondensedCells::Index CondensedCells::target(const Index dof) const
 }
 
 template <int dim>
-void CondensedCells::reinit(Matrix &matrix,
+void CondensedCells::reinit(DistributedMatrix &matrix,
                             const DistributedMesh<dim> &mesh,
                             const bool with_held) const
 {
-  const dealii::IndexSet &owned = mesh.dofs().locally_owned_dofs();
-  dealii::TrilinosWrappers::SparsityPattern pattern(
-    owned, owned, constraints.get_local_lines(), mesh.communicator());
+  const auto n = mesh.dofs().n_dofs();
+  dealii::DynamicSparsityPattern pattern(n, n, constraints.get_local_lines());
   std::vector<Index> indices, targets;
   for (const auto &cell : mesh.dofs().active_cell_iterators())
     if (cell->is_locally_owned())
@@ -41,20 +40,19 @@ void CondensedCells::reinit(Matrix &matrix,
           if (constraints.is_constrained(dof))
             pattern.add(dof, dof);
       }
-  pattern.compress();
-  matrix.reinit(pattern);
+  matrix.reinit(mesh.dofs().locally_owned_dofs(), pattern, dim, mesh.communicator());
 }
 
 void CondensedCells::add(const Eigen::MatrixXd &cell,
                          const std::vector<Index> &indices,
-                         Matrix &matrix)
+                         DistributedMatrix &matrix)
 {
   const auto n = static_cast<Eigen::Index>(indices.size());
   for (Eigen::Index i = 0; i < n; ++i)
     {
       const Index dof = indices[static_cast<std::size_t>(i)], row = target(dof);
       if (constraints.is_constrained(dof))
-        matrix.add(dof, dof, std::fabs(cell(i, i)));
+        matrix.add(dof, {dof}, {std::fabs(cell(i, i))});
       if (row == dealii::numbers::invalid_dof_index)
         continue;
       columns.clear();
@@ -66,21 +64,21 @@ void CondensedCells::add(const Eigen::MatrixXd &cell,
             columns.push_back(column);
             values.push_back(cell(i, j));
           }
-      matrix.add(row, columns.size(), columns.data(), values.data(), false);
+      matrix.add(row, columns, values);
     }
 }
 
 void CondensedCells::add(const Eigen::VectorXd &cell,
                          const std::vector<Index> &indices,
-                         Vector &vector) const
+                         DistributedVector &vector) const
 {
   for (std::size_t i = 0; i < indices.size(); ++i)
     if (const Index row = target(indices[i]); row != dealii::numbers::invalid_dof_index)
-      vector.add({row}, std::vector<double>{cell(static_cast<Eigen::Index>(i))});
+      vector(row) += cell(static_cast<Eigen::Index>(i));
 }
 
 template void
-CondensedCells::reinit(Matrix &, const DistributedMesh<2> &, const bool) const;
+CondensedCells::reinit(DistributedMatrix &, const DistributedMesh<2> &, const bool) const;
 template void
-CondensedCells::reinit(Matrix &, const DistributedMesh<3> &, const bool) const;
+CondensedCells::reinit(DistributedMatrix &, const DistributedMesh<3> &, const bool) const;
 } // namespace mesoslip

@@ -1,11 +1,8 @@
 #ifndef mesoslip_body_mesh_condensed_cells_h
 #define mesoslip_body_mesh_condensed_cells_h
 
+#include "body/mesh/distributed_matrix.h"
 #include "body/mesh/distributed_mesh.h"
-
-#include <deal.II/lac/trilinos_sparse_matrix.h>
-#include <deal.II/lac/trilinos_sparsity_pattern.h>
-#include <deal.II/lac/trilinos_vector.h>
 
 #include <Eigen/Core>
 
@@ -22,9 +19,7 @@ namespace mesoslip
 class CondensedCells
 {
 public:
-  using Index  = dealii::types::global_dof_index;        ///< a degree of freedom
-  using Matrix = dealii::TrilinosWrappers::SparseMatrix; ///< owned rows
-  using Vector = dealii::TrilinosWrappers::MPI::Vector;  ///< owned degrees of freedom
+  using Index = dealii::types::global_dof_index; ///< a degree of freedom
 
   /** @p constraints must outlive it. */
   explicit CondensedCells(const dealii::AffineConstraints<double> &constraints)
@@ -35,18 +30,19 @@ public:
   /** Gives @p matrix the entries that all cells of @p mesh add to, zero; @p with_held: also those
    * of what is held. Collective. */
   template <int dim>
-  void reinit(Matrix &matrix,
+  void reinit(DistributedMatrix &matrix,
               const DistributedMesh<dim> &mesh,
               const bool with_held = false) const;
 
   /** Adds @p cell of the degrees of freedom @p indices. */
-  void
-  add(const Eigen::MatrixXd &cell, const std::vector<Index> &indices, Matrix &matrix);
+  void add(const Eigen::MatrixXd &cell,
+           const std::vector<Index> &indices,
+           DistributedMatrix &matrix);
 
-  /** The same of a vector. */
+  /** The same of a vector, which has the lines of the constraints. */
   void add(const Eigen::VectorXd &cell,
            const std::vector<Index> &indices,
-           Vector &vector) const;
+           DistributedVector &vector) const;
 
 private:
   Index target(const Index dof) const;

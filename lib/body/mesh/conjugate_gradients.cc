@@ -8,7 +8,7 @@
 
 namespace mesoslip
 {
-SolverReport conjugate_gradients(const dealii::TrilinosWrappers::SparseMatrix &A,
+SolverReport conjugate_gradients(const DistributedMatrix &A,
                                  AlgebraicMultigrid::Vector &x,
                                  const AlgebraicMultigrid::Vector &b,
                                  const AlgebraicMultigrid &preconditioner,

@@ -12,7 +12,7 @@ namespace mesoslip
  * Solves A x = b from @p x on by deal.II's conjugate gradients, until the residual is @p tolerance times
  * @p reference. Collective. @throws NotConverged, which names the load case @p of
  */
-SolverReport conjugate_gradients(const dealii::TrilinosWrappers::SparseMatrix &A,
+SolverReport conjugate_gradients(const DistributedMatrix &A,
                                  AlgebraicMultigrid::Vector &x,
                                  const AlgebraicMultigrid::Vector &b,
                                  const AlgebraicMultigrid &preconditioner,

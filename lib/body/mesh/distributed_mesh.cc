@@ -99,15 +99,26 @@ DistributedMesh<dim>::dofs_of_points(const Mesh<dim> &mesh,
   return result;
 }
 
-template <int dim>
-void DistributedMesh<dim>::begin(dealii::AffineConstraints<double> &constraints) const
+namespace
+{
+/** Without lines. @p used are those that this rank may have, @p owned the degrees of freedom it owns. */
+void reinit(dealii::AffineConstraints<double> &constraints,
+            [[maybe_unused]] const dealii::IndexSet &owned,
+            const dealii::IndexSet &used)
 {
   constraints.clear();
 #if DEAL_II_VERSION_GTE(9, 6, 0)
-  constraints.reinit(dof_handler.locally_owned_dofs(), relevant_dofs);
+  constraints.reinit(owned, used);
 #else
-  constraints.reinit(relevant_dofs);
+  constraints.reinit(used);
 #endif
+}
+} // namespace
+
+template <int dim>
+void DistributedMesh<dim>::begin(dealii::AffineConstraints<double> &constraints) const
+{
+  reinit(constraints, dof_handler.locally_owned_dofs(), relevant_dofs);
 }
 
 template <int dim>
@@ -136,6 +147,7 @@ std::map<dealii::types::global_dof_index, dealii::types::global_dof_index> origi
 
 void tie_duplicates(
   const std::vector<std::array<dealii::types::global_dof_index, 2>> &duplicates,
+  const dealii::IndexSet &owned,
   const dealii::IndexSet &relevant,
   dealii::AffineConstraints<double> &constraints)
 {
@@ -144,7 +156,7 @@ void tie_duplicates(
   for (const auto &[duplicate, original] : originals)
     if (relevant.is_element(duplicate))
       used.add_index(original);
-  constraints.reinit(used);
+  reinit(constraints, owned, used);
   for (const auto &[duplicate, original] : originals)
     if (relevant.is_element(duplicate))
       {

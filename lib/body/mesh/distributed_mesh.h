@@ -92,12 +92,12 @@ std::map<dealii::types::global_dof_index, dealii::types::global_dof_index> origi
 
 /**
  * Constrains duplicate degrees of freedom to be equal to their originals, see
- * originals_of(). Only those among
- * @p relevant get a line; their originals, on whatever rank, become local to
- * @p constraints, which is left open.
+ * originals_of(). Only those among @p relevant get a line, which contains those that this rank has
+ * @p owned; their originals, on whatever rank, become local to @p constraints, which is left open.
  */
 void tie_duplicates(
   const std::vector<std::array<dealii::types::global_dof_index, 2>> &duplicates,
+  const dealii::IndexSet &owned,
   const dealii::IndexSet &relevant,
   dealii::AffineConstraints<double> &constraints);
 } // namespace mesoslip

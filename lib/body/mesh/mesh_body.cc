@@ -263,13 +263,12 @@ std::vector<MatrixEntry> MeshBody<dim>::stiffness_entries() const
   for (std::size_t p = 0; p < mesh.points.size(); ++p)
     for (unsigned int c = 0; c < dim && !duplicate[p]; ++c)
       numbers[discretization->dof(c, node(p))] = dim * p + c;
-  const auto &matrix = discretization->stiffness();
   std::vector<MatrixEntry> entries;
-  for (const auto row : matrix.locally_owned_range_indices())
-    if (numbers[row] != none)
-      for (auto entry = matrix.begin(row); entry != matrix.end(row); ++entry)
-        if (numbers[entry->column()] != none)
-          entries.push_back({numbers[row], numbers[entry->column()], entry->value()});
+  discretization->stiffness().for_each(
+    [&](const std::uint64_t row, const std::uint64_t column, const double value) {
+      if (numbers[row] != none && numbers[column] != none)
+        entries.push_back({numbers[row], numbers[column], value});
+    });
   return entries;
 }
 

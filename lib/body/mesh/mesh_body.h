@@ -48,7 +48,7 @@ struct MeshShare;
 
 /**
  * The body on a mesh of deal.II, elements of order one, in two dimensions or three:
- * stiffness as a Trilinos matrix, solves by MlSolver. Work and matrices are divided among
+ * stiffness as a DistributedMatrix, solves by MlSolver. Work and matrices are divided among
  * the ranks by METIS.
  */
 template <int dim>

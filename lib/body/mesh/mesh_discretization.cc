@@ -18,7 +18,8 @@ MeshDiscretization<dim>::MeshDiscretization(MeshShare<dim> &&share,
   for (std::size_t k = 0; k < share.duplicates.size(); k += 2UL * dim)
     for (unsigned int c = 0; c < dim; ++c)
       duplicates.push_back({{share.duplicates[k + c], share.duplicates[k + dim + c]}});
-  tie_duplicates(duplicates, distributed->relevant(), constraints);
+  tie_duplicates(duplicates, distributed->dofs().locally_owned_dofs(),
+                 distributed->relevant(), constraints);
   constraints.close();
   find_places(originals_of(duplicates));
   assemble();
@@ -43,10 +44,8 @@ void MeshDiscretization<dim>::find_places(const std::map<Index, Index> &original
   of_fields.add_indices(sorted.begin(), std::unique(sorted.begin(), sorted.end()));
   of_fields.compress();
   needed.reinit(owned, of_fields, distributed->communicator());
-  const auto &map = needed.trilinos_partitioner();
   for (const Index dof : dofs)
-    in_needed.push_back(
-      map.LID(static_cast<dealii::TrilinosWrappers::types::int_type>(dof)));
+    in_needed.push_back(needed.get_partitioner()->global_to_local(dof));
 }
 
 template <int dim>
@@ -55,7 +54,8 @@ void MeshDiscretization<dim>::assemble()
   using namespace dealii;
   CondensedCells cells(constraints);
   cells.reinit(matrix, *distributed);
-  mass.reinit(distributed->dofs().locally_owned_dofs(), distributed->communicator());
+  mass.reinit(distributed->dofs().locally_owned_dofs(), constraints.get_local_lines(),
+              distributed->communicator());
 
   for_each_cell(
     *distributed, [&](const auto &cell, const auto &values, const auto &indices) {
@@ -73,7 +73,7 @@ void MeshDiscretization<dim>::assemble()
       cells.add(K, indices, matrix);
       cells.add(cell_mass, indices, mass);
     });
-  matrix.compress(VectorOperation::add);
+  matrix.compress();
   mass.compress(VectorOperation::add);
 }
 
@@ -130,12 +130,12 @@ template <int dim>
 void MeshDiscretization<dim>::to_field(NodalField<double> &field,
                                        const Vector &vector) const
 {
-  needed               = vector;
-  const double *values = needed.trilinos_vector()[0];
+  needed.copy_locally_owned_data_from(vector);
+  needed.update_ghost_values();
   for (unsigned int j = 0; j < body.n_rows(); ++j)
     for (unsigned int i = 0; i < body.n_columns(); ++i)
       for (unsigned int c = 0; c < dim; ++c)
-        field.row(c, j)[i] = values[in_needed[entry(c, {i, j})]];
+        field.row(c, j)[i] = needed.local_element(in_needed[entry(c, {i, j})]);
 }
 
 template class MeshDiscretization<2>;

@@ -2,10 +2,8 @@
 #define mesoslip_body_mesh_mesh_discretization_h
 
 #include "body/elastic_body.h"
+#include "body/mesh/distributed_matrix.h"
 #include "body/mesh/mesh_share.h"
-
-#include <deal.II/lac/trilinos_sparse_matrix.h>
-#include <deal.II/lac/trilinos_vector.h>
 
 #include <map>
 
@@ -21,9 +19,8 @@ template <int dim>
 class MeshDiscretization
 {
 public:
-  using Vector = dealii::TrilinosWrappers::MPI::Vector;  ///< owned degrees of freedom
-  using Matrix = dealii::TrilinosWrappers::SparseMatrix; ///< owned rows
-  using Index  = dealii::types::global_dof_index;        ///< a degree of freedom
+  using Vector = DistributedVector;               ///< owned degrees of freedom
+  using Index  = dealii::types::global_dof_index; ///< a degree of freedom
 
   /** Of @p body only layout and phases are used. Collective. */
   MeshDiscretization(MeshShare<dim> &&share, const ElasticBody<dim> &body);
@@ -35,7 +32,7 @@ public:
   }
 
   /** K (N/m) with the rows of duplicates added to those of their originals. */
-  const Matrix &stiffness() const
+  const DistributedMatrix &stiffness() const
   {
     return matrix;
   }
@@ -90,11 +87,11 @@ private:
   std::vector<Index> dofs; ///< dim for each node of fields, see dof()
 
   static constexpr int nowhere =
-    -1;                       ///< where a node is a duplicate or another rank owns it
-  std::vector<int> in_owned;  ///< places of dofs in a Vector
-  std::vector<int> in_needed; ///< places of dofs in needed
-  mutable Vector needed;      ///< all that fields have
-  Matrix matrix;
+    -1;                      ///< where a node is a duplicate or another rank owns it
+  std::vector<int> in_owned; ///< places of dofs in a Vector
+  std::vector<unsigned int> in_needed; ///< places of dofs in needed
+  mutable Vector needed;               ///< all that fields have
+  DistributedMatrix matrix;
   Vector mass;
 };
 } // namespace mesoslip

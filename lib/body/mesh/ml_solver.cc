@@ -5,10 +5,6 @@
 #include "body/rigid_motions.h"
 
 #include <Eigen/Dense>
-#include <Epetra_CrsMatrix.h>
-#include <Epetra_Import.h>
-#include <Epetra_Vector.h>
-
 
 namespace mesoslip
 {
@@ -110,7 +106,7 @@ void MlSolver<dim>::set_constrained_on_springs(const DofMask &mask,
     }
   if (!motions.empty())
     support(springs);
-  copy_without_fixed();
+  constrained.copy_without(discretization.stiffness(), fixed);
   add_springs(springs);
   set_up_preconditioner();
 }
@@ -139,33 +135,6 @@ void MlSolver<dim>::support(const std::vector<SpringEntry> &springs)
   Assert(n_free == 0, dealii::ExcInternalError());
 }
 
-// Dropping rows and columns keeps the matrix symmetric, which ML relies on. (deal.II's
-// iterators clear a buffer as long as the matrix is wide for each row they visit.)
-template <int dim>
-void MlSolver<dim>::copy_without_fixed()
-{
-  constrained.copy_from(discretization.stiffness());
-  const Epetra_CrsMatrix &epetra = constrained.trilinos_matrix();
-  Epetra_Vector of_rows(epetra.RowMap()), of_columns(epetra.ColMap());
-  for (std::size_t k = 0; k < fixed.size(); ++k)
-    of_rows[static_cast<int>(k)] = fixed[k] ? 1. : 0.;
-  if (epetra.Importer() == nullptr) // on one rank
-    of_columns = of_rows;
-  else
-    of_columns.Import(of_rows, *epetra.Importer(), Insert);
-  for (int i = 0; i < epetra.NumMyRows(); ++i)
-    {
-      int n = 0, *columns = nullptr;
-      double *values = nullptr;
-      epetra.ExtractMyRowView(i, n, values, columns);
-      const auto row = epetra.GRID64(i);
-      for (int k = 0; k < n; ++k)
-        if (epetra.GCID64(columns[k]) != row &&
-            (of_rows[i] != 0. || of_columns[columns[k]] != 0.))
-          values[k] = 0.;
-    }
-}
-
 // A rank adds those of the nodes whose rows it owns.
 template <int dim>
 void MlSolver<dim>::add_springs(const std::vector<SpringEntry> &springs)
@@ -178,9 +147,9 @@ void MlSolver<dim>::add_springs(const std::vector<SpringEntry> &springs)
       if (body.is_counted(spring.node) && owned.is_element(row) &&
           owned.is_element(column) && !fixed[owned.index_within_set(row)] &&
           !fixed[owned.index_within_set(column)])
-        constrained.add(row, column, spring.stiffness);
+        constrained.add(row, {column}, {spring.stiffness});
     }
-  constrained.compress(dealii::VectorOperation::add);
+  constrained.compress();
 }
 
 template <int dim>

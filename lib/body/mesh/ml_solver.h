@@ -7,8 +7,7 @@
 namespace mesoslip
 {
 /**
- * Conjugate gradients of deal.II with Trilinos' algebraic multigrid ML, which is told the
- * rigid motions. Distributed over the ranks of the discretization; all calls are
+ * Conjugate gradients of deal.II with algebraic multigrid, which is told the rigid motions. Distributed over the ranks of the discretization; all calls are
  * collective.
  */
 template <int dim>
@@ -34,7 +33,6 @@ private:
   using Vector = typename MeshDiscretization<dim>::Vector;
 
   void support(const std::vector<SpringEntry> &springs);
-  void copy_without_fixed();
   void add_springs(const std::vector<SpringEntry> &springs);
   void set_up_preconditioner();
   void clear_fixed(Vector &x) const;
@@ -50,7 +48,7 @@ private:
   std::vector<bool> fixed;
 
   /** Rows and columns of fixed degrees of freedom have only their diagonal. */
-  typename MeshDiscretization<dim>::Matrix constrained;
+  DistributedMatrix constrained;
   AlgebraicMultigrid preconditioner;
 };
 } // namespace mesoslip

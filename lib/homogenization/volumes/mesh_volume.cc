@@ -112,7 +112,8 @@ void MeshVolume<dim>::set_constraints(const unsigned int k)
     {
       if (!not_periodic.empty())
         throw UserError(not_periodic);
-      tie_duplicates(duplicates, mesh.relevant(), constraints);
+      tie_duplicates(duplicates, mesh.dofs().locally_owned_dofs(), mesh.relevant(),
+                     constraints);
       // One point holds the fluctuation; it has no duplicate itself.
       fixed.assign(supports.begin(), supports.begin() + dim);
     }
@@ -190,8 +191,9 @@ SolverReport MeshVolume<dim>::solve_case(const unsigned int k, const double tole
       conjugate_gradients(matrix, x, loads[k], preconditioner, reference, tolerance,
                           to_string(condition) + " " + voigt_names<dim>[k]);
   constraints.distribute(x);
-  solutions.emplace_back(owned, mesh.relevant(), mesh.communicator());
-  solutions.back() = x;
+  solutions[k].reinit(owned, mesh.relevant(), mesh.communicator());
+  solutions[k].copy_locally_owned_data_from(x);
+  solutions[k].update_ghost_values();
   return report;
 }
 
@@ -201,7 +203,7 @@ VolumeSums<dim> MeshVolume<dim>::solve(const BoundaryCondition wanted,
                                        const std::function<void()> &case_done)
 {
   condition = wanted;
-  solutions.clear();
+  solutions = std::vector<Vector>(n_loads);
   std::array<SolverReport, n_loads> reports;
   for (unsigned int k = 0; k < n_loads; ++k)
     {

@@ -88,7 +88,7 @@ private:
   std::string not_periodic;
 
   dealii::AffineConstraints<double> constraints;
-  dealii::TrilinosWrappers::SparseMatrix matrix;
+  DistributedMatrix matrix;
   AlgebraicMultigrid preconditioner;
   std::vector<Vector> loads;
   std::array<double, n_loads> gross_loads; ///< norms of the loads before they cancel

@@ -20,10 +20,9 @@ void MeshVolume<dim>::assemble()
   // MUBC hold some components of a point and leave others free: ML wants all of them in the
   // columns of other ranks.
   cells.reinit(matrix, mesh, condition == BoundaryCondition::MUBC);
-  // Copies would count as vectors that entries were inserted into, not added to.
   loads = std::vector<Vector>(n_loads);
   for (Vector &load : loads)
-    load.reinit(owned, mesh.communicator());
+    load.reinit(owned, constraints.get_local_lines(), mesh.communicator());
   gross_loads.fill(0.);
 
   mesoslip::for_each_cell(
@@ -45,7 +44,7 @@ void MeshVolume<dim>::assemble()
           cells.add(Eigen::VectorXd(f.col(k)), indices, loads[k]);
         }
     });
-  matrix.compress(VectorOperation::add);
+  matrix.compress();
   for (unsigned int k = 0; k < n_loads; ++k)
     loads[k].compress(VectorOperation::add);
   for (double &gross : gross_loads)

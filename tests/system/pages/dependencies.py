@@ -29,7 +29,7 @@ SEND = {"base/exchange.cc", "elasticity/brick/plane_exchange.cc", "statics/voxel
 # deal.II's base (point.h, tensor.h and the like) is in mesh/mesh.h and precompiled.
 HEAVY = {
     "deal.II/": {"mesh/linear_cell.h", "mesh/mesh.h", "mesh/triangulation_cells.h", "body/mesh/cell_values.h",
-                 "body/mesh/condensed_cells.h", "body/mesh/distributed_mesh.h", "body/mesh/mesh_discretization.h", "body/mesh/algebraic_multigrid.h",
+                 "body/mesh/distributed_matrix.h", "body/mesh/distributed_mesh.h",
                  "eigenvalues/free_dofs.h", "homogenization/volumes/mesh_volume.h", "localization/strain/cell_set.h"},
     "boost/": {"base/archives.h", "base/object_exchange.h"},
     "nlohmann/json.hpp": {"io/json.h", "sliding/analyses/friction_homogenization.h"},
@@ -43,9 +43,10 @@ def heavy(name, path):
     return [header for header in included for start, allowed in HEAVY.items() if header.startswith(start) and name not in allowed]
 
 
-# The only files that know which release of deal.II there is, and Trilinos without deal.II around it: a port begins there.
+# The only files that know which release of deal.II there is, Trilinos and PETSc: a port begins there.
 ONLY_IN = {r"DEAL_II_VERSION\w*": {"body/mesh/distributed_mesh.cc"},
-           r"#include <(?:Epetra|ml_|ML_|Teuchos|MueLu|Amesos)\w*[./]": {"body/mesh/algebraic_multigrid_ml.cc", "body/mesh/ml_solver.cc"}}
+           r"#include <(?:deal.II/lac/trilinos|Epetra|ml_|ML_|Teuchos|MueLu|Amesos)\w*[./]": {"body/mesh/algebra_ml.cc"},
+           r"#include <(?:deal.II/lac/petsc|petsc)\w*[./]": {"body/mesh/algebra_gamg.cc"}}
 
 
 def only_in(name, path):
