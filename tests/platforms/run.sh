@@ -45,7 +45,7 @@ if [ "$release" = experimental ]; then
 fi
 
 if [ -n "$syntax" ]; then
-  inside '. cmake/setup.sh; mesoslip_packages=("${program_packages[@]}"); install_packages
+  inside 'rm -rf build-syntax; . cmake/setup.sh; mesoslip_packages=("${program_packages[@]}"); install_packages
           cmake_options=(-DMESOSLIP_BUILD_TESTS=OFF -DMESOSLIP_WERROR=ON -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON); configure build-syntax
           ninja -C build-syntax -k 0 -t commands all | grep -e " -c .*\.cc$" | xargs -d "\n" -P "$(n_cores)" -I COMMAND bash -c "cd build-syntax && COMMAND -fsyntax-only" 2>&1 | tee build-syntax/syntax.log
           ! grep -q "error:" build-syntax/syntax.log'
