@@ -78,10 +78,14 @@ tidy_key() {
 }
 
 # clang-format, and clang-tidy, which reads two halves of the library (tests/lint/clang_tidy.cmake), kernels and programs; not when it has
-# found nothing in the same sources before.
+# found nothing in the same sources before. Other releases write and find other things.
 tidy() {
   local mesoslip_packages=("${mesoslip_packages[@]}" clang clang-tidy clang-format) found_nothing
   install_packages
+  case $(clang-format --version) in
+    *' 14.'*) ;;
+    *) say "clang-format and clang-tidy are left out: the sources are checked with release 14, which Debian 12 has"; return ;;
+  esac
   phase "clang-format and clang-tidy"
   find lib applications tests doc -name '*.cc' -o -name '*.h' | xargs clang-format --dry-run -Werror ||
     fail "clang-format would write the above differently: clang-format -i"

@@ -1,7 +1,10 @@
-# Static analysis of library and programs; without cppcheck there is no such test. All checks but those about unused
+# Static analysis of library and programs by the cppcheck of Debian 12; others find other things, and then there is no such test. All checks but those about unused
 # functions (the library has more functions than its own programs use) and about headers that are missing: only ours are read.
 find_program(MESOSLIP_CPPCHECK cppcheck)
 if(MESOSLIP_CPPCHECK)
+  execute_process(COMMAND ${MESOSLIP_CPPCHECK} --version OUTPUT_VARIABLE cppcheck_version)
+endif()
+if(cppcheck_version MATCHES " 2[.]10")
   # What it found in a file is kept until the file or its headers change, also for other clones: paths are relative.
   set(kept $ENV{HOME}/.cache/mesoslip/cppcheck)
   file(MAKE_DIRECTORY ${kept})
