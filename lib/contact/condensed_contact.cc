@@ -269,22 +269,29 @@ std::optional<StaticContactSolution> CondensedContact<dim>::equilibrium(
   for (Eigen::Index k = 0; k < F.size(); ++k)
     if (rows(k, k) != 0.)
       free.push_back(k);
-  const Eigen::FullPivLU<Eigen::MatrixXd> moves((rows * S)(free, free));
   StaticContactSolution found;
   found.displacement = problem.displacement;
+  Eigen::FullPivLU<Eigen::MatrixXd> moves;
   Eigen::VectorXd f;
   double pressed = 0., left = 1.;
   // More than once where S is not exact enough.
   for (unsigned int n = 0; n < 5; ++n)
     {
-      f       = internal_forces(found.displacement, start + d, problem.force) - loaded;
-      left    = (rows * f).template lpNorm<1>();
-      pressed = 0.;
+      f = internal_forces(found.displacement, start + d, problem.force) - loaded;
+      const Eigen::VectorXd residual = rows * f;
+      left                           = residual.template lpNorm<1>();
+      pressed                        = 0.;
       for (std::size_t i = 0; i < nodes.size(); ++i)
         pressed += number(i, normal_axis) < 0 ? 0. : f[number(i, normal_axis)];
       if (left <= 0.1 * tolerance * pressed || free.empty() || n == 4)
         break;
-      d(free) -= moves.solve(Eigen::VectorXd((rows * f)(free)));
+      if (n == 0)
+        {
+          const Eigen::MatrixXd all = rows * S;
+          moves.compute(all(free, free));
+        }
+      const Eigen::VectorXd of_free = residual(free), step = moves.solve(of_free);
+      d(free) -= step;
     }
   found.residual = found.friction_change = left / pressed;
   bool holds                             = left <= tolerance * pressed;

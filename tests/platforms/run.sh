@@ -6,7 +6,7 @@
 # doc/platforms.md says what passed.
 set -euo pipefail
 cd "$(dirname "$(readlink -f "$0")")/../.."
-fail() { printf '%s: %s\n' "${0##*/}" "$*" >&2; exit 2; }
+. cmake/setup.sh # fail, and the Python that has numpy
 
 case ${1:-} in
   bookworm | trixie | sid) release=$1 suite=$1 ;;
@@ -57,7 +57,7 @@ fi
 # The programs built here, if there are any, give the results to compare with.
 if [ -z "$syntax" ] && [ -x build/applications/stress_localization ]; then
   rm -rf "$root/root/examples"
-  python3 -B tests/platforms/examples.py build/applications "$root/root/examples/other" &&
+  "$python" -B tests/platforms/examples.py build/applications "$root/root/examples/other" &&
     inside "python3 -B tests/platforms/examples.py build/applications ../examples/here --against ../examples/other" &&
     passed="${passed:+$passed, }$(ls "$root/root/examples/here" | wc -l) examples" || echo "the examples differ"
 fi

@@ -83,8 +83,6 @@ void assemble(const TestMesh<dim> &mesh,
               std::vector<double> &mass)
 {
   const bool simplices = mesh.cells[0].vertices.size() == dim + 1;
-  const auto shape =
-    dealii::ReferenceCell::n_vertices_to_type(dim, mesh.cells[0].vertices.size());
   const dealii::FE_Q<dim> fe_q(1);
   const dealii::FE_SimplexP<dim> fe_p(1);
   const dealii::FiniteElement<dim> &fe =
@@ -94,9 +92,12 @@ void assemble(const TestMesh<dim> &mesh,
   dealii::DoFHandler<dim> dofs(tria);
   dofs.distribute_dofs(fe);
   const dealii::MappingFE<dim> mapping(fe);
-  dealii::FEValues<dim> values(
-    mapping, fe, shape.template get_gauss_type_quadrature<dim>(2),
-    dealii::update_values | dealii::update_gradients | dealii::update_JxW_values);
+  const dealii::Quadrature<dim> quadrature =
+    simplices ? static_cast<dealii::Quadrature<dim>>(dealii::QGaussSimplex<dim>(2))
+              : static_cast<dealii::Quadrature<dim>>(dealii::QGauss<dim>(2));
+  dealii::FEValues<dim> values(mapping, fe, quadrature,
+                               dealii::update_values | dealii::update_gradients |
+                                 dealii::update_JxW_values);
   f.assign(u.size(), 0.);
   mass.assign(mesh.points.size(), 0.);
   for (const auto &cell : dofs.active_cell_iterators())

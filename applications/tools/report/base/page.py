@@ -117,7 +117,7 @@ class Page:
         stream = io.BytesIO()
         try:
             figure.set_dpi(170)
-            figure.canvas.print_png(stream)  # savefig() would lay it out and draw it twice
+            figure.canvas.print_png(stream, pil_kwargs={"compress_level": 3})  # savefig() would lay it out and draw it twice
             data = csv_of(figure)
         finally:
             plt.close(figure)
