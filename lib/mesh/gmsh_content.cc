@@ -2,6 +2,7 @@
 
 #include "base/errors.h"
 #include "mesh/gmsh/counts.h"
+#include "mesh/gmsh/session.h"
 
 #include <deal.II/base/exceptions.h>
 
@@ -19,25 +20,6 @@ namespace mesoslip
 {
 namespace
 {
-/** The Gmsh library between its start and its end, without output of its own. */
-class GmshLibrary
-{
-public:
-  GmshLibrary()
-  {
-    gmsh::initialize(0, nullptr, false);
-    gmsh::option::setNumber("General.Terminal", 0);
-  }
-
-  GmshLibrary(const GmshLibrary &)            = delete;
-  GmshLibrary &operator=(const GmshLibrary &) = delete;
-
-  ~GmshLibrary()
-  {
-    gmsh::finalize();
-  }
-};
-
 /** Cells of one kind in Gmsh and in deal.II. */
 struct CellKind
 {
@@ -264,7 +246,7 @@ GmshContent::GmshContent(const std::string &the_file, const unsigned int dim)
   const char *const advice = "; if it is whole, save the mesh again in Gmsh's format";
   try
     {
-      const GmshLibrary library;
+      const GmshSession library;
       const int d        = static_cast<int>(dim);
       const bool of_tags = merge(file, d);
       const auto content = [&](const int of, std::vector<std::string> &names) {

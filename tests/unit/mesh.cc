@@ -2,6 +2,7 @@
 #include "mesh/boundary.h"
 #include "mesh/boundary/open_seams.h"
 #include "mesh/cell_quality.h"
+#include "mesh/gmsh/session.h"
 #include "mesh/periodic_points.h"
 #include "mesh/read_gmsh.h"
 
@@ -12,6 +13,7 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <memory>
 #include <optional>
 #include <sstream>
 
@@ -51,8 +53,7 @@ void generate(const int dim,
               const bool binary    = false)
 {
   namespace occ = gmsh::model::occ;
-  gmsh::initialize(0, nullptr, false);
-  gmsh::option::setNumber("General.Terminal", 0);
+  const GmshSession session;
   const int box =
     dim == 2 ? occ::addRectangle(0, 0, 0, 1, 1) : occ::addBox(0, 0, 0, 1, 1, 1);
   const int ball = dim == 2 ? occ::addDisk(.5, .5, 0, radius, radius)
@@ -96,7 +97,6 @@ void generate(const int dim,
   gmsh::option::setNumber("Mesh.MshFileVersion", version);
   gmsh::option::setNumber("Mesh.Binary", binary);
   gmsh::write(file);
-  gmsh::finalize();
 }
 
 /** Number of edges of the fibre's polygon. */
@@ -410,8 +410,7 @@ TEST(Mesh, GroupsOfOneNameAreOne)
 
 TEST(Mesh, PartsMayBeInSeveralGroupsOfFaces)
 {
-  gmsh::initialize(0, nullptr, false);
-  gmsh::option::setNumber("General.Terminal", 0);
+  auto session = std::make_unique<GmshSession>();
   gmsh::model::occ::addRectangle(0, 0, 0, 1, 1);
   gmsh::model::occ::synchronize();
   name_group(2, {1}, "matrix");
@@ -423,7 +422,7 @@ TEST(Mesh, PartsMayBeInSeveralGroupsOfFaces)
       gmsh::option::setNumber("Mesh.MshFileVersion", version);
       gmsh::write(testing::TempDir() + std::to_string(version) + ".msh");
     }
-  gmsh::finalize();
+  session.reset();
   for (const double version : {4.1, 2.2})
     {
       const Mesh<2> mesh =
