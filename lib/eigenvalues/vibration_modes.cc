@@ -101,23 +101,19 @@ VibrationMode<dim> finish_mode(const Vector &eigenvector,
   return mode;
 }
 
-/** K^-1 where some eigenvectors, of a mass of one, are left out. */
+/** K^-1 times a scale where some eigenvectors, of a mass of one, are left out. */
 template <int dim>
-class InverseWithout
+struct InverseWithout
 {
-public:
-  InverseWithout(const InverseStiffness<dim> &inverse,
-                 const FreeDofs<dim> &dofs,
-                 const std::vector<Vector> &found)
-    : inverse(inverse)
-    , dofs(dofs)
-    , found(found)
-  {
-  }
+  const InverseStiffness<dim> &inverse;
+  const FreeDofs<dim> &dofs;
+  const std::vector<Vector> &found;
+  double scale = 1.; ///< 1/s^2
 
   void vmult(Vector &dst, const Vector &src) const
   {
     inverse.vmult(dst, src);
+    dst *= scale;
     remove(dst);
   }
 
@@ -128,18 +124,27 @@ public:
     for (const Vector &mode : found)
       x.add(-dofs.mass_product(mode, x), mode);
   }
-
-private:
-  const InverseStiffness<dim> &inverse;
-  const FreeDofs<dim> &dofs;
-  const std::vector<Vector> &found;
 };
 
-/** @p n eigenvectors of the lowest eigenvalues but those of @p found. */
+/** omega^2 of a vector. */
+template <int dim>
+double rayleigh_quotient(const Vector &x,
+                         const FreeDofs<dim> &dofs,
+                         const ElasticBody<dim> &body)
+{
+  NodalField<double> u = body.zero_field(), force = u;
+  dofs.scatter(u, x);
+  body.vmult(force, u);
+  Vector Ku = dofs.zero();
+  dofs.gather_forces(Ku, force);
+  return x * Ku / dofs.mass_product(x, x);
+}
+
+/** @p n eigenvectors of the lowest eigenvalues but those that @p inverse leaves out. */
 template <int dim>
 std::vector<Vector> lanczos(const FreeDofs<dim> &dofs,
-                            const InverseWithout<dim> &inverse,
-                            const MPI_Comm communicator,
+                            InverseWithout<dim> inverse,
+                            const ElasticBody<dim> &body,
                             const unsigned int n,
                             const double tolerance,
                             const unsigned int seed)
@@ -148,12 +153,16 @@ std::vector<Vector> lanczos(const FreeDofs<dim> &dofs,
   using dealii::PArpackSolver;
   const unsigned int n_lanczos =
     static_cast<unsigned int>(std::min<std::size_t>(2 * n + 10, dofs.size() - 1));
-  Vector start = dofs.zero();
+  const MPI_Comm communicator = body.communicator();
+  Vector start                = dofs.zero();
   std::mt19937 generator(seed + mpi::this_mpi_process(communicator));
   std::uniform_real_distribution<> number(-1., 1.);
   for (double &x : start)
     x = number(generator);
   inverse.remove(start);
+  // The tolerance of ARPACK is one of 1 / omega^2, but no less than one of eps^(2/3), in whatever unit:
+  // so omega^2 is taken in one of which none is much larger.
+  inverse.scale = rayleigh_quotient(start, dofs, body);
 
   std::vector<std::complex<double>> values(n);
   std::vector<Vector> vectors(n, start);
@@ -187,20 +196,6 @@ std::vector<Vector> lanczos(const FreeDofs<dim> &dofs,
   return vectors;
 }
 
-/** omega^2 of a vector. */
-template <int dim>
-double rayleigh_quotient(const Vector &x,
-                         const FreeDofs<dim> &dofs,
-                         const ElasticBody<dim> &body)
-{
-  NodalField<double> u = body.zero_field(), force = u;
-  dofs.scatter(u, x);
-  body.vmult(force, u);
-  Vector Ku = dofs.zero();
-  dofs.gather_forces(Ku, force);
-  return x * Ku / dofs.mass_product(x, x);
-}
-
 /**
  * The eigenvectors of the lowest eigenvalues, in no particular order. A Krylov space has one vector of
  * the several that belong to one eigenvalue, as of a square or a cylinder, and others by round-off only:
@@ -216,7 +211,7 @@ std::vector<Vector> lowest_eigenvectors(const FreeDofs<dim> &dofs,
   std::vector<Vector> found;
   std::vector<double> quotients; // of them, ascending
   const auto more = [&](const unsigned int n, const double tolerance) {
-    return lanczos<dim>(dofs, {inverse, dofs, found}, body.communicator(), n, tolerance,
+    return lanczos<dim>(dofs, {inverse, dofs, found}, body, n, tolerance,
                         static_cast<unsigned int>(1 + 1000 * found.size()));
   };
   const auto keep = [&](const std::vector<Vector> &vectors) {
