@@ -118,11 +118,18 @@ private:
     const bool periodic = std::count(parameters.conditions.begin(),
                                      parameters.conditions.end(), BoundaryCondition::PBC);
     for (const std::string &file : parameters.mesh.files)
-      {
-        volumes.push_back(
-          read_mesh<dim>(parameters.mesh, file, parameters.microstructure.phases));
-        require_volume(volumes.back().mesh, periodic);
-      }
+      try
+        {
+          volumes.push_back(
+            read_mesh<dim>(parameters.mesh, file, parameters.microstructure.phases));
+          require_volume(volumes.back().mesh, periodic);
+        }
+      catch (const UserError &e)
+        {
+          const std::string said = e.what();
+          const bool names_it    = said.find(file) != std::string::npos;
+          throw UserError(names_it ? said : file + " of " + said);
+        }
     sizes = {volumes[0].mesh.points.size(), volumes[0].mesh.cells.size()};
   }
 

@@ -294,12 +294,13 @@ Image whole_numbers(const std::string &path,
           std::fabs(value) <= std::numeric_limits<int>::max())
         image.values.push_back(static_cast<int>(value));
       else
-        throw UserError(path + " holds " + to_text(value) +
-                        ", but pictures are of whole numbers" +
-                        (std::fabs(value) > std::numeric_limits<int>::max()
-                           ? " that 32 bits hold; give the phases smaller ones"
-                           : "; scale its numbers, such as 0 to 1 to 0 to 255, round "
-                             "them and save them as whole ones"));
+        throw UserError(
+          path + " holds " + to_text(value) + ", but pictures are of whole numbers" +
+          (!std::isfinite(value) ? "; give such pixels the number of a phase"
+           : std::fabs(value) > std::numeric_limits<int>::max()
+             ? " that 32 bits hold; give the phases smaller ones"
+             : "; scale its numbers, such as 0 to 1 to 0 to 255, round "
+               "them and save them as whole ones"));
   return image;
 }
 
@@ -309,8 +310,9 @@ Image read_numpy(const std::string &path, const std::string &bytes)
   if (header.shape.size() == 3 && header.shape[2] == 1)
     header.shape.pop_back();
   if (header.shape.size() != 2 || header.size() == 0)
-    throw UserError(path + " is an array " + to_text(Shape(header.shape)) +
-                    ", but a picture is one of two axes, [row][column]");
+    throw UserError(
+      path + " is an array " + to_text(Shape(header.shape)) +
+      ", but a picture is one of two axes, [row][column], and has a pixel at least");
   const std::size_t height = header.shape[0], width = header.shape[1];
   std::vector<double> values =
     header.type.decode(&bytes[header.offset], header.size(), path);

@@ -93,7 +93,8 @@ void LocalizationInput<dim>::plan_probes(CellFinder<dim> &in_volume)
       if (std::find(available.begin(), available.end(), name) == available.end())
         throw UserError("Probes/Of the run names '" + name + "', but the probes of " +
                         run.path() + " are: " + to_text(available) +
-                        "; give its position under Probes/Further");
+                        (name == "all" ? "; 'all' stands alone"
+                                       : "; give its position under Probes/Further"));
       probes.push_back({{name, run.probe_position(name)}, true, 0, {}, {}});
     }
   for (const LocalizedProbe &probe : parameters.further_probes)

@@ -13,7 +13,7 @@ namespace
 {
 void bind_fibre_sizes(Keys &keys, FibrePlacement &placement)
 {
-  keys.bind("Seed", placement.seed, 0, std::numeric_limits<long>::max(),
+  keys.bind("Seed", placement.seed, 0, 1000000000000000000,
             "Start of the random numbers; the same seed gives the same morphology on "
             "every machine [-]");
   keys.bind("Fibre width", placement.width, Range::positive(),

@@ -83,7 +83,7 @@ void InclusionPlacement::bind(Keys &keys)
   keys.bind("Shape", shape, shape_names,
             "What the inclusions look like: spheres; ellipsoids; cylinders or bars of "
             "square cross section along Axis [-]");
-  keys.bind("Seed", seed, 0, std::numeric_limits<long>::max(),
+  keys.bind("Seed", seed, 0, 1000000000000000000,
             "Start of the random numbers; the same seed gives the same morphology [-]");
   keys.bind("Phase", phase,
             "Name of the phase of the inclusions; empty: the second of Phases/Names [-]");

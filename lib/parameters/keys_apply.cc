@@ -59,6 +59,10 @@ struct Declarations
   /** "there is no key 'Fracton' in 'Time step'; did you mean 'Fraction'?" */
   std::string unknown(const std::string &kind, const std::string &path) const
   {
+    if (path.empty() || path.front() == '/' || path.back() == '/' ||
+        path.find("//") != std::string::npos)
+      return in_quotes(path) +
+             " has a slash too many; sections and key are divided by one";
     const std::string section = parent_of(path), name = name_of(path);
     if (!has_section(section))
       return unknown("subsection", section);

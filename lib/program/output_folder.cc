@@ -167,6 +167,18 @@ std::string foreign_file(const std::string &folder)
   return "";
 }
 
+/** A folder in @p folder that has the name of a result; empty if there is none. */
+std::string folder_named_as_result(const std::string &folder)
+{
+  std::error_code ignored;
+  const auto is_folder = [&](const char *name) {
+    return fs::is_directory(folder + "/" + name, ignored);
+  };
+  const auto *paper  = std::find_if(papers.begin(), papers.end(), is_folder);
+  const auto *result = std::find_if(results.begin(), results.end(), is_folder);
+  return paper != papers.end() ? *paper : result != results.end() ? *result : "";
+}
+
 /** The folder itself, or the nearest one above that exists. */
 fs::path existing_part(const std::string &folder)
 {
@@ -210,6 +222,11 @@ void check_output_folder(const std::string &folder,
                     ", which those of " + kind.text() +
                     " would replace; choose another folder with --output, or remove "
                     "that one");
+  const std::string in_the_way = folder_named_as_result(folder);
+  if (!in_the_way.empty())
+    throw UserError("the output folder " + folder + " has a folder " + in_the_way +
+                    ", the name of a file that this run would write; choose another "
+                    "folder with --output, or rename that one");
   const std::string foreign = foreign_file(folder);
   if (!foreign.empty())
     throw UserError("the output folder " + folder + " holds " + foreign +

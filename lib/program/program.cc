@@ -18,6 +18,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <array>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -255,6 +256,13 @@ bool tells_of_itself(int argc, char **argv, const Application &program)
   require_printed();
   return true;
 }
+
+void require_current_folder()
+{
+  std::error_code code;
+  if (std::filesystem::current_path(code).empty())
+    throw UserError("the current folder is not there any more; change to another one");
+}
 } // namespace
 
 int run_program(int argc, char **argv, const Application &program)
@@ -268,10 +276,15 @@ int run_program(int argc, char **argv, const Application &program)
       Timer timer;
       std::optional<Timer::Scope> starting = timer.scope("Start of MPI");
       prepare_mpi_of_one_process();
-      // Without the words of the command line, as PETSc would tell of those that it does not know. Its destructor gives up when it
-      // sees an exception: none passes this line.
-      int one = 1;
-      dealii::Utilities::MPI::MPI_InitFinalize mpi(one, argv, 1);
+      require_current_folder();
+      // Without the words of the command line, as PETSc would tell of those that it does not know, and without its files and
+      // variables of options. Its destructor gives up when it sees an exception: none passes this line.
+      unsetenv("PETSC_OPTIONS");
+      std::string no_file         = "-skip_petscrc";
+      std::array<char *, 3> words = {{argv[0], no_file.data(), nullptr}};
+      int n_words                 = 2;
+      char **of_petsc             = words.data();
+      dealii::Utilities::MPI::MPI_InitFinalize mpi(n_words, of_petsc, 1);
       dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();
       // Of its own, so that concluding meets no message of ranks still at work.
       MPI_Comm concluding =

@@ -95,7 +95,10 @@ RunContext::RunContext(const std::string &program,
     fs::create_directories(output_folder(), code);
     if (code)
       throw UserError("the output folder " + output_folder() + " cannot be created (" +
-                      code.message() + ")");
+                      (fs::is_symlink(output_folder())
+                         ? "it is a link to what is not there"
+                         : code.message()) +
+                      "); give another one with --output");
     lock = std::make_unique<FolderLock>(output_folder());
     std::error_code ignored;
     fs::remove(file("terminate"), ignored);

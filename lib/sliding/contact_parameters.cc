@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <stdexcept>
 
 namespace mesoslip
@@ -38,11 +39,11 @@ void bind_body(Keys &keys, ContactParameters &p)
   keys.bind("Material", body.heterogeneous, {"homogeneous", "heterogeneous"},
             "One effective material, or every cell with the phase that it has in the RVE "
             "file");
-  keys.bind_input(
-    "RVE file", body.rve_file,
-    "Path of the rve.h5 of rve_homogenization from which the body takes its "
-    "materials, and its size and cells where these are empty; empty: the "
-    "material is that of Stiffness and Density");
+  keys.bind_input("RVE file", body.rve_file,
+                  "Path of the rve.h5 of rve_homogenization, or of its folder, from "
+                  "which the body takes its "
+                  "materials, and its size and cells where these are empty; empty: the "
+                  "material is that of Stiffness and Density");
   keys.bind("Stiffness from", body.stiffness_name,
             {"effective", "KUBC", "SUBC", "PBC", "MUBC"},
             "Boundary conditions of the homogenization whose stiffness in the RVE file a "
@@ -91,6 +92,9 @@ void bind_body(Keys &keys, ContactParameters &p)
                std::to_string(n) + " numbers found; give " +
                  (dim == 2 ? "D11, D12, D22, D33 or all six"
                            : "9 of an orthotropic material or all 21"));
+  std::error_code ignored;
+  if (std::filesystem::is_directory(body.rve_file, ignored))
+    body.rve_file = (std::filesystem::path(body.rve_file) / "rve.h5").string();
   const bool from_file = !body.rve_file.empty();
   keys.require(dim == 2 || p.mesh.is_given() || from_file ||
                  keys.is_typed("Body/Stiffness"),

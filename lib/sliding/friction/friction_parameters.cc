@@ -90,7 +90,7 @@ void FrictionParameters::make_slip_law(const Keys &keys, const Use &use, Frictio
   const auto require    = [&](const bool holds, const std::string &what) {
     keys.require(holds, key, "it is '" + keys.value(key) + "', " + what);
   };
-  const auto made = slip_law.make(keys, coefficient, use.dim);
+  const auto made = slip_law.make(coefficient, use.dim);
   SlipPoint at;
   at.pressure = use.pressure;
   if (use.in_time)

@@ -125,8 +125,8 @@ void SlipLawParameters::bind(Keys &keys)
                "it is empty; name the CSV file of Coefficient law = table");
 }
 
-std::shared_ptr<const SlipLaw>
-SlipLawParameters::make(const Keys &keys, const double reference, const unsigned int dim)
+std::shared_ptr<const SlipLaw> SlipLawParameters::make(const double reference,
+                                                       const unsigned int dim)
 {
   stribeck.at_rest = weakening.at_rest = state.reference = reference;
   weakening.kinetic                                      = stribeck.kinetic;
@@ -165,7 +165,7 @@ SlipLawParameters::make(const Keys &keys, const double reference, const unsigned
         }
       catch (const std::invalid_argument &e)
         {
-          throw UserError(keys.path("Coefficient expression") + ": " + e.what() +
+          throw UserError(std::string("Friction/Coefficient expression: ") + e.what() +
                           "; write for example 0.2 + 0.1*exp(-V/0.5)");
         }
     }

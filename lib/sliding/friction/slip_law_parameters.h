@@ -56,8 +56,7 @@ struct SlipLawParameters
    * The law with mu_s or f_0 = @p reference; null when it is constant. Reads a table on rank
    * 0. Collective. @throws UserError
    */
-  std::shared_ptr<const SlipLaw>
-  make(const Keys &keys, const double reference, const unsigned int dim);
+  std::shared_ptr<const SlipLaw> make(const double reference, const unsigned int dim);
 
   /** Name and all constants but mu_s or f_0, for comparisons: "Stribeck: mu_k = 0.2, ...";
    * call it after make(). */

@@ -130,15 +130,20 @@ std::string friction_remark(const TransientResult &run)
                           run.load_power, run.body.unit(" W"),
                           ", so that there is no load along the way of the flat to "
                           "relate the frictional power to");
-  const double largest = largest_coefficient(run);
-  if (std::fabs(run.mu_inter->value) <= (1. + tolerated_excess) * largest)
+  // As far as it is known.
+  const double largest = largest_coefficient(run),
+               least   = std::fabs(run.mu_inter->value) - run.mu_inter->half_width;
+  if (least <= (1. + tolerated_excess) * largest)
     return "";
+  const bool may_lag = run.parameters.contact.law.time > 0.;
   return brief_text(
     4, "mu_inter = ", run.mu_inter->value, " is above the largest friction coefficient, ",
     largest,
     ": the contact moves faster than the flat, whose velocity alone mu_inter takes into "
-    "account, or friction lags behind the pressure (Friction/Regularization time); it is "
-    "not a friction coefficient of this motion");
+    "account",
+    may_lag ? ", or friction lags behind the pressure (Friction/Regularization time)"
+            : "",
+    "; it is not a friction coefficient of this motion");
 }
 
 /** Friction that falls faster than the steps follow. */

@@ -159,6 +159,10 @@ def check_refusals(folder):
             text = folder.run(2, "rve_homogenization", "case.prm", option)
             assert all(word in text for word in words) and text.count("\n") == 1, (name, text)
     STRIPES.write(folder("mesh.msh"))
+    name, mesh, _ = next(iter(refused_meshes()))
+    mesh.write(folder("second.msh"))
+    text = folder.run(2, "rve_homogenization", "case.prm", "--validate", "--set=Mesh/File=mesh.msh, second.msh")
+    assert "second.msh" in text and "mesh.msh of" not in text, (name, text)
     for settings, words in [
             (["Mesh/Tolerance=1"], ["Mesh/Tolerance", "0.1"]), (["Mesh/Scale=1000"], None), (["Grid/Cells=3, 3"], ["Grid/Cells", "Mesh/File is given"]),
             (["Homogenization/Solver=jacobi"], ["Solver", "ml"]), (["Dimension=4"], ["Dimension"]), (["Mesh/Scale=0"], ["Scale"]),

@@ -1,16 +1,18 @@
 """What every program does with its command line, seen from the shell by a program without physics (io_program.cc)."""
 
 import os
+import subprocess
 import tempfile
 
-from scenes import Folder
+from scenes import ENVIRONMENT, PROGRAMS, Folder
 
 PROGRAM = "../tests/io_program"
 WRONG = [  # words of the command line, of the only sentence
     ("", "a parameter file (.prm) is needed; see --help"), ("no.prm", "there is no file no.prm"), (".", ". is a folder"),
     ("empty.prm", "empty.prm is empty"), ("--bogus a.prm", "'--bogus'"), ("a.prm b.prm", "'a.prm' and 'b.prm' are given"),
     ("bad.prm", "bad.prm:2: there is no subsection 'Tme step'"), ("in/b.prm --output file", "is not a folder; give another one"),
-    ("in/b.prm --output none --resume", "nothing to resume"),
+    ("in/b.prm --output none --resume", "nothing to resume"), ("in/b.prm --output link", "it is a link to what is not there"),
+    ("in/b.prm --set=/Input/Of=1", "'/Input/Of' has a slash too many"), ("in/b.prm --set=Input//Of=1", "'Input//Of' has a slash too many"),
     ("in/b.prm --set=Input/Image\0file=x.png", "Input/Image file: there is no file {}; draw one first")]
 BEHAVIOURS = [  # of the program, exit status, the only sentence or its beginning
     ("nan", 3, "summary.json: 'speed/mean' is not a finite number\n"),
@@ -31,6 +33,21 @@ def check_bad_input(folder):
         assert said.format(folder("x.png")) in err, (said, err)
     assert files_of(folder) == before, "bad input creates nothing"
     assert "memory 1 MB" in folder.run(0, PROGRAM, "a.prm", "--validate") and files_of(folder) == before
+
+
+def check_surroundings(folder):
+    """Options of PETSc, which deal.II starts, are not ours; a current folder may be gone."""
+    folder.write(".petscrc", "not an option")
+    environment = {**os.environ, "PETSC_OPTIONS": "-log_view"}
+    assert folder.run(0, PROGRAM, "a.prm", "-q", "-o", "quiet", env=environment) == ""
+    os.remove(folder(".petscrc"))
+    gone = folder("gone")
+    os.mkdir(gone)
+    program = os.path.join(PROGRAMS, PROGRAM)
+    done = subprocess.run(f"rmdir '{gone}' && exec '{program}' '{folder('a.prm')}' -o '{folder('res0')}'", shell=True, cwd=gone, text=True,
+                          stderr=subprocess.PIPE, env=ENVIRONMENT, check=False)
+    assert (done.returncode, done.stderr.splitlines()[-1]) == (2, "io_program: the current folder is not there any more; "
+                                                               "change to another one"), done
 
 
 def check_printed_parameters(folder):
@@ -85,7 +102,8 @@ def main():
                                "in/a": "set Dimension = 3 # odd   spacing \r\n", "in/b": "subsection Input\nset Image file = x.png\nend\n"})
         folder.write("in/x.png", "x")
         folder.write("file", "x")
-        for check in (check_bad_input, check_printed_parameters, check_papers, check_failures, check_ranks):
+        os.symlink("nowhere/at/all", folder("link"))
+        for check in (check_bad_input, check_surroundings, check_printed_parameters, check_papers, check_failures, check_ranks):
             check(folder)
 
 

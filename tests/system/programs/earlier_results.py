@@ -122,11 +122,10 @@ def check_numbers_that_do_not_fit(folder):
 
 def check_output_that_fails(folder):
     """What was computed is in the checkpoint: --resume writes it, the same as without the failure."""
-    os.mkdir(folder("late"))
-    os.mkdir(folder("late", "history.csv"))
+    os.makedirs(folder("late", "dynamics.xdmf"))
     said = folder.run(2, "contact_dynamics", "late")
-    assert "history.csv" in said and "--resume" in said, said
-    os.rmdir(folder("late", "history.csv"))
+    assert "dynamics.xdmf" in said and "--resume" in said, said
+    os.rmdir(folder("late", "dynamics.xdmf"))
     said = folder.run(0, "contact_dynamics", "late", "--resume")
     assert "Resumed at step" in said, said
     for name in ("history.csv", "energy.csv"):
@@ -233,6 +232,13 @@ def check_foreign_files(folder):
     folder.restore(path, good)
 
 
+def check_folder_in_the_way(folder):
+    os.makedirs(folder("way", "dynamics.h5"))
+    said = folder.run(2, "contact_dynamics", "way")
+    assert "has a folder dynamics.h5" in said, said
+    os.rmdir(folder("way", "dynamics.h5"))
+
+
 def check_damage(folder):
     """No byte that is lost or flipped passes in silence: a warning, a refusal, or (in what HDF5 itself reads) its end."""
     path, chance = folder("rve", "rve.h5"), random.Random(1)
@@ -319,7 +325,7 @@ def main():
     with tempfile.TemporaryDirectory() as path:
         folder = Folder(path, {"rve_homogenization": RVE, "contact_dynamics": CONTACT, "stress_localization": LOCALIZATION})
         for check in (check_failed_run, check_reuse, check_revision, check_numbers_that_do_not_fit, check_output_that_fails, check_changed_files,
-                      check_foreign_files, check_damage, check_other_loads, check_inputs_in_output):
+                      check_foreign_files, check_folder_in_the_way, check_damage, check_other_loads, check_inputs_in_output):
             check(folder)
 
 
