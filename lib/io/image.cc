@@ -299,8 +299,7 @@ Image whole_numbers(const std::string &path,
           (!std::isfinite(value) ? "; give such pixels the number of a phase"
            : std::fabs(value) > std::numeric_limits<int>::max()
              ? " that 32 bits hold; give the phases smaller ones"
-             : "; scale its numbers, such as 0 to 1 to 0 to 255, round "
-               "them and save them as whole ones"));
+             : "; scale its numbers, such as 0 to 1 to 0 to 255, and round them"));
   return image;
 }
 
@@ -310,9 +309,8 @@ Image read_numpy(const std::string &path, const std::string &bytes)
   if (header.shape.size() == 3 && header.shape[2] == 1)
     header.shape.pop_back();
   if (header.shape.size() != 2 || header.size() == 0)
-    throw UserError(
-      path + " is an array " + to_text(Shape(header.shape)) +
-      ", but a picture is one of two axes, [row][column], and has a pixel at least");
+    throw UserError(path + " is an array " + to_text(Shape(header.shape)) +
+                    ", but a picture is one of two axes, [row][column], with pixels");
   const std::size_t height = header.shape[0], width = header.shape[1];
   std::vector<double> values =
     header.type.decode(&bytes[header.offset], header.size(), path);

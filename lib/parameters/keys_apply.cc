@@ -59,10 +59,8 @@ struct Declarations
   /** "there is no key 'Fracton' in 'Time step'; did you mean 'Fraction'?" */
   std::string unknown(const std::string &kind, const std::string &path) const
   {
-    if (path.empty() || path.front() == '/' || path.back() == '/' ||
-        path.find("//") != std::string::npos)
-      return in_quotes(path) +
-             " has a slash too many; sections and key are divided by one";
+    if (("/" + path + "/").find("//") != std::string::npos)
+      return in_quotes(path) + " has a slash too many";
     const std::string section = parent_of(path), name = name_of(path);
     if (!has_section(section))
       return unknown("subsection", section);
@@ -82,9 +80,7 @@ struct Declarations
              in_quotes(section);
     if (!meant.empty())
       return start + "did you mean " + in_quotes(meant) + "?";
-    if (siblings.empty())
-      return start + "there are no " + kind + "s here, see --print-parameters";
-    if (siblings.size() > 12)
+    if (siblings.empty() || siblings.size() > 12)
       return start + "see --print-parameters";
     return start + "the " + kind + "s here are " + to_text(siblings) +
            (kind == "key" ? ""

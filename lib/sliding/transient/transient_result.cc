@@ -32,8 +32,7 @@ double mean(const std::vector<double> &values)
          static_cast<double>(values.size());
 }
 
-/** Share of the motion's variance that is within the values of the series, whose mean
- * they are. */
+/** Share of the motion's variance that is within the values of the series, means of it. */
 double share_within(const std::vector<double> &means,
                     const std::vector<double> &variances_within)
 {
@@ -109,55 +108,51 @@ std::string steady_part_remark(const TransientResult &run)
 /** Of all nodes; of a law that varies up to twice the speed of the flat. */
 double largest_coefficient(const TransientResult &run)
 {
-  const std::vector<double> &of_nodes = run.body.friction;
-  const double largest   = *std::max_element(of_nodes.begin(), of_nodes.end());
+  const double of_nodes  = largest(run.body.friction);
   const FrictionLaw &law = run.parameters.contact.law;
   const double speed     = std::fabs(run.parameters.contact.flat_velocity.amplitude());
   if (!law.slip_law)
-    return largest;
-  const double factor = law.reference > 0. ? largest / law.reference : 1.;
+    return of_nodes;
+  const double factor = law.reference > 0. ? of_nodes / law.reference : 1.;
   return factor * law.slip_law->largest(2. * speed);
 }
 
 std::string friction_remark(const TransientResult &run)
 {
+  if (!run.mu_inter && run.load_meaning.empty())
+    return "";
   if (!run.mu_inter)
-    return run.load_meaning.empty()
-             ? ""
-             : brief_text(4,
-                          "mu_inter is left out: the mean of F_N |V| in the steady part "
-                          "is ",
-                          run.load_power, run.body.unit(" W"),
-                          ", so that there is no load along the way of the flat to "
-                          "relate the frictional power to");
-  // As far as it is known.
+    return brief_text(
+      4, "mu_inter is left out: the mean of F_N |V| in the steady part is ",
+      run.load_power, run.body.unit(" W"),
+      ", so that there is no load along the way of the flat to relate it to");
   const double largest = largest_coefficient(run),
                least   = std::fabs(run.mu_inter->value) - run.mu_inter->half_width;
   if (least <= (1. + tolerated_excess) * largest)
     return "";
-  const bool may_lag = run.parameters.contact.law.time > 0.;
   return brief_text(
     4, "mu_inter = ", run.mu_inter->value, " is above the largest friction coefficient, ",
     largest,
     ": the contact moves faster than the flat, whose velocity alone mu_inter takes into "
     "account",
-    may_lag ? ", or friction lags behind the pressure (Friction/Regularization time)"
-            : "",
+    run.parameters.contact.law.time > 0.
+      ? ", or friction lags behind the pressure (Friction/Regularization time)"
+      : "",
     "; it is not a friction coefficient of this motion");
 }
 
 /** Friction that falls faster than the steps follow. */
 std::string weakening_remark(const TransientResult &run)
 {
-  return !(run.largest_weakening >= 1.)
-           ? ""
-           : brief_text(
-               3, "friction fell up to ", run.largest_weakening,
-               " times as fast with slip rate or slip as the mass of a contact "
-               "node can resist within a time step: where it did, slip began with a "
-               "jump that depends on grid and step; a larger critical velocity or "
-               "slip of Friction/Coefficient law, a finer grid with its shorter "
-               "step, or a lower pressure avoid that");
+  if (!(run.largest_weakening >= 1.))
+    return "";
+  return brief_text(
+    3, "friction fell up to ", run.largest_weakening,
+    " times as fast with slip rate or slip as the mass of a contact node can resist "
+    "within "
+    "a time step: where it did, slip began with a jump that depends on grid and step; a "
+    "larger critical velocity or slip of Friction/Coefficient law, a finer grid with its "
+    "shorter step, or a lower pressure avoid that");
 }
 
 /** Frequencies that the samples of the statistics cannot tell. */
