@@ -35,10 +35,10 @@ void start_petsc()
 class Placed
 {
 public:
-  Placed(Vec the_vec, const DistributedVector &vector)
+  Placed(Vec the_vec, const double *numbers)
     : vec(the_vec)
   {
-    require(VecPlaceArray(vec, vector.begin()));
+    require(VecPlaceArray(vec, numbers));
   }
   Placed(const Placed &)            = delete;
   Placed &operator=(const Placed &) = delete;
@@ -159,7 +159,7 @@ void DistributedMatrix::copy_without(const DistributedMatrix &other,
   require(MatGetOwnershipRange(matrix, &begin, nullptr));
   DistributedVector diagonal(fixed.size());
   {
-    const Placed placed(library->x, diagonal);
+    const Placed placed(library->x, diagonal.begin());
     require(MatGetDiagonal(matrix, library->x));
   }
   std::vector<PetscInt> rows;
@@ -177,7 +177,7 @@ void DistributedMatrix::copy_without(const DistributedMatrix &other,
 
 void DistributedMatrix::vmult(Vector &y, const Vector &x) const
 {
-  const Placed from(library->x, x), to(library->y, y);
+  const Placed from(library->x, x.begin()), to(library->y, y.begin());
   require(MatMult(library->matrix, library->x, library->y));
 }
 
@@ -270,7 +270,7 @@ void AlgebraicMultigrid::initialize(const DistributedMatrix &matrix,
 
 void AlgebraicMultigrid::vmult(Vector &y, const Vector &x) const
 {
-  const Placed from(library->of->x, x), to(library->of->y, y);
+  const Placed from(library->of->x, x.begin()), to(library->of->y, y.begin());
   require(PCApply(library->gamg, library->of->x, library->of->y));
 }
 } // namespace mesoslip
