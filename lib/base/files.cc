@@ -79,6 +79,14 @@ void require_readable_file(const std::string &what,
     throw UserError(what + path + " cannot be read (" + system_message() + ")" + after);
 }
 
+std::string file_or_in_folder(const std::string &path, const std::string &name)
+{
+  std::error_code ignored;
+  return std::filesystem::is_directory(path, ignored)
+           ? (std::filesystem::path(path) / name).string()
+           : path;
+}
+
 std::string read_file(const std::string &path)
 {
   require_readable_file("", path);

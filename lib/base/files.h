@@ -11,6 +11,9 @@ void require_readable_file(const std::string &what,
                            const std::string &path,
                            const std::string &hint = "");
 
+/** @p path, or the file @p name in it where it is a folder. */
+std::string file_or_in_folder(const std::string &path, const std::string &name);
+
 /** All bytes of a file. @throws UserError beginning with the path. */
 std::string read_file(const std::string &path);
 

@@ -1,10 +1,10 @@
 #include "localization/localization_parameters.h"
 
 #include "base/errors.h"
+#include "base/files.h"
 #include "parameters/keys.h"
 
 #include <algorithm>
-#include <filesystem>
 
 namespace mesoslip
 {
@@ -113,9 +113,7 @@ void check_input(std::string &path,
 {
   if (path.empty())
     throw UserError("Input/" + key + " is empty; give a " + name + " (" + hint + ")");
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored))
-    path = (std::filesystem::path(path) / name).string();
+  path = file_or_in_folder(path, name);
   require_readable_file("'Input/" + key + "': ", path, hint);
 }
 } // namespace

@@ -5,7 +5,6 @@
 #include "parameters/keys.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace mesoslip
 {
@@ -13,7 +12,7 @@ namespace
 {
 void bind_fibre_sizes(Keys &keys, FibrePlacement &placement)
 {
-  keys.bind("Seed", placement.seed, 0, 1000000000000000000,
+  keys.bind("Seed", placement.seed, 0, largest_seed,
             "Start of the random numbers; the same seed gives the same morphology on "
             "every machine [-]");
   keys.bind("Fibre width", placement.width, Range::positive(),

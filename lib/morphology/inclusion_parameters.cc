@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
 namespace mesoslip
 {
@@ -83,7 +82,7 @@ void InclusionPlacement::bind(Keys &keys)
   keys.bind("Shape", shape, shape_names,
             "What the inclusions look like: spheres; ellipsoids; cylinders or bars of "
             "square cross section along Axis [-]");
-  keys.bind("Seed", seed, 0, 1000000000000000000,
+  keys.bind("Seed", seed, 0, largest_seed,
             "Start of the random numbers; the same seed gives the same morphology [-]");
   keys.bind("Phase", phase,
             "Name of the phase of the inclusions; empty: the second of Phases/Names [-]");

@@ -9,6 +9,9 @@
 
 namespace mesoslip
 {
+/** Of a .prm; the members of an ensemble have those that follow. */
+constexpr long largest_seed = 1000000000000000000;
+
 /**
  * Random numbers that are the same on every machine. The standard fixes the mersenne
  * twister but not the distributions, so the mapping to numbers is our own.

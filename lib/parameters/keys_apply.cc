@@ -1,5 +1,6 @@
 #include "base/errors.h"
 #include "base/text.h"
+#include "parameters/declarations.h"
 #include "parameters/keys.h"
 
 #include <deal.II/base/utilities.h>
@@ -19,77 +20,6 @@ namespace mesoslip
 namespace
 {
 namespace fs = std::filesystem;
-
-std::string in_quotes(const std::string &text)
-{
-  return "'" + text + "'";
-}
-
-std::string parent_of(const std::string &path)
-{
-  const auto slash = path.rfind('/');
-  return slash == std::string::npos ? "" : path.substr(0, slash);
-}
-
-std::string name_of(const std::string &path)
-{
-  return path.substr(path.rfind('/') + 1);
-}
-
-/** The keys and subsections that are declared, and what to say of one that is not. */
-struct Declarations
-{
-  explicit Declarations(const std::vector<Key> &all_keys)
-  {
-    for (const Key &key : all_keys)
-      {
-        keys.push_back(key.path());
-        for (std::string s = key.section; !s.empty(); s = parent_of(s))
-          sections.push_back(s);
-      }
-    std::sort(sections.begin(), sections.end());
-    sections.erase(std::unique(sections.begin(), sections.end()), sections.end());
-  }
-
-  bool has_section(const std::string &path) const
-  {
-    return path.empty() || std::binary_search(sections.begin(), sections.end(), path);
-  }
-
-  /** "there is no key 'Fracton' in 'Time step'; did you mean 'Fraction'?" */
-  std::string unknown(const std::string &kind, const std::string &path) const
-  {
-    if (("/" + path + "/").find("//") != std::string::npos)
-      return in_quotes(path) + " has a slash too many";
-    const std::string section = parent_of(path), name = name_of(path);
-    if (!has_section(section))
-      return unknown("subsection", section);
-    std::vector<std::string> siblings, elsewhere;
-    for (const std::string &other : kind == "key" ? keys : sections)
-      if (parent_of(other) == section)
-        siblings.push_back(name_of(other));
-      else if (name_of(other) == name)
-        elsewhere.push_back(other);
-    const std::string start =
-      "there is no " + kind + " " + in_quotes(name) +
-      (section.empty() ? " at the top level" : " in " + in_quotes(section)) + "; ";
-    const std::string meant =
-      !elsewhere.empty() ? elsewhere.front() : nearest_word(name, siblings);
-    if (meant == name)
-      return start + "it stands at the top level, behind an 'end' of " +
-             in_quotes(section);
-    if (!meant.empty())
-      return start + "did you mean " + in_quotes(meant) + "?";
-    if (siblings.empty() || siblings.size() > 12)
-      return start + "see --print-parameters";
-    return start + "the " + kind + "s here are " + to_text(siblings) +
-           (kind == "key" ? ""
-                          : "; if it has the name of a phase or a probe, add that to "
-                            "Phases/Names or Observation/Probes");
-  }
-
-  std::vector<std::string> keys, sections;
-};
 
 /** "1e-4, 2" and "0.0001,2.0" are one value, "yes" and "true" as well. */
 bool same_value(const std::string &a, const std::string &b)

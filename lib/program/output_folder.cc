@@ -148,35 +148,32 @@ bool is_draft(const std::string &path)
     }
 }
 
-/** A file that a run replaces in @p folder although none has been there; empty if there is none. */
-std::string foreign_file(const std::string &folder)
+/** An entry of @p folder with the name of a file that runs write and for which is_meant(entry) holds; empty if there is none. */
+template <typename Predicate>
+std::string named_as_output(const std::string &folder, const Predicate &is_meant)
 {
-  const auto run = kind_in_parameters(folder + "/parameters.prm");
-  if (run && run->is_told)
-    return "";
   std::error_code ignored;
   for (const fs::directory_entry &entry : fs::directory_iterator(folder, ignored))
     {
       const std::string name = entry.path().filename().string();
-      if (entry.is_regular_file(ignored) &&
-          (std::find(papers.begin(), papers.end(), name) != papers.end() ||
+      if ((std::find(papers.begin(), papers.end(), name) != papers.end() ||
            std::find(results.begin(), results.end(), name) != results.end()) &&
-          !is_draft(entry.path().string()))
+          is_meant(entry))
         return name;
     }
   return "";
 }
 
-/** A folder in @p folder that has the name of a result; empty if there is none. */
-std::string folder_named_as_result(const std::string &folder)
+/** A file that a run replaces in @p folder although none has been there; empty if there is none. */
+std::string foreign_file(const std::string &folder)
 {
-  std::error_code ignored;
-  const auto is_folder = [&](const char *name) {
-    return fs::is_directory(folder + "/" + name, ignored);
-  };
-  const auto *paper  = std::find_if(papers.begin(), papers.end(), is_folder);
-  const auto *result = std::find_if(results.begin(), results.end(), is_folder);
-  return paper != papers.end() ? *paper : result != results.end() ? *result : "";
+  const auto run = kind_in_parameters(folder + "/parameters.prm");
+  return run && run->is_told
+           ? ""
+           : named_as_output(folder, [](const fs::directory_entry &entry) {
+               std::error_code ignored;
+               return entry.is_regular_file(ignored) && !is_draft(entry.path().string());
+             });
 }
 
 /** The folder itself, or the nearest one above that exists. */
@@ -222,7 +219,11 @@ void check_output_folder(const std::string &folder,
                     ", which those of " + kind.text() +
                     " would replace; choose another folder with --output, or remove "
                     "that one");
-  const std::string in_the_way = folder_named_as_result(folder);
+  const std::string in_the_way =
+    named_as_output(folder, [](const fs::directory_entry &entry) {
+      std::error_code ignored;
+      return entry.is_directory(ignored);
+    });
   if (!in_the_way.empty())
     throw UserError("the output folder " + folder + " has a folder " + in_the_way +
                     ", the name of a file that this run would write; choose another "

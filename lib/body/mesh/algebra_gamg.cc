@@ -31,7 +31,7 @@ void start_petsc()
     require(PetscInitializeNoArguments());
 }
 
-/** Numbers of PETSc that lie in vectors of deal.II while it is there. */
+/** While it is there, a vector of PETSc has the numbers of one of deal.II. */
 class Placed
 {
 public:
@@ -55,7 +55,7 @@ private:
 struct DistributedMatrix::Library
 {
   Mat matrix = nullptr;
-  Vec x = nullptr, y = nullptr; ///< without numbers of their own
+  Vec x = nullptr, y = nullptr; ///< for products, see Placed
 
   Library()                           = default;
   Library(const Library &)            = delete;
@@ -72,22 +72,12 @@ struct DistributedMatrix::Library
     MatDestroy(&matrix);
   }
 
-  void make_vectors()
+  /** What a new matrix has. */
+  void set_up()
   {
-    const auto make = [&](Vec &vector) {
-      PetscInt n = 0, all = 0, block = 0;
-      require(MatGetLocalSize(matrix, &n, nullptr));
-      require(MatGetSize(matrix, &all, nullptr));
-      require(MatGetBlockSize(matrix, &block));
-      const MPI_Comm ranks = PetscObjectComm(reinterpret_cast<PetscObject>(matrix));
-      int n_ranks          = 1;
-      MPI_Comm_size(ranks, &n_ranks);
-      require(n_ranks == 1
-                ? VecCreateSeqWithArray(ranks, block, n, nullptr, &vector)
-                : VecCreateMPIWithArray(ranks, block, n, all, nullptr, &vector));
-    };
-    make(x);
-    make(y);
+    require(MatSetOption(matrix, MAT_SPD, PETSC_TRUE));
+    require(MatSetOption(matrix, MAT_KEEP_NONZERO_PATTERN, PETSC_TRUE));
+    require(MatCreateVecs(matrix, &x, &y));
   }
 };
 
@@ -125,9 +115,7 @@ void DistributedMatrix::reinit(const dealii::IndexSet &owned,
   // One of them is meant, the other one does nothing.
   require(MatSeqAIJSetPreallocation(matrix, 0, inside.data()));
   require(MatMPIAIJSetPreallocation(matrix, 0, inside.data(), 0, outside.data()));
-  require(MatSetOption(matrix, MAT_SPD, PETSC_TRUE));
-  require(MatSetOption(matrix, MAT_KEEP_NONZERO_PATTERN, PETSC_TRUE));
-  library->make_vectors();
+  library->set_up();
 }
 
 void DistributedMatrix::add(const Index row,
@@ -152,27 +140,17 @@ void DistributedMatrix::copy_without(const DistributedMatrix &other,
   library->clear();
   Mat &matrix = library->matrix;
   require(MatDuplicate(other.library->matrix, MAT_COPY_VALUES, &matrix));
-  require(MatSetOption(matrix, MAT_SPD, PETSC_TRUE));
-  require(MatSetOption(matrix, MAT_KEEP_NONZERO_PATTERN, PETSC_TRUE));
-  library->make_vectors();
+  library->set_up();
   PetscInt begin = 0;
   require(MatGetOwnershipRange(matrix, &begin, nullptr));
-  DistributedVector diagonal(fixed.size());
-  {
-    const Placed placed(library->x, diagonal.begin());
-    require(MatGetDiagonal(matrix, library->x));
-  }
+  require(MatGetDiagonal(matrix, library->x));
   std::vector<PetscInt> rows;
   for (std::size_t k = 0; k < fixed.size(); ++k)
     if (fixed[k])
       rows.push_back(begin + static_cast<PetscInt>(k));
   require(MatZeroRowsColumns(matrix, static_cast<PetscInt>(rows.size()), rows.data(), 0.,
                              nullptr, nullptr));
-  for (const PetscInt row : rows)
-    require(MatSetValue(matrix, row, row,
-                        diagonal.local_element(static_cast<unsigned int>(row - begin)),
-                        INSERT_VALUES));
-  compress();
+  require(MatDiagonalSet(matrix, library->x, INSERT_VALUES));
 }
 
 void DistributedMatrix::vmult(Vector &y, const Vector &x) const
@@ -253,7 +231,6 @@ const char *AlgebraicMultigrid::name()
 }
 
 void AlgebraicMultigrid::initialize(const DistributedMatrix &matrix,
-                                    const unsigned int /*dim*/,
                                     const std::vector<Vector> &near_null_space)
 {
   library     = std::make_unique<Library>();

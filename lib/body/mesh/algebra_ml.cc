@@ -16,6 +16,7 @@ namespace mesoslip
 struct DistributedMatrix::Library
 {
   dealii::TrilinosWrappers::SparseMatrix matrix;
+  unsigned int n_components = 0; ///< of a node
 };
 
 DistributedMatrix::DistributedMatrix()
@@ -27,7 +28,7 @@ DistributedMatrix::~DistributedMatrix() = default;
 
 void DistributedMatrix::reinit(const dealii::IndexSet &owned,
                                dealii::DynamicSparsityPattern &entries,
-                               const unsigned int /*n_components*/,
+                               const unsigned int n_components,
                                const MPI_Comm communicator)
 {
   const dealii::IndexSet &rows = entries.row_index_set();
@@ -42,6 +43,7 @@ void DistributedMatrix::reinit(const dealii::IndexSet &owned,
     }
   pattern.compress();
   library->matrix.reinit(pattern);
+  library->n_components = n_components;
 }
 
 void DistributedMatrix::add(const Index row,
@@ -62,6 +64,7 @@ void DistributedMatrix::copy_without(const DistributedMatrix &other,
                                      const std::vector<bool> &fixed)
 {
   library->matrix.copy_from(other.library->matrix);
+  library->n_components          = other.library->n_components;
   const Epetra_CrsMatrix &epetra = library->matrix.trilinos_matrix();
   Epetra_Vector of_rows(epetra.RowMap()), of_columns(epetra.ColMap());
   for (std::size_t k = 0; k < fixed.size(); ++k)
@@ -134,7 +137,6 @@ void AlgebraicMultigrid::vmult(Vector &y, const Vector &x) const
 }
 
 void AlgebraicMultigrid::initialize(const DistributedMatrix &matrix,
-                                    const unsigned int dim,
                                     const std::vector<Vector> &near_null_space)
 {
   std::vector<double> &null_space = library->null_space;
@@ -147,7 +149,7 @@ void AlgebraicMultigrid::initialize(const DistributedMatrix &matrix,
   // W cycles: iterations hardly grow with the mesh; V cycles took 1.5 to 2.2 times as many in
   // 2D, in about the same time.
   parameters.set("prec type", "MGW");
-  parameters.set("PDE equations", static_cast<int>(dim));
+  parameters.set("PDE equations", static_cast<int>(matrix.native().n_components));
   parameters.set("smoother: type", "Chebyshev");
   parameters.set("smoother: sweeps", 2);
   parameters.set("coarse: type", "Amesos-KLU");

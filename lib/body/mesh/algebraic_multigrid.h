@@ -6,7 +6,7 @@
 namespace mesoslip
 {
 /**
- * Smoothed aggregation for a stiffness matrix with dim degrees of freedom a node, one after the
+ * Smoothed aggregation for a stiffness matrix with some degrees of freedom a node, one after the
  * other: ML of Trilinos, or GAMG of PETSc, as CMake was told (MESOSLIP_MULTIGRID). Coarse spaces
  * contain @p near_null_space, the rigid motions (zero where degrees of freedom are fixed): with
  * these the number of iterations grows slowly with the size of the mesh, without them as fast as
@@ -25,7 +25,6 @@ public:
 
   /** Sets it up anew. */
   void initialize(const DistributedMatrix &matrix,
-                  const unsigned int dim,
                   const std::vector<Vector> &near_null_space);
 
   /** y = P^-1 x. */

@@ -21,8 +21,9 @@ using DistributedVector = dealii::LinearAlgebra::distributed::Vector<double>;
 class DistributedMatrix
 {
 public:
-  using Index  = dealii::types::global_dof_index; ///< of a row or column
-  using Vector = DistributedVector; ///< its columns are those that a rank owns
+  using Index =
+    dealii::types::global_dof_index; ///< number of a row or column in the whole matrix
+  using Vector = DistributedVector;  ///< each rank has at least the numbers of its rows
 
   DistributedMatrix();
   ~DistributedMatrix();

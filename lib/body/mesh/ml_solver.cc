@@ -162,7 +162,7 @@ void MlSolver<dim>::set_up_preconditioner()
       rigid.push_back(discretization.to_vector(field));
       clear_fixed(rigid.back());
     }
-  preconditioner.initialize(constrained, dim, rigid);
+  preconditioner.initialize(constrained, rigid);
 }
 
 template <int dim>

@@ -7,8 +7,8 @@
 namespace mesoslip
 {
 /**
- * Conjugate gradients of deal.II with algebraic multigrid, which is told the rigid motions. Distributed over the ranks of the discretization; all calls are
- * collective.
+ * Conjugate gradients of deal.II with algebraic multigrid, which is told the rigid motions.
+ * Distributed over the ranks of the discretization; all calls are collective.
  */
 template <int dim>
 class MlSolver : public StaticSolver

@@ -213,7 +213,7 @@ VolumeSums<dim> MeshVolume<dim>::solve(const BoundaryCondition wanted,
           assemble();
           if (condition == BoundaryCondition::SUBC)
             add_tractions();
-          preconditioner.initialize(matrix, dim, rigid_motions());
+          preconditioner.initialize(matrix, rigid_motions());
         }
       reports[k] = solve_case(k, tolerance);
       if (case_done)

@@ -74,7 +74,8 @@ private:
    *  b as the latter is divided. */
   std::size_t first_whole = 0;
   VoxelField<float> part_x, part_b;
-  Eigen::MatrixXd bottom, bottom_inverse; ///< of the coarsest grid
+  Eigen::MatrixXd bottom; ///< stiffness of the coarsest grid, without holds and springs
+  Eigen::MatrixXd bottom_inverse; ///< its pseudo-inverse with them
 };
 } // namespace mesoslip::voxel
 

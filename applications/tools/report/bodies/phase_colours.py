@@ -21,6 +21,7 @@ def origin(run):
     made = own.get("Body/RVE file")
     if not made:
         return own
+    made = made if made.endswith(".h5") else os.path.join(made, "rve.h5")  # or its folder
     beside = [os.path.dirname(os.path.join(os.path.abspath(run.folder), *up, made)) for up in ([".."], [])]
     beside.append(os.path.join(run.folder, "..", os.path.basename(os.path.dirname(made))))  # results that were moved together
     return next((read for read in map(settings, beside) if read), own)
