@@ -92,7 +92,7 @@ void bind_body(Keys &keys, ContactParameters &p)
                std::to_string(n) + " numbers found; give " +
                  (dim == 2 ? "D11, D12, D22, D33 or all six"
                            : "9 of an orthotropic material or all 21"));
-  body.rve_file = file_or_in_folder(body.rve_file, "rve.h5");
+  body.rve_file        = file_or_in_folder(body.rve_file, "rve.h5");
   const bool from_file = !body.rve_file.empty();
   keys.require(dim == 2 || p.mesh.is_given() || from_file ||
                  keys.is_typed("Body/Stiffness"),

@@ -55,7 +55,7 @@ void log_modes(const ModalCase<dim> &c, RunContext &context)
        ? "; " + std::to_string(all.n_rigid_motions) + " rigid motions at 0 Hz not listed"
        : ""));
   for (std::size_t k = 0; k < all.modes.size(); ++k)
-    context.log(brief_text(3, "  mode ", k + 1, std::fixed, std::setw(10),
+    context.log(brief_text(3, "  mode ", k + 1, " ", std::fixed, std::setw(9),
                            1e-3 * all.modes[k].frequency, " kHz"));
 }
 
