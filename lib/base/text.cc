@@ -29,6 +29,13 @@ bool parse_number(const std::string &text, double &value)
   return parse_all(text, value) && std::isfinite(value);
 }
 
+bool has_usable_size(const double value)
+{
+  constexpr double smallest = 1e-100, largest = 1e100;
+  const double size = std::fabs(value);
+  return size == 0. || (size >= smallest && size <= largest);
+}
+
 bool parse_number(const std::string &text, long &value)
 {
   return parse_all(text, value);

@@ -13,6 +13,13 @@ bool parse_number(const std::string &text, double &value);
 /** As above for whole numbers that fit. */
 bool parse_number(const std::string &text, long &value);
 
+/** Whether @p value is 0 or from 1e-100 to 1e100 in size, so that squares and products with what
+ * bodies have neither vanish nor overflow. */
+bool has_usable_size(const double value);
+
+/** How a sentence about another number goes on. */
+constexpr const char *usable_sizes = "numbers are 0, or from 1e-100 to 1e100 in size";
+
 /** Without the mark that some editors put in front of UTF-8, and with a line feed at the
  * end of each line, also where it was a carriage return or both. */
 std::string plain_lines(const std::string &text);

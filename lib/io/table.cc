@@ -190,6 +190,9 @@ std::vector<double> CsvTable::numbers(const std::string &heading) const
       if (!parse_number(text, values[row]))
         fail(row, "column '" + heading + "' holds '" + cells[row][index] +
                     "', which is not a finite number");
+      if (!has_usable_size(values[row]))
+        fail(row, "column '" + heading + "' holds '" + cells[row][index] + "'; " +
+                    usable_sizes);
     }
   return values;
 }

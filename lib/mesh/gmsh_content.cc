@@ -1,6 +1,7 @@
 #include "mesh/gmsh_content.h"
 
 #include "base/errors.h"
+#include "mesh/gmsh/cell_kinds.h"
 #include "mesh/gmsh/counts.h"
 #include "mesh/gmsh/session.h"
 
@@ -20,66 +21,6 @@ namespace mesoslip
 {
 namespace
 {
-/** Cells of one kind in Gmsh and in deal.II. */
-struct CellKind
-{
-  int gmsh_type;                    ///< as in the file
-  std::vector<unsigned int> corner; ///< of Gmsh, in the order of deal.II
-};
-
-const std::vector<CellKind> cell_kinds = {
-  {15, {0}},         {1, {0, 1}},       {2, {0, 1, 2}},
-  {3, {0, 1, 3, 2}}, {4, {0, 1, 2, 3}}, {5, {0, 1, 3, 2, 4, 5, 7, 6}}};
-
-const CellKind &kind_of(const int type, const std::string &file)
-{
-  for (const CellKind &kind : cell_kinds)
-    if (kind.gmsh_type == type)
-      return kind;
-  std::string name;
-  int d = 0, order = 0, n = 0, n_primary = 0;
-  std::vector<double> local;
-  gmsh::model::mesh::getElementProperties(type, name, d, order, n, local, n_primary);
-  throw UserError(file + " has cells of the kind '" + name + "'; " +
-                  (order > 1 ? "set Mesh.ElementOrder = 1 in Gmsh"
-                             : "mesoslip reads triangles and quadrilaterals, "
-                               "tetrahedra or hexahedra"));
-}
-
-/** Cells of dimension @p d, 2 or 3, that the library holds. */
-std::size_t n_cells(const unsigned int d)
-{
-  const std::vector<std::string> of_dimension[] = {
-    {"Triangles", "Quadrangles"},
-    {"Tetrahedra", "Hexahedra", "Prisms", "Pyramids", "Trihedra"}};
-  std::size_t n = 0;
-  for (const std::string &kind : of_dimension[d - 2])
-    {
-      double of_kind = 0.;
-      gmsh::option::getNumber("Mesh.Nb" + kind, of_kind);
-      n += static_cast<std::size_t>(of_kind);
-    }
-  return n;
-}
-
-/** Throws unless the mesh has cells of dimension @p d, none of a higher one, and each
- * of them is in a group. */
-void require_groups(const std::string &file,
-                    const unsigned int d,
-                    const std::size_t n_in_groups)
-{
-  const std::size_t n = n_cells(d);
-  if (n == 0 || (d < 3 && n_cells(d + 1) > 0))
-    throw UserError(file + " has " + std::to_string(n) + " cells of dimension " +
-                    std::to_string(d) + (n == 0 ? "" : " and others of dimension 3") +
-                    "; set Dimension to that of the mesh");
-  if (n != n_in_groups)
-    throw UserError(file + ": " + std::to_string(n - n_in_groups) + " of " +
-                    std::to_string(n) + " cells belong to no physical group; give each " +
-                    (d == 2 ? "surface" : "volume") +
-                    " a group with the name of its phase, and save only groups");
-}
-
 /** Those of the part @p entity of the geometry, which has dimension @p d. */
 void append(std::vector<GmshCells> &cells,
             const unsigned int group,
@@ -92,12 +33,12 @@ void append(std::vector<GmshCells> &cells,
   gmsh::model::mesh::getElements(types, cell_tags, corners, d, entity);
   for (std::size_t t = 0; t < types.size(); ++t)
     {
-      const CellKind &kind = kind_of(types[t], file);
-      const std::size_t n  = kind.corner.size();
-      GmshCells some       = {group, n, std::vector<unsigned int>(corners[t].size())};
+      const std::vector<unsigned int> &corner = corners_in_order(types[t], file);
+      const std::size_t n                     = corner.size();
+      GmshCells some = {group, n, std::vector<unsigned int>(corners[t].size())};
       for (std::size_t k = 0; k < corners[t].size(); ++k)
         {
-          const std::size_t tag = corners[t][k - k % n + kind.corner[k % n]];
+          const std::size_t tag = corners[t][k - k % n + corner[k % n]];
           if (tag > std::numeric_limits<unsigned int>::max())
             throw UserError(file + " has a point with the number " + std::to_string(tag) +
                             "; let Gmsh renumber the mesh, so that 32 bits hold it");
@@ -254,9 +195,12 @@ GmshContent::GmshContent(const std::string &the_file, const unsigned int dim)
                                of_tags ? groups_by_tag(of, file) : physical_groups(of),
                                of < d, names, file);
       };
+      require_cells(file, d);
       cells = content(d, phases);
-      require_groups(file, dim, count(cells));
+      require_groups(file, d, count(cells));
       faces = content(d - 1, boundaries);
+      if (d == 3)
+        require_faces(file, cells, faces);
       // Last, as the tags of the cells have needed their memory twice.
       std::vector<double> parametric;
       gmsh::model::mesh::getNodes(point_tags, coordinates, parametric, -1, -1, false,

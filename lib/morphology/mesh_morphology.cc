@@ -51,7 +51,7 @@ void number_phases(Mesh<dim> &mesh,
       const auto found = std::find(names.begin(), names.end(), group);
       if (found == names.end())
         throw UserError("Mesh/File = " + file + " has cells of the group '" + group +
-                        "', which is no phase: Phases/Names is " + to_text(names) +
+                        "', which is no phase: there are " + to_text(names) +
                         "; name groups and phases alike");
       number.push_back(found - names.begin());
     }

@@ -211,9 +211,9 @@ void LimitCycleDetector::compare_resultants(const Parts &parts)
   for (std::size_t k = 0; k < friction.size(); ++k)
     friction[k] = pressing[k] > 0. ? friction[k] / pressing[k] : 0.;
   const std::vector<double> elastic = means(elastic_energy);
-  include(
-    relative_spread(means(power), negligible * criterion.reference_power * sample_step()),
-    "the frictional power");
+  include(relative_spread(means(power), negligible * mean_of(pressing) *
+                                          criterion.reference_speed * sample_step()),
+          "the frictional power");
   include(relative_spread(friction, negligible), "the apparent friction");
   include(spread_of(means(sticking)), "the share of sticking nodes");
   include(spread_of(means(slipping)), "the share of slipping nodes");

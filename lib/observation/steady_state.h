@@ -19,7 +19,7 @@ struct LimitCycleCriterion
   unsigned int periods   = 3;    ///< that a part has at least
   unsigned int windows   = 3;    ///< equal parts of the second half of the run
   double tolerance       = 0.02; ///< largest relative difference among the parts
-  double reference_power = 0.;   ///< P S |V| (W/m)
+  double reference_speed = 0.;   ///< of the flat (m/s)
 
   /** Period (s) while the signal shows no vibration; runs set that of their body. */
   double expected_period = 2.5e-5;

@@ -54,7 +54,14 @@ std::string advice(const Key &key)
     last == std::string::npos ? "" : trimmed(text.substr(last + 1));
   if (!rest.empty() && std::isalpha(static_cast<unsigned char>(rest[0])) != 0)
     return "; write numbers without a unit, such as 30e9 for 30 GPa";
-  return "";
+  const std::vector<std::string> items = split_list(text);
+  const auto is_unusable               = [](const std::string &item) {
+    double number = 0.;
+    return parse_number(item, number) && !has_usable_size(number);
+  };
+  return std::any_of(items.begin(), items.end(), is_unusable)
+           ? std::string("; ") + usable_sizes
+           : "";
 }
 
 /** Closes and opens subsections on the way from @p from to @p to. */

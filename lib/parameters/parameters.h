@@ -9,7 +9,8 @@
 
 namespace mesoslip
 {
-/** The values a number may take; bounds are inclusive unless said otherwise. */
+/** The values a number may take, of those with a usable size; bounds are inclusive unless said
+ * otherwise. */
 struct Range
 {
   double lower         = -std::numeric_limits<double>::max(); ///< smallest value
@@ -17,7 +18,7 @@ struct Range
   bool lower_exclusive = false; ///< lower itself is not allowed
   bool upper_exclusive = false; ///< upper itself is not allowed
 
-  /** All finite numbers. */
+  /** All numbers. */
   static Range any()
   {
     return {};

@@ -296,7 +296,7 @@ std::string RawParameters::folder(const Entry &entry)
 bool Range::contains(const double x) const
 {
   return (lower_exclusive ? x > lower : x >= lower) &&
-         (upper_exclusive ? x < upper : x <= upper);
+         (upper_exclusive ? x < upper : x <= upper) && has_usable_size(x);
 }
 
 std::string Range::text() const

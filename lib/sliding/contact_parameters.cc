@@ -38,7 +38,7 @@ void bind_body(Keys &keys, ContactParameters &p)
   std::vector<long> cells;
   keys.bind("Material", body.heterogeneous, {"homogeneous", "heterogeneous"},
             "One effective material, or every cell with the phase that it has in the RVE "
-            "file");
+            "file; cells of a mesh have the one with the name of their group");
   keys.bind_input("RVE file", body.rve_file,
                   "Path of the rve.h5 of rve_homogenization, or of its folder, from "
                   "which the body takes its "
@@ -92,8 +92,9 @@ void bind_body(Keys &keys, ContactParameters &p)
                std::to_string(n) + " numbers found; give " +
                  (dim == 2 ? "D11, D12, D22, D33 or all six"
                            : "9 of an orthotropic material or all 21"));
-  body.rve_file        = file_or_in_folder(body.rve_file, "rve.h5");
-  const bool from_file = !body.rve_file.empty();
+  body.rve_file         = file_or_in_folder(body.rve_file, "rve.h5");
+  const bool from_file  = !body.rve_file.empty();
+  p.mesh.mesh.one_phase = from_file && !body.heterogeneous;
   keys.require(dim == 2 || p.mesh.is_given() || from_file ||
                  keys.is_typed("Body/Stiffness"),
                "Stiffness",
@@ -169,7 +170,11 @@ LoadHistory bind_history(Keys &keys,
     return {amplitude, ramp, time};
   try
     {
-      return {amplitude, expression};
+      LoadHistory history(amplitude, expression);
+      keys.require(std::isfinite(history(0.)), "Expression",
+                   "at t = 0 it is " + to_text(history(0.)) +
+                     "; write an expression that is finite at all times");
+      return history;
     }
   catch (const std::invalid_argument &e)
     {
@@ -227,9 +232,11 @@ void bind_loads(Keys &keys, ContactParameters &p)
     p.top.hold_from = hold_from;
   keys.only_with("Kind", {"pressure"}, {"Lateral held"});
   keys.only_with("Kind", {"platen"}, {"Platen mass"});
-  // The pressure of a held top only scales what the judgement of the limit cycle neglects.
   keys.only_with("Kind", {"pressure", "platen"},
                  {"Ramp", "Ramp time", "Expression", "Hold from"});
+  // Steady sliding under complex modes takes its pressure from there.
+  if (p.analysis == ContactAnalysis::transient)
+    keys.only_with("Kind", {"pressure", "platen"}, {"Pressure"});
 }
 
 void bind_friction(Keys &keys, FrictionParameters &friction, FrictionLaw &law)
@@ -244,8 +251,7 @@ void check_mesh(const Keys &keys, const ContactParameters &p)
   keys.only_with("Analysis", {"transient", "modal", "static contact", "complex modes"},
                  {"Dimension", "Mesh/"});
   keys.only_if(!p.mesh.is_given(),
-               {"Body/Material", "Body/Stiffness", "Body/Density", "Body/Size",
-                "Body/Cells", "Sides/"},
+               {"Body/Stiffness", "Body/Density", "Body/Size", "Body/Cells", "Sides/"},
                "the body is a mesh", "remove Mesh/File");
   keys.only_if(p.mesh.is_plane_grid(), {"Performance/Temporal blocking"},
                "the body is no plane grid", "remove it");

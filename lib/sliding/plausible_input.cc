@@ -80,6 +80,10 @@ public:
       sentences.push_back("Top/Pressure is 0 in " + run_text +
                           " and Body/Initial velocity and Acceleration are 0: nothing "
                           "presses the body on the flat");
+    if (parameters.top.hold_from == 0.)
+      sentences.emplace_back(
+        "Top/Hold from is 0: the top is held from the start, so that "
+        "Top/Pressure presses nothing; times are in s");
     if (!(end >= 2. * crossing))
       sentences.push_back(crossing_text(parameters, scales) +
                           ": it ends before the wave is back; are " +
@@ -158,8 +162,11 @@ private:
     if (top.kind == TopSetup::Kind::held || !(top.hold_from > 0.))
       return {};
     const bool plane = scales.dim == 2;
-    return {plausible_pressure(pressure.name("largest"), pressures.largest_size(),
-                               scales.stiffness),
+    // What a ramp leaves of the pressure in the run has a sentence of its own.
+    const double largest = pressure.history.is_expression()
+                             ? pressures.largest_size()
+                             : std::fabs(pressure.history.amplitude());
+    return {plausible_pressure(pressure.name("largest"), largest, scales.stiffness),
             ramp(pressure),
             {pressure.name("smallest"), pressures.smallest, "Pa", 0.,
              "which pulls the body off the flat; a positive pressure presses it on"},

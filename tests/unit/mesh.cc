@@ -138,6 +138,13 @@ void write_mesh(const std::vector<std::string> &points,
   out << "$EndElements\n";
 }
 
+testing::AssertionResult contains(const std::string &text, const std::string &part)
+{
+  return text.find(part) != std::string::npos
+           ? testing::AssertionSuccess()
+           : testing::AssertionFailure() << "'" << text << "' has no '" << part << "'";
+}
+
 /** What is wrong with a mesh of write_mesh(). */
 std::string refusal(const int dim,
                     const std::vector<std::string> &points,
@@ -315,13 +322,27 @@ TEST(Mesh, ClockwiseCellsAreTurned)
   EXPECT_EQ(refusal(2, square, {"2 1 1 3 2", "2 1 1 3 4"}), "accepted");
 }
 
+TEST(Mesh, RefusalsOfKindsOfCells)
+{
+  EXPECT_TRUE(contains(refusal(2, square, {"1 1 1 2"}), "mesh the surfaces (gmsh -2)"));
+  // Of two kinds with as many cells, so that the number in groups tells nothing.
+  EXPECT_TRUE(contains(
+    refusal(2, {"0 0 0", "1 0 0", "1 1 0", "0 1 0", ".5 .5 0", "1 .5 0", ".5 0 0"},
+            {"2 1 1 3 4", "9 1 1 2 3 7 6 5"}),
+    "of another order"));
+  const std::vector<std::string> cube = {"0 0 0", "1 0 0", "1 1 0", "0 1 0",  "0 0 1",
+                                         "1 0 1", "1 1 1", "0 1 1", ".5 .5 2"};
+  const std::string hexahedron = "5 1 1 2 3 4 5 6 7 8", tetrahedron = "4 1 5 6 7 9";
+  EXPECT_TRUE(contains(refusal(3, cube, {hexahedron, tetrahedron}),
+                       "hexahedra and tetrahedra, which share no faces"));
+  EXPECT_TRUE(contains(refusal(3, cube, {hexahedron, "2 1 1 2 3"}),
+                       "triangles as faces of hexahedra"));
+  EXPECT_TRUE(contains(refusal(3, cube, {tetrahedron, "3 1 1 2 3 4"}),
+                       "quadrilaterals as faces of tetrahedra"));
+}
+
 TEST(Mesh, RefusalsSayWhatToDo)
 {
-  const auto contains = [](const std::string &text, const std::string &part) {
-    return text.find(part) != std::string::npos
-             ? testing::AssertionSuccess()
-             : testing::AssertionFailure() << "'" << text << "' has no '" << part << "'";
-  };
   EXPECT_TRUE(contains(refusal(2, square, {"3 1 1 2 4 3"}), "twisted"));
   EXPECT_TRUE(contains(
     refusal(2, {"0 0 0", "1 0 0", ".2 .2 0", "0 1 0"}, {"3 1 1 2 3 4"}), "concave"));
@@ -337,9 +358,10 @@ TEST(Mesh, RefusalsSayWhatToDo)
   EXPECT_TRUE(
     contains(refusal(2, {"0 0 0", "1 0 0", "1 nan 0", "0 1 0"}, {"3 1 1 2 3 4"}),
              "no finite number"));
-  EXPECT_TRUE(contains(refusal(3, square, {"3 1 1 2 3 4"}), "0 cells of dimension 3"));
+  EXPECT_TRUE(contains(refusal(3, square, {"3 1 1 2 3 4"}),
+                       "set Dimension = 2 if the body is plane"));
   EXPECT_TRUE(
-    contains(refusal(2, square, {"2 1 1 2 3", "4 2 1 2 3 4"}), "others of dimension 3"));
+    contains(refusal(2, square, {"2 1 1 2 3", "4 2 1 2 3 4"}), "set Dimension = 3"));
   EXPECT_TRUE(contains(refusal(3, {"0 0 0", "1 0 0", "0 1 0", "0 0 1", "1 0 1", "0 1 1"},
                                {"6 1 1 2 3 4 5 6"}),
                        "cells of the kind 'Prism 6'"));

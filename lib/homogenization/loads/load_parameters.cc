@@ -143,17 +143,6 @@ void LoadParameters::check(const std::vector<BoundaryCondition> &solved,
   const auto nothing = [](const double value) {
     return std::isnan(value) || value == 0.;
   };
-  // Squares of what is smaller are 0.
-  const auto too_small = [](const double value) {
-    constexpr double smallest = 1e-100;
-    return value != 0. && std::fabs(value) < smallest;
-  };
-  for (const PrescribedLoad &load : loads)
-    for (const auto &values : {load.strain, load.stress})
-      if (std::any_of(values.begin(), values.end(), too_small))
-        throw UserError("Loads/" + load.name +
-                        " has a strain or a stress below 1e-100, which is too small to "
-                        "compute with; give 0 or a larger one");
   for (const PrescribedLoad &load : loads)
     if (std::all_of(load.strain.begin(), load.strain.end(), nothing) &&
         std::all_of(load.stress.begin(), load.stress.end(), nothing))

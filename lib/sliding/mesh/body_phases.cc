@@ -38,12 +38,17 @@ PhaseParameters phase_parameters(const PhaseNumbers &numbers)
   return phase;
 }
 
-/** The phases of the RVE file: all, or the effective one. */
+/** The phases of the RVE file: all, which cells of a mesh have as they are, or the effective one. */
 template <int dim>
-std::vector<PhaseNumbers> phases_of_file(const BodyParameters &body,
-                                         const RveFile<dim> &rve)
+std::vector<PhaseNumbers>
+phases_of_file(const BodyParameters &body, const bool on_mesh, const RveFile<dim> &rve)
 {
   require_densities(rve);
+  if (on_mesh && body.heterogeneous && !rve.materials.oriented.empty())
+    throw UserError(
+      "Body/RVE file = " + body.rve_file +
+      " has phases in orientations by cell, which a mesh does not have; set "
+      "Body/Material = homogeneous, or remove Mesh/File");
   if (!body.heterogeneous)
     return {numbers_of<dim>(
       {"effective", rve.stiffness(body.stiffness_name), rve.mean_density(), 0.})};
@@ -74,7 +79,7 @@ ContactParameters with_phases(ContactParameters parameters)
     require_readable_file("Body/RVE file: ", body.rve_file,
                           "run rve_homogenization first");
     const RveFile<dim> rve(body.rve_file);
-    found                       = phases_of_file(body, rve);
+    found                       = phases_of_file(body, parameters.mesh.is_given(), rve);
     parameters.mesh.rve_digest  = rve.digest;
     parameters.mesh.rve_content = rve.content();
     parameters.mesh.rve_note    = rve.change_note();

@@ -45,12 +45,11 @@ void MeshBodyParameters::bind(Keys &keys)
                  "it names " + std::to_string(mesh.files.size()) +
                    " meshes; name one, which is the body");
   }
-  // With an RVE file the whole body has its effective stiffness.
-  mesh.one_phase = keys.has_text("Body/RVE file");
-  if (mesh.one_phase && keys.has_text("Phases/Names"))
+  const bool from_file = keys.has_text("Body/RVE file");
+  if (from_file && keys.has_text("Phases/Names"))
     throw UserError("section Phases has no effect, as Body/RVE file is set and says what "
                     "the body is of; remove it, or Body/RVE file");
-  if (keys.has_text("Mesh/File") && !mesh.one_phase)
+  if (keys.has_text("Mesh/File") && !from_file)
     bind_phases(keys, phases);
 }
 

@@ -15,10 +15,8 @@ LimitCycleCriterion limit_cycle_criterion(const ContactParameters &parameters,
                                           const BodySize &size)
 {
   LimitCycleCriterion criterion = parameters.observation.limit_cycle;
-  criterion.reference_power =
-    std::fabs(parameters.top.pressure.amplitude() * size.top_area *
-              parameters.contact.flat_velocity.amplitude());
-  criterion.expected_period = crossings_of_a_period * size.crossing;
+  criterion.reference_speed     = std::fabs(parameters.contact.flat_velocity.amplitude());
+  criterion.expected_period     = crossings_of_a_period * size.crossing;
   return criterion;
 }
 } // namespace

@@ -45,6 +45,16 @@ def check_equal(one, other, limit, what):
         assert difference < limit, (what, name, difference)
 
 
+def check_phases(folder, dimension, typed, rve, run):
+    """A mesh whose groups have the phases of an rve.h5 moves as the run with the phases of section Phases."""
+    folder.write("phases.prm", dimension + prm({**MESH, "Body/RVE file": rve + "/rve.h5", "Body/Material": "heterogeneous", **run}))
+    folder.run(0, "contact_dynamics", "phases.prm", "--output", "phases-" + rve)
+    with h5py.File(folder(typed, "dynamics.h5")) as one, h5py.File(folder("phases-" + rve, "dynamics.h5")) as other:
+        for name in ("material/phase_id", "snapshots/displacement", "contact/area"):
+            assert np.array_equal(one[name][()], other[name][()]), (rve, name)
+    assert folder.summary("phases-" + rve)["material"] == "heterogeneous"
+
+
 def check_chain(folder):
     """Volume and runs as grids, as meshes, and mixed."""
     folder.write("grid.prm", SMALL_RVE + prm(PBC))
@@ -64,6 +74,9 @@ def check_chain(folder):
     folder.run(0, "contact_dynamics", "direct.prm", "--output", "direct-grid")
     folder.write("direct.prm", PHASES + prm({**MESH, **RUN}))
     folder.run(0, "contact_dynamics", "direct.prm", "--output", "direct-mesh")
+
+    check_phases(folder, "", "direct-mesh", "rve-mesh", RUN)
+    check_phases(folder, "", "direct-mesh", "rve-grid", RUN)
 
     inputs = lambda volume, run: {"Input/RVE file": f"rve-{volume}", "Input/Homogeneous run": f"homogeneous-{run}",
                                   "Input/Direct run": f"direct-{volume}", "Comparison/Surface depth": 2.5e-4,
@@ -106,7 +119,11 @@ def check_solid(folder):
     solid = "set Dimension = 3\n" + prm(MESH)
     folder.write("rve.prm", solid + PHASES + prm(PBC))
     folder.run(0, "rve_homogenization", "rve.prm", "--output", "rve")
-    folder.write("body.prm", solid + prm({"Body/RVE file": "rve/rve.h5", **RUN, "Time/Time step": 5e-9, "Body/Initial velocity": "0, 1, 0"}))
+    thrown = {**RUN, "Time/Time step": 5e-9, "Body/Initial velocity": "0, 1, 0"}
+    folder.write("typed.prm", solid + PHASES + prm(thrown))
+    folder.run(0, "contact_dynamics", "typed.prm", "--output", "typed")
+    check_phases(folder, "set Dimension = 3\n", "typed", "rve", thrown)
+    folder.write("body.prm", solid + prm({"Body/RVE file": "rve/rve.h5", **thrown}))
     folder.run(0, "contact_dynamics", "body.prm", "--output", "homogeneous", ranks=2)
     with h5py.File(folder("homogeneous", "dynamics.h5")) as file, h5py.File(folder("rve", "rve.h5")) as rve:
         points, cells = file["mesh/points"][()], file["mesh/topology"][()].reshape(-1, 5)[:, 1:]
@@ -165,7 +182,8 @@ def check_refused(folder):
 
     folder.write("none.prm", localization(**{"Input/RVE file": "rve-mesh", "Input/Homogeneous run": "large"}))
     refused(["covers the box from (0, 0) m to (0.006, 0.003) m", "Volume element/Points"], prm_file="none.prm")
-    refused(["heterogeneous body"], "Input/Homogeneous run=direct-mesh", prm_file="none.prm")
+    for run in ("direct-mesh", "phases-rve-mesh"):
+        refused(["heterogeneous body"], f"Input/Homogeneous run={run}", prm_file="none.prm")
     refused(["is 3D", "2D"], "Input/Homogeneous run=homogeneous", prm_file="none.prm")
     refused(["Probes/Of the run names 'M'"], "Input/Homogeneous run=homogeneous-mesh", "Probes/Of the run=M", prm_file="none.prm")
     refused(["Volume element/P/Position: (9, 0) m", "outside the body"], "Volume element/P/Position=9, 0")

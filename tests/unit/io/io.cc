@@ -19,7 +19,7 @@ struct SomeKeys
 {
   int cells       = 10;
   double fraction = 1. / 3., size = std::nan("");
-  std::vector<double> output = {1e-300, 0.1};
+  std::vector<double> output = {1e-90, 0.1};
   std::string file, kind = "one";
   bool big = false;
 
@@ -78,7 +78,7 @@ TEST(Parameters, ReadsWhatIsSet)
   EXPECT_EQ(values.cells, 17);
   EXPECT_EQ(values.fraction, 0.25);
   EXPECT_EQ(values.size, 2e-9);
-  EXPECT_EQ(values.output, (std::vector<double>{1e-300, 0.1}));
+  EXPECT_EQ(values.output, (std::vector<double>{1e-90, 0.1}));
   EXPECT_EQ(values.kind, "two words");
   EXPECT_TRUE(values.big);
   EXPECT_EQ(values.file, "/some/where/a/b.png");

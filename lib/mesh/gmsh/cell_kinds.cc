@@ -1,0 +1,124 @@
+#include "mesh/gmsh/cell_kinds.h"
+
+#include "base/errors.h"
+
+#include <gmsh.h>
+
+#include <set>
+
+namespace mesoslip
+{
+namespace
+{
+/** Cells of one kind in Gmsh and in deal.II. */
+struct CellKind
+{
+  int gmsh_type;                    ///< as in the file
+  std::vector<unsigned int> corner; ///< of Gmsh, in the order of deal.II
+};
+
+const std::vector<CellKind> cell_kinds = {
+  {15, {0}},         {1, {0, 1}},       {2, {0, 1, 2}},
+  {3, {0, 1, 3, 2}}, {4, {0, 1, 2, 3}}, {5, {0, 1, 3, 2, 4, 5, 7, 6}}};
+} // namespace
+
+const std::vector<unsigned int> &corners_in_order(const int type, const std::string &file)
+{
+  for (const CellKind &kind : cell_kinds)
+    if (kind.gmsh_type == type)
+      return kind.corner;
+  std::string name;
+  int d = 0, order = 0, n = 0, n_primary = 0;
+  std::vector<double> local;
+  gmsh::model::mesh::getElementProperties(type, name, d, order, n, local, n_primary);
+  throw UserError(file + " has cells of the kind '" + name + "'; " +
+                  (order > 1 ? "set Mesh.ElementOrder = 1 in Gmsh"
+                             : "mesoslip reads triangles and quadrilaterals, "
+                               "tetrahedra or hexahedra"));
+}
+
+namespace
+{
+/** Corners of the kinds of cells of dimension @p d. */
+std::set<std::size_t> kinds_of_cells(const int d, const std::string &file)
+{
+  std::vector<int> types;
+  gmsh::model::mesh::getElementTypes(types, d);
+  std::set<std::size_t> n_corners;
+  for (const int type : types)
+    n_corners.insert(corners_in_order(type, file).size());
+  return n_corners;
+}
+
+/** Cells of dimension @p d, 2 or 3, that the library holds. */
+std::size_t n_cells(const int d)
+{
+  const std::vector<std::string> kinds =
+    d == 2 ? std::vector<std::string>{"Triangles", "Quadrangles"}
+           : std::vector<std::string>{"Tetrahedra", "Hexahedra"};
+  std::size_t n = 0;
+  for (const std::string &kind : kinds)
+    {
+      double of_kind = 0.;
+      gmsh::option::getNumber("Mesh.Nb" + kind, of_kind);
+      n += static_cast<std::size_t>(of_kind);
+    }
+  return n;
+}
+} // namespace
+
+void require_cells(const std::string &file, const int d)
+{
+  if (d < 3 && !kinds_of_cells(d + 1, file).empty())
+    throw UserError(file + " has cells of dimension 3; set Dimension = 3");
+  const std::size_t n_kinds = kinds_of_cells(d, file).size();
+  if (n_kinds == 0)
+    throw UserError(file + " has no cells of dimension " + std::to_string(d) + "; " +
+                    (d == 2 ? "mesh the surfaces"
+                     : kinds_of_cells(2, file).empty()
+                       ? "mesh the volumes"
+                       : "set Dimension = 2 if the body is "
+                         "plane, else mesh the volumes") +
+                    " (gmsh -" + std::to_string(d) + ")");
+  if (d == 3 && n_kinds > 1)
+    throw UserError(file +
+                    " has hexahedra and tetrahedra, which share no faces; mesh all "
+                    "volumes with one kind");
+}
+
+void require_faces(const std::string &file,
+                   const std::vector<GmshCells> &cells,
+                   const std::vector<GmshCells> &faces)
+{
+  const bool are_hexahedra = cells.front().n_corners == 8;
+  for (const GmshCells &some : faces)
+    if (some.n_corners != (are_hexahedra ? 4 : 3))
+      throw UserError(file + " has " +
+                      (are_hexahedra ? "triangles as faces of hexahedra"
+                                     : "quadrilaterals as faces of tetrahedra") +
+                      "; save faces and cells of one mesh");
+}
+
+void require_groups(const std::string &file, const int d, const std::size_t n_in_groups)
+{
+  const std::size_t n = n_cells(d);
+  if (n == n_in_groups)
+    return;
+  // Of a part of the geometry Gmsh gives the cells of one order only.
+  std::vector<int> types;
+  std::vector<std::vector<std::size_t>> tags, corners;
+  gmsh::model::mesh::getElements(types, tags, corners, d);
+  std::size_t n_given = 0;
+  for (const auto &of_type : tags)
+    n_given += of_type.size();
+  if (n_given < n)
+    throw UserError(file + ": " + std::to_string(n - n_given) + " of " +
+                    std::to_string(n) +
+                    " cells are of another order than others; set "
+                    "Mesh.ElementOrder = 1 in Gmsh and mesh again");
+  throw UserError(file + ": " + std::to_string(n - n_in_groups) + " of " +
+                  std::to_string(n) + " cells belong to no physical group; give each " +
+                  (d == 2 ? "surface" : "volume") +
+                  " a group with the name of its phase, and save only groups");
+}
+} // namespace mesoslip

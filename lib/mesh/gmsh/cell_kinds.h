@@ -1,0 +1,29 @@
+#ifndef mesoslip_mesh_gmsh_cell_kinds_h
+#define mesoslip_mesh_gmsh_cell_kinds_h
+
+#include "mesh/gmsh_content.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace mesoslip
+{
+/** Of a cell of Gmsh's kind @p type: which of its corners are those of deal.II. @throws UserError
+ * of a kind that is not read */
+const std::vector<unsigned int> &corners_in_order(int type, const std::string &file);
+
+/** That the mesh in the library, of @p file, has cells of dimension @p d, none of a higher one, and
+ * in 3D of one kind. @throws UserError */
+void require_cells(const std::string &file, int d);
+
+/** That each cell of dimension @p d is one of @p n_in_groups. @throws UserError */
+void require_groups(const std::string &file, int d, std::size_t n_in_groups);
+
+/** That @p faces of a 3D mesh are of the kind that its @p cells have. @throws UserError */
+void require_faces(const std::string &file,
+                   const std::vector<GmshCells> &cells,
+                   const std::vector<GmshCells> &faces);
+} // namespace mesoslip
+
+#endif
