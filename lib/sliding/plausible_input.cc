@@ -80,10 +80,6 @@ public:
       sentences.push_back("Top/Pressure is 0 in " + run_text +
                           " and Body/Initial velocity and Acceleration are 0: nothing "
                           "presses the body on the flat");
-    if (parameters.top.hold_from == 0.)
-      sentences.emplace_back(
-        "Top/Hold from is 0: the top is held from the start, so that "
-        "Top/Pressure presses nothing; times are in s");
     if (!(end >= 2. * crossing))
       sentences.push_back(crossing_text(parameters, scales) +
                           ": it ends before the wave is back; are " +
@@ -159,24 +155,28 @@ private:
   Ranges top() const
   {
     const TopSetup &top = parameters.top;
-    if (top.kind == TopSetup::Kind::held || !(top.hold_from > 0.))
+    if (top.kind == TopSetup::Kind::held)
       return {};
+    PlausibleRange hold =
+      within_run("Top/Hold from", std::isfinite(top.hold_from) ? top.hold_from : end, end,
+                 "the top is never held");
+    hold.lowest      = std::numeric_limits<double>::min();
+    hold.if_low      = "so that Top/Pressure never acts";
     const bool plane = scales.dim == 2;
-    // What a ramp leaves of the pressure in the run has a sentence of its own.
-    const double largest = pressure.history.is_expression()
-                             ? pressures.largest_size()
-                             : std::fabs(pressure.history.amplitude());
-    return {plausible_pressure(pressure.name("largest"), largest, scales.stiffness),
-            ramp(pressure),
-            {pressure.name("smallest"), pressures.smallest, "Pa", 0.,
-             "which pulls the body off the flat; a positive pressure presses it on"},
-            within_run("Top/Hold from", std::isfinite(top.hold_from) ? top.hold_from : 0.,
-                       end, "the top is never held"),
-            at_most("Top/Platen mass", top.platen_mass, plane ? "kg/m" : "kg",
-                    1e4 * scales.mass,
-                    "more than 10000 times the body's " +
-                      quantity_text(scales.mass, plane ? "kg/m" : "kg") +
-                      "; it is in kg" + (plane ? " per m of thickness" : ""))};
+    // What a ramp leaves of it in the run has a sentence of its own.
+    const LoadRange all =
+      load_range(top.pressure, std::max(end, top.pressure.duration()));
+    return {
+      plausible_pressure(pressure.name("largest"), all.largest_size(), scales.stiffness),
+      ramp(pressure),
+      {pressure.name("smallest"), pressures.smallest, "Pa", 0.,
+       "which pulls the body off the flat; a positive pressure presses it on"},
+      hold,
+      at_most("Top/Platen mass", top.platen_mass, plane ? "kg/m" : "kg",
+              1e4 * scales.mass,
+              "more than 10000 times the body's " +
+                quantity_text(scales.mass, plane ? "kg/m" : "kg") + "; it is in kg" +
+                (plane ? " per m of thickness" : ""))};
   }
 
   Ranges velocities() const
@@ -338,13 +338,6 @@ private:
   const double flat_speed; ///< largest (m/s)
 };
 } // namespace
-
-std::string crossing_text(const ContactParameters &parameters, const BodyScales &scales)
-{
-  return "a wave takes " + quantity_text(1e3 * scales.crossing(), "ms") +
-         " from the flat to the top, the run " +
-         quantity_text(1e3 * parameters.time.end_time, "ms");
-}
 
 std::vector<std::string> implausible_run(const ContactParameters &parameters,
                                          const BodyScales &scales,

@@ -275,6 +275,13 @@ std::string large_strain_warning(const Deformation &found,
          likely_cause(parameters, scales);
 }
 
+std::string crossing_text(const ContactParameters &parameters, const BodyScales &scales)
+{
+  return "a wave takes " + quantity_text(1e3 * scales.crossing(), "ms") +
+         " from the flat to the top, the run " +
+         quantity_text(1e3 * parameters.time.end_time, "ms");
+}
+
 std::string undefined_friction(const ContactParameters &parameters, const double energy)
 {
   return std::isnan(energy) &&
