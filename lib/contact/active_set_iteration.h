@@ -98,6 +98,12 @@ private:
     return problem.gap.empty() ? 0. : problem.gap[i];
   }
 
+  /** Whether node @p i stands on a spring. */
+  bool is_compliant(const unsigned int i) const
+  {
+    return !problem.stiffness.empty() && held[dim * i + normal_axis] == 0.;
+  }
+
   /** Whether friction does not turn, so that states and directions tell what follows. */
   bool is_linear() const
   {
@@ -147,8 +153,8 @@ private:
         action(bottom.nodes[k], static_cast<unsigned int>(bottom.place(k)));
   }
 
-  /** Holds what touches and sticks, and adds the springs; a body that could slide as a whole sticks
-   * with one node more. */
+  /** Holds what touches and sticks, and adds springs; a body that could slide as a whole sticks with
+   * one node more. */
   void hold_contact();
 
   /** The given constraints and those of nodes that touch or stick, where the displacements take their values. */
@@ -157,9 +163,10 @@ private:
   /**
    * Newton's method for friction g n that turns (g: its size, n its direction, that of the trial f - c v):
    * it then is g n - D v, D = g c / (|f - c v| - g) (1 - n n^T), of a spring across n. Nodes near sticking
-   * have stiff springs, up to 10 c. None in 2D, on a sliding flat and before the first solution.
+   * have stiff springs, up to 10 c. None in 2D, on a sliding flat and before the first solution. Nodes
+   * on the flat's own springs have those, always.
    */
-  std::vector<SpringEntry> springs() const;
+  std::vector<SpringEntry> springs(bool of_friction) const;
 
   /** Of the nodes that slip, the one that the body brings first to where it sticks if it slides as
    * its friction and the given forces push it; n_nodes: none. */

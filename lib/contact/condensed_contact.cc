@@ -80,6 +80,7 @@ std::optional<StaticContactSolution> CondensedContact<dim>::solve(const double t
       u        = body.zero_field();
       S.col(k) = internal_forces(u, Eigen::VectorXd::Unit(n, k), body.zero_field());
     }
+  stand_on_springs();
   if (dim == 3 && problem.sliding == 0)
     {
       const ConeProblem of    = cones();
@@ -103,6 +104,22 @@ std::optional<StaticContactSolution> CondensedContact<dim>::solve(const double t
     }
   none = is_infeasible(of.M, of.q);
   return std::nullopt;
+}
+
+template <int dim>
+void CondensedContact<dim>::stand_on_springs()
+{
+  softness = Eigen::VectorXd::Zero(F.size());
+  for (Eigen::Index k = 0; k < F.size() && !problem.stiffness.empty(); ++k)
+    if (const auto [i, c] = place[static_cast<std::size_t>(k)]; c == normal_axis)
+      softness[k] = 1. / problem.stiffness[i];
+  if (problem.stiffness.empty())
+    return;
+  const Eigen::MatrixXd more =
+    Eigen::MatrixXd::Identity(F.size(), F.size()) + S * softness.asDiagonal();
+  const Eigen::PartialPivLU<Eigen::MatrixXd> factors(more);
+  F = factors.solve(F).eval();
+  S = factors.solve(S).eval();
 }
 
 template <int dim>
@@ -277,7 +294,9 @@ std::optional<StaticContactSolution> CondensedContact<dim>::equilibrium(
   // More than once where S is not exact enough.
   for (unsigned int n = 0; n < 5; ++n)
     {
-      f = internal_forces(found.displacement, start + d, problem.force) - loaded;
+      const Eigen::VectorXd pressed_in = softness.cwiseProduct(F + S * d);
+      f = internal_forces(found.displacement, start + d - pressed_in, problem.force) -
+          loaded;
       const Eigen::VectorXd residual = rows * f;
       left                           = residual.template lpNorm<1>();
       pressed                        = 0.;

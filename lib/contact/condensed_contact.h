@@ -77,6 +77,10 @@ private:
   /** z are the gaps and the slips to either side, against which friction is at its limit. */
   Problem of_resting_flat() const;
 
+  /** Makes d the displacements of the ends of the springs on the flat, where there are springs: with their
+   * softness D, those of the nodes are d - D f, so that F becomes (1 + S D)^-1 F, and S likewise. */
+  void stand_on_springs();
+
   std::vector<Node> nodes_of(const Problem &of, const Eigen::VectorXd &z) const;
 
   /** The same for cone_newton(): in 3D on a flat at rest. */
@@ -115,6 +119,7 @@ private:
   Eigen::VectorXd start;  ///< displacements where all nodes touch and stick
   Eigen::VectorXd loaded; ///< the given forces at the contact
   Eigen::VectorXd F;
+  Eigen::VectorXd softness; ///< of the springs (m/N), 0 along the flat
   bool none = false;
 };
 } // namespace mesoslip

@@ -22,7 +22,8 @@ constexpr double smallest = 2.2250738585072014e-308;
 /** Sums over the nodes of one vector's lanes. */
 struct LaneSums
 {
-  vdouble normal, tangential, sticking, touching, friction_energy, impact_energy;
+  vdouble normal, tangential, sticking, touching, friction_energy, impact_energy,
+    stored_energy;
 };
 
 MESOSLIP_INLINE vdouble absolute(const vdouble x)
@@ -39,6 +40,12 @@ MESOSLIP_INLINE vdouble at_least_smallest(const vdouble x)
 MESOSLIP_INLINE vdouble length_of(const vdouble x, const vdouble y)
 {
   return square_root(x * x + y * y);
+}
+
+/** Of the spring at a node at @p height over the flat (m). */
+MESOSLIP_INLINE vdouble compression(const vdouble height)
+{
+  return height < vdouble{} ? -height : vdouble{};
 }
 
 MESOSLIP_INLINE bool any(const vint64 mask)
@@ -210,12 +217,19 @@ MESOSLIP_INLINE void advance_vector(const ContactArrays &a,
       w[k]      = load(a.w[k] + i);
       a_free[k] = -load(a.force[k] + i) * minv[k];
     }
-  const vdouble gap =
-    load(at(Arrays::gap)) + load(a.u[1] + i) + dt * w[1] + c * a_free[1];
+  const vdouble height = load(at(Arrays::gap)) + load(a.u[1] + i),
+                gap    = height + dt * w[1] + c * a_free[1];
 
-  // Contact.
-  const vint64 touches = gap < zero;
-  const vdouble normal = touches ? -gap / at_least_smallest(c * minv[1]) : zero;
+  // Contact. With a spring the force is a mean of those at the end and at the start of two steps.
+  const vdouble soft = load(at(Arrays::softness)), yields = c * minv[1],
+                squares = soft * soft,
+                share =
+                  0.5 * squares / at_least_smallest(squares + 0.0625 * (yields * yields)),
+                earlier = compression(height - load(at(Arrays::increment_y)));
+  const vint64 touches  = gap < zero;
+  const vdouble normal  = touches ? ((share - 1.) * gap + share * earlier) /
+                                     at_least_smallest(soft + (1. - share) * yields)
+                                  : zero;
 
   // Friction.
   vdouble slip[dim - 1], compliance[dim - 1];
@@ -262,7 +276,11 @@ MESOSLIP_INLINE void advance_vector(const ContactArrays &a,
   s.sticking += stick;
   s.touching += in_contact;
   s.friction_energy += force[0] * (step.flat_increment[0] - central[0]);
+  const vdouble stiffness = soft > zero ? 0.25 / at_least_smallest(soft) : zero,
+                now       = compression(height + du[1]);
+  s.stored_energy += stiffness * (now * now + compression(height) * compression(height));
   s.impact_energy -= normal * central[1];
+  s.impact_energy -= stiffness * (now * now - earlier * earlier);
   if constexpr (dim == 3)
     {
       store(at(Arrays::lateral_force), force[2]);
@@ -300,6 +318,7 @@ advance_nodes(const ContactArrays &arrays, const ContactStep &step, ContactSums 
   sums.slipping         = sum(&LaneSums::touching) - sums.sticking;
   sums.friction_energy  = sum(&LaneSums::friction_energy);
   sums.impact_energy    = sum(&LaneSums::impact_energy);
+  sums.stored_energy    = sum(&LaneSums::stored_energy);
 }
 
 void advance(const ContactArrays &arrays, const ContactStep &step, ContactSums &sums)

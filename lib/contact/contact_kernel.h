@@ -22,7 +22,8 @@ struct ContactArrays
   enum Column : unsigned int
   {
     // Constant in time, the last two unless the regularization depends on the slip rate.
-    gap,                  ///< initial distance to the flat (m)
+    gap,      ///< initial distance to the flat (m)
+    softness, ///< of the spring between node and flat (m^2/N, in 3D m/N), 0: rigid
     friction_coefficient, ///< Coulomb's, at least 0
     decay,                ///< weight of the friction memory, see Relaxation
     lag,                  ///< weight of the target's change, see Relaxation
@@ -79,13 +80,24 @@ struct ContactSums
   double sticking         = 0.; ///< number of nodes
   double slipping         = 0.; ///< number of nodes
   double friction_energy  = 0.; ///< dissipated in this step (J/m)
-  double impact_energy    = 0.; ///< taken from the body by the normal forces (J/m)
+  double impact_energy = 0.; ///< that the normal forces take for good in this step (J/m)
+  double stored_energy = 0.; ///< in the springs after this step (J/m)
 };
 
 /**
  * One step of the contact row: predicts without contact, resolves the contact by forward
  * increment Lagrange multipliers, which on a rigid flat with lumped mass is a problem of
  * its own at every node (eqs 2, 4 and 7), and steps the row in time.
+ *
+ * Between node and flat there may be a spring of the stiffness k. With its compression h = max(0,
+ * -gap), 1/k its softness and c / m what a unit force moves the node in the step, the force is
+ *
+ *     f = k [ (1 - phi/2) h_(n+1) + phi/2 h_(n-1) ],   phi = 1 / (1 + (k c / m)^2 / 16),
+ *
+ * solved with the step, which stays as long as on the rigid flat. It stores k/4 (h_(n+1)^2 + h_n^2)
+ * and takes k/4 (1 - phi) (h_(n+1) - h_(n-1))^2 >= 0 for good, which vanishes with a higher order than
+ * the error of the scheme. The stiffer the spring, the nearer to the flat the node ends; without one it
+ * ends there.
  *
  * In 3D friction is a vector: Coulomb's force is along the slip at its instant, a mean of those
  * of the step before and of this one as friction leaves it, or along that without friction where

@@ -29,6 +29,10 @@ ContactSurface<dim>::ContactSurface(const ContactSetup &setup, const StepParamet
   std::fill_n(column(Column::gap), setup.periodic ? n_distinct : n_nodes, setup.gap);
   for (std::size_t i = 0; i < setup.height.size(); ++i)
     column(Column::gap)[i] += setup.height[i];
+  constexpr double softest = 1e100; // of nodes without area
+  for (unsigned int i = 0; setup.is_compliant() && i < setup.area.size(); ++i)
+    column(Column::softness)[i] =
+      std::min(softest, 1. / (setup.normal_stiffness * std::fabs(setup.area[i])));
   std::copy(setup.friction_coefficient.begin(), setup.friction_coefficient.end(),
             column(Column::friction_coefficient));
   const Relaxation relaxation(step.dt, setup.law.time);
@@ -121,6 +125,7 @@ void ContactSurface<dim>::advance(const SurfaceView<dim> &surface)
 
   total.friction += last.friction_energy;
   total.impact += last.impact_energy;
+  total.stored = last.stored_energy;
   total.load += last.normal_force * std::fabs(flat_velocity) * step.dt;
   total.external += last.tangential_force * flat_velocity * step.dt;
   for (ContactObserver<dim> *observer : observers)
@@ -139,6 +144,14 @@ void ContactSurface<dim>::initialize_increments(const SurfaceView<dim> &surface)
       if (dim == 3)
         column(Column::lateral_increment)[i] = step.dt * surface.w[1][i];
     }
+  for (unsigned int i = 0; i < setup.n_owned.value_or(n_nodes); ++i)
+    if (const double soft = column(Column::softness)[i]; soft > 0.)
+      {
+        const double height = column(Column::gap)[i] + surface.u[dim - 1][i],
+                     now    = std::min(0., height),
+                     before = std::min(0., height - column(Column::increment_y)[i]);
+        total.pressed += 0.25 / soft * (now * now + before * before);
+      }
   started = true;
 }
 

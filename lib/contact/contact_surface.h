@@ -15,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -51,6 +52,9 @@ struct ContactSetup
   /** Distance between surface and flat in the undeformed state (m). */
   double gap = 0.;
 
+  /** Of springs between surface and flat, for the area (Pa/m); infinite: there are none. */
+  double normal_stiffness = std::numeric_limits<double>::infinity();
+
   /** Of each node above the lowest of them in the undeformed state (m); empty: all are
    * equally high. */
   std::vector<double> height;
@@ -58,11 +62,23 @@ struct ContactSetup
   /** The last node duplicates the first. */
   bool periodic = false;
 
-  /** Tributary length (m, in 3D m^2) of each node, for laws with a pressure. */
+  /** Tributary length (m, in 3D m^2) of each node, for springs and laws with a pressure. */
   std::vector<double> area;
 
   /** x and, in 3D, y (m) of each node, for laws with a place. */
   std::array<std::vector<double>, 2> position;
+
+  /** Whether there are springs. */
+  bool is_compliant() const
+  {
+    return std::isfinite(normal_stiffness);
+  }
+
+  /** Whether the area of the nodes is needed. */
+  bool wants_area() const
+  {
+    return is_compliant() || (law.slip_law && law.slip_law->looks_around());
+  }
 
   /** The first nodes, which this rank owns; those from the next whole vector on are copies
    * (SharedNodes). Not given: all. */
@@ -108,8 +124,8 @@ public:
   /** Contact forces by forward increment Lagrange multipliers, then the step. */
   void advance(const SurfaceView<dim> &surface) override;
 
-  /** Energies since the start, of the nodes of this rank; external is the work of the
-   * moving flat. */
+  /** Energies since the start, and that in the springs, of the nodes of this rank; external is the
+   * work of the moving flat. */
   const BoundaryWork &work() const
   {
     return total;
@@ -177,11 +193,12 @@ public:
   }
 
   /** Whether node @p i stays on the flat if the body's @p acceleration along the normal is all that
-   * acts at the start. */
+   * acts at the start; on a spring it does not. */
   bool rests(const unsigned int i, const double acceleration) const
   {
     const unsigned int original = setup.periodic && i == n_distinct ? 0 : i;
-    return acceleration <= 0. && column(Column::gap)[original] <= 0.;
+    return acceleration <= 0. && column(Column::gap)[original] <= 0. &&
+           !setup.is_compliant();
   }
 
   /** What makes the coefficients of friction vary; null when they are constant. */
@@ -205,7 +222,7 @@ public:
   void serialize(Archive &archive, const unsigned int)
   {
     archive &values &started;
-    serialize_members<4>(archive, total);
+    serialize_members<6>(archive, total);
     if (variable)
       archive &*variable;
   }

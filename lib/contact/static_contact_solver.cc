@@ -93,14 +93,14 @@ template <int dim>
 void ActiveSetIteration<dim>::hold_contact()
 {
   DofMask constrained         = constrain_contact();
-  std::vector<SpringEntry> on = springs();
+  std::vector<SpringEntry> on = springs(true);
   bool moves                  = problem.sliding == 0 && can_move(body, constrained, on);
   const unsigned int i        = moves && !displaced.empty() ? next_to_stick() : n_nodes;
   if (i < n_nodes)
     {
       solution.state[i] = ContactState::stick;
       constrained       = constrain_contact();
-      on                = springs();
+      on                = springs(true);
       moves             = can_move(body, constrained, on);
       if (moves) // it rolls or tips all the same
         {
@@ -109,9 +109,7 @@ void ActiveSetIteration<dim>::hold_contact()
         }
     }
   turns_on_springs = dim == 3 && problem.sliding == 0 && !moves;
-  if (!turns_on_springs)
-    on.clear();
-  solver.set_constrained(constrained, on);
+  solver.set_constrained(constrained, turns_on_springs ? on : springs(false));
 }
 
 template <int dim>
@@ -127,7 +125,7 @@ DofMask ActiveSetIteration<dim>::constrain_contact()
     u(c, node) = value;
   };
   for_each_node([&](const NodeIndex &node, const unsigned int i) {
-    if (touches(i))
+    if (touches(i) && !is_compliant(i))
       put(normal_axis, node, -gap(i));
     if (solution.state[i] == ContactState::stick)
       for (unsigned int c = 0; c < n_tangents; ++c)
@@ -139,13 +137,16 @@ DofMask ActiveSetIteration<dim>::constrain_contact()
 }
 
 template <int dim>
-std::vector<SpringEntry> ActiveSetIteration<dim>::springs() const
+std::vector<SpringEntry> ActiveSetIteration<dim>::springs(const bool of_friction) const
 {
+  const bool turns =
+    of_friction && dim == 3 && problem.sliding == 0 && !displaced.empty();
   std::vector<SpringEntry> entries;
-  if (dim == 2 || displaced.empty() || problem.sliding != 0)
-    return entries;
   for_each_node([&](const NodeIndex &node, const unsigned int i) {
-    const double g = problem.friction_coefficient[i] * std::max(0., normal[i]);
+    if (touches(i) && is_compliant(i))
+      entries.push_back({node, normal_axis, normal_axis, problem.stiffness[i], -gap(i)});
+    const double g =
+      turns ? problem.friction_coefficient[i] * std::max(0., normal[i]) : 0.;
     if (solution.state[i] != ContactState::slip || !(g > 0.))
       return;
     const double beyond = std::max(0.1 * g, tangential.size_of_trial(displaced, i) - g),
@@ -202,7 +203,10 @@ void ActiveSetIteration<dim>::evaluate_reactions()
   };
   for (unsigned int i = 0; i < n_nodes; ++i)
     {
-      normal[i] = touches(i) ? reaction(i, normal_axis) : 0.;
+      normal[i] = !touches(i) ? 0.
+                  : is_compliant(i)
+                    ? -problem.stiffness[i] * (displaced[dim * i + normal_axis] + gap(i))
+                    : reaction(i, normal_axis);
       for (unsigned int c = 0; c < n_tangents; ++c)
         {
           double &f = tangential.force[index(i, c)];

@@ -45,6 +45,9 @@ struct StaticContactProblem
   /** Distance of each of these nodes from the flat (m); empty: all of them touch it. */
   std::vector<double> gap = {};
 
+  /** Of the springs between these nodes and the flat (N/m, in 2D Pa); empty: it is rigid. */
+  std::vector<double> stiffness = {};
+
   /**
    * Direction (+1, -1) along flat_direction in which the flat slides below the body: all contact
    * nodes slip. 0: the flat rests, nodes stick or slip against their own displacement from

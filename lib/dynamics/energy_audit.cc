@@ -28,7 +28,7 @@ std::vector<double> EnergyHistory::residual() const
   std::vector<double> r(time.size());
   for (std::size_t k = 0; k < r.size(); ++k)
     r[k] = kinetic[k] + elastic[k] + potential[k] - initial - external_work[k] +
-           friction[k] + impact[k] + damping[k] + scheme[k];
+           friction[k] + impact[k] + damping[k] + scheme[k] + contact[k];
   return r;
 }
 
@@ -131,6 +131,8 @@ void EnergyAudit::after_step(const std::uint64_t n)
   last_damping = sums.damping;
 
   const BoundaryWork boundary = boundary_work();
+  if (first)
+    samples.initial += boundary.pressed;
   samples.time.push_back(n * step.dt);
   samples.kinetic.push_back(sums.kinetic);
   samples.elastic.push_back(sums.elastic);
@@ -140,6 +142,7 @@ void EnergyAudit::after_step(const std::uint64_t n)
   samples.impact.push_back(boundary.impact);
   samples.damping.push_back(sum_damping);
   samples.scheme.push_back(sum_scheme);
+  samples.contact.push_back(boundary.stored);
 }
 
 EnergyAudit::Sums EnergyAudit::nodal_sums() const
@@ -225,9 +228,9 @@ EnergyHistory EnergyAudit::reduce() const
   EnergyHistory all = samples;
   // All members by name, so that one that is added has to be looked at here.
   auto &[time, kinetic, elastic, potential, external_work, friction, impact, damping,
-         scheme, initial] = all;
+         scheme, contact, initial] = all;
   for (auto *values : {&kinetic, &elastic, &potential, &external_work, &friction, &impact,
-                       &damping, &scheme})
+                       &damping, &scheme, &contact})
     MPI_Allreduce(MPI_IN_PLACE, values->data(), static_cast<int>(values->size()),
                   MPI_DOUBLE, MPI_SUM, stepper.communicator);
   MPI_Allreduce(MPI_IN_PLACE, &initial, 1, MPI_DOUBLE, MPI_SUM, stepper.communicator);

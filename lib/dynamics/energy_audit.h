@@ -19,6 +19,8 @@ struct BoundaryWork
   double friction = 0.; ///< dissipated by sliding on the flat
   double impact   = 0.; ///< dissipated by nodes that land
   double load     = 0.; ///< integral of F_N |V|, of normal force and speed of the flat
+  double stored   = 0.; ///< now, in springs between surface and flat
+  double pressed  = 0.; ///< stored in them at the start
 };
 
 /** Sampled energies (J/m); on the ranks the local shares until reduce() is called. */
@@ -33,15 +35,16 @@ struct EnergyHistory
   std::vector<double> impact;        ///< dissipated by nodes that land
   std::vector<double> damping;       ///< dissipated by C = beta K
   std::vector<double> scheme;        ///< dissipated by beta2 > 1/2
+  std::vector<double> contact;       ///< in springs between surface and flat
 
-  /** kinetic + elastic + potential at the start. */
+  /** kinetic + elastic + potential + contact at the start. */
   double initial = 0.;
 
   /** Of boost::serialization. */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    serialize_members<10>(archive, *this);
+    serialize_members<11>(archive, *this);
   }
 
   /** What is left of the balance at each sample; zero in exact arithmetic. */

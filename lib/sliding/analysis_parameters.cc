@@ -333,6 +333,8 @@ RunConditions ContactParameters::stated_conditions() const
   add_friction(conditions, *this);
   if (top.kind == Kind::platen)
     conditions["platen_mass"] = top.platen_mass;
+  if (contact.is_compliant())
+    conditions["normal_stiffness"] = contact.normal_stiffness;
   if (std::isfinite(top.hold_from))
     conditions["hold_from"] = top.hold_from;
   if (transient)

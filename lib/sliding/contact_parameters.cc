@@ -211,6 +211,13 @@ void bind_loads(Keys &keys, ContactParameters &p)
     p.contact.flat_velocity = bind_history(keys, speed, "velocity", "m/s");
     keys.bind("Gap", p.contact.gap, Range::non_negative(),
               "Distance between the body and the flat at the start [m]");
+    double stiffness = automatic;
+    keys.bind_or_auto("Normal stiffness", stiffness, Range::positive(),
+                      "Stiffness for the area of springs between body and flat, as of "
+                      "the asperities of rough surfaces; auto: none, the flat is rigid "
+                      "[Pa/m]");
+    if (!std::isnan(stiffness))
+      p.contact.normal_stiffness = stiffness;
   }
   const auto section = keys.section("Top");
   double pressure = 5e6, hold_from = automatic;
@@ -332,6 +339,9 @@ void ContactParameters::bind(Keys &keys)
   bind_contact_map(keys);
   bind_analyses(keys);
   keys.renamed("Performance/Static solver = assembled", "ml");
+  // The multigrid of plane grids knows no springs.
+  if (mesh.is_plane_grid() && contact.is_compliant())
+    static_solver = StaticSolverKind::ml;
   check_analysis(keys);
   check_mesh(keys, *this);
   if (analysis == ContactAnalysis::transient ||

@@ -20,7 +20,7 @@ completed(SlidingSetup setup, const UniformMaterial &material, const bool has_co
   setup.contact_places.resize(has_contact ? material.n_columns() - setup.periodic : 0);
   std::iota(setup.contact_places.begin(), setup.contact_places.end(), 0U);
   AssertDimension(setup.contact.friction_coefficient.size(), material.n_columns());
-  if (setup.contact.law.slip_law && setup.contact.law.slip_law->looks_around())
+  if (setup.contact.wants_area())
     for (unsigned int i = 0; i < material.n_columns(); ++i)
       {
         setup.contact.area.push_back(tributary_width(material.grid(), i, setup.periodic));

@@ -33,7 +33,9 @@ SlidingPencil layer_pencil(const ElasticBody<2> &body,
 {
   DofMask held(body.n_columns(), body.n_rows());
   held.constrain_row(0, body.n_rows() - 1);
-  held.constrain_row(1, 0);
+  const bool rigid = std::isinf(layer.springs);
+  if (rigid)
+    held.constrain_row(1, 0);
   SlidingNodesAtRest contact;
   for (const NodeIndex &node : body.surface(2).nodes)
     if (node.i + 1 < body.n_columns())
@@ -42,6 +44,9 @@ SlidingPencil layer_pencil(const ElasticBody<2> &body,
         contact.friction.push_back(layer.mu);
         contact.normal_force.push_back(10. * P * body.extent(0) / (body.n_columns() - 1));
         contact.slopes.push_back(slopes);
+        if (!rigid)
+          contact.stiffness.push_back(layer.springs * body.extent(0) /
+                                      (body.n_columns() - 1));
       }
   const FreeDofs<2> dofs(body, held, std::nullopt);
   return make_sliding_pencil<2>(body, whole_stiffness(body, MPI_COMM_WORLD), dofs,
@@ -86,6 +91,19 @@ TEST(ComplexModes, OfTheLayerWithCoulombFriction)
 {
   if (has_turn(0))
     expect_order_two({1.15, 0.25, 0., 0.}, "Coulomb");
+}
+
+TEST(ComplexModes, OfTheLayerOnSprings)
+{
+  if (!has_turn(2))
+    return;
+  Layer layer   = {1.15, 0.25, 0., 0.};
+  layer.springs = 1e13 * Layer::G / 12.5e9;
+  EXPECT_NEAR(layer.fastest().real(), 28061.032, 2e-3);
+  expect_order_two(layer, "on springs");
+  layer         = {1., 0.25, 1.5e-6, 4.4e-9};
+  layer.springs = 3e13;
+  expect_order_two(layer, "on springs, regularized and damped");
 }
 
 TEST(ComplexModes, OfTheRegularizedAndDampedLayer)

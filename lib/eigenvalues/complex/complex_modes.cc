@@ -80,13 +80,15 @@ double search_for_count(const SearchRange &range,
  * with friction at once or none. */
 double highest_vibration(const SlidingPencil &pencil)
 {
-  double largest = 0.;
+  const RealMatrix stiffness = pencil.whole_stiffness(),
+                   friction  = pencil.whole_friction();
+  double largest             = 0.;
   for (const double share : {0., 1.})
     {
       const auto found = largest_eigenvalue(
         pencil.size(),
         [&](ComplexVector &dst, const ComplexVector &src) {
-          dst = (product(pencil.stiffness, src) - share * product(pencil.friction, src))
+          dst = (product(stiffness, src) - share * product(friction, src))
                   .cwiseQuotient(pencil.mass.cast<Complex>());
         },
         1e-3);
@@ -108,9 +110,11 @@ ComplexMode finish(const SlidingPencil &pencil, const FoundMode &found)
   const Eigen::VectorXd real = found.u.real(), imaginary = found.u.imag();
   const double elastic = real.dot(pencil.stiffness * real) +
                          imaginary.dot(pencil.stiffness * imaginary),
-               speed = std::norm(found.s),
-               energy =
-                 speed * found.u.dot(pencil.mass.cwiseProduct(found.u)).real() + elastic;
+               stored =
+                 pencil.on_springs() ? pencil.springs.dot(found.u.cwiseAbs2()) : 0.,
+               speed  = std::norm(found.s),
+               energy = speed * found.u.dot(pencil.mass.cwiseProduct(found.u)).real() +
+                        elastic + stored;
   mode.growth_by_damping    = -pencil.law.beta * speed * elastic / energy;
   const ComplexVector force = pencil.friction_force(found.s, found.u);
   const auto n_nodes        = pencil.contact_nodes.empty()
@@ -135,7 +139,10 @@ ComplexModes find_complex_modes(const SlidingPencil &pencil,
                                 const ComplexModesOptions &options)
 {
   const FeedingDrag drag = feeding_drag(pencil);
-  const GrowthRegion region(pencil.law, radius, drag);
+  SlidingLaw bounded     = pencil.law;
+  if (pencil.on_springs())
+    bounded.beta = 0.;
+  const GrowthRegion region(bounded, radius, drag);
   ComplexModes result;
   result.radius              = radius;
   result.nothing_grows_above = region.highest_frequency();

@@ -11,15 +11,16 @@ namespace mesoslip
 {
 double friction_radius(const SlidingPencil &pencil)
 {
-  using Complex = SlidingPencil::Complex;
-  if (pencil.rows.empty() || pencil.friction.norm() == 0.)
+  using Complex             = SlidingPencil::Complex;
+  const RealMatrix friction = pencil.whole_friction();
+  if (pencil.rows.empty() || friction.norm() == 0.)
     return 0.;
-  const ComplexMatrix stiffness = pencil.stiffness.cast<Complex>();
+  const ComplexMatrix stiffness = pencil.whole_stiffness().cast<Complex>();
   ComplexFactorization factors(stiffness);
   factors.factorize(stiffness);
-  const RealMatrix transposed = pencil.friction.transpose();
-  const RealMatrix even       = 0.5 * (pencil.friction + transposed),
-                   odd        = 0.5 * (pencil.friction - transposed);
+  const RealMatrix transposed = friction.transpose();
+  const RealMatrix even       = 0.5 * (friction + transposed),
+                   odd        = 0.5 * (friction - transposed);
   // The range is symmetric to the real axis, as N is real, so a quarter turn is enough.
   constexpr int n_directions = 9;
   const double step          = 0.5 * M_PI / (n_directions - 1);
@@ -86,8 +87,8 @@ FeedingDrag feeding_drag(const SlidingPencil &pencil)
 double largest_growth(const SlidingPencil &pencil, const FeedingDrag &drag)
 {
   // |s|^2 <= |1 + beta s| stiff + |s| feeding
-  const double stiff = largest_rate(pencil.stiffness, pencil.mass) +
-                       largest_rate(pencil.friction, pencil.mass),
+  const double stiff = largest_rate(pencil.whole_stiffness(), pencil.mass) +
+                       largest_rate(pencil.whole_friction(), pencil.mass),
                linear = pencil.law.beta * stiff + drag.at_once + drag.late;
   return 0.5 * (linear + std::sqrt(linear * linear + 4. * stiff));
 }

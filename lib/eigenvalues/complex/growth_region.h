@@ -40,6 +40,9 @@ FeedingDrag feeding_drag(const SlidingPencil &pencil);
  *     2 atan(a / w) + atan(beta w / (1 + beta a))
  *       <= asin(r / |1 + i w delta|) + asin(g / (w |1 + i w delta|))
  *
+ * Springs below the nodes are not damped: the force of the body and them together then points
+ * somewhere between those of an undamped and a damped stiffness, and the term with beta is left out.
+ *
  * The left side grows with a, and for a = 0 with w; the right side falls. c_0 and c_1 grow
  * in proportion to the inverse of the size of the cells: half of c_0 is the growth of a node
  * by itself.

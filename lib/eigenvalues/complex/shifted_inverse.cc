@@ -50,7 +50,8 @@ void ShiftedInverse::vmult(ComplexVector &dst, const ComplexVector &src) const
   dst.segment(n, n) = new_v / of_v;
   if (delta > 0.)
     dst.segment(2 * n, n_forces) =
-      (product(pencil.targets, new_u + beta * new_v) - drag(new_v) - old_force) /
+      (product(pencil.targets, new_u + beta * new_v) +
+       product(pencil.spring_targets, new_u) - drag(new_v) - old_force) /
       (lag * of_q);
   if (tau > 0.)
     dst.tail(n_forces) = -(product(pencil.late_drag, new_v) + old_late) / (late * of_q);

@@ -63,6 +63,21 @@ void add_target(const std::size_t node,
     target.emplace_back(q, entry.row(), coupling * entry.value());
 }
 
+/** The springs below the nodes. */
+template <int dim>
+void add_springs(const ElasticBody<dim> &body,
+                 const std::vector<std::int64_t> &number,
+                 const SlidingNodesAtRest &contact,
+                 SlidingPencil &pencil)
+{
+  if (contact.stiffness.empty())
+    return;
+  pencil.springs = Eigen::VectorXd::Zero(pencil.size());
+  for (std::size_t k = 0; k < contact.nodes.size(); ++k)
+    pencil.springs[number[row_of(body, contact.nodes[k], dim - 1)]] +=
+      contact.stiffness[k];
+}
+
 /** The friction forces, their targets and the drag. */
 template <int dim>
 void add_contact(const ElasticBody<dim> &body,
@@ -74,7 +89,7 @@ void add_contact(const ElasticBody<dim> &body,
   const double speed = std::hypot(contact.velocity[0], contact.velocity[1]);
   const std::array<double, 2> direction = {
     {contact.velocity[0] / speed, contact.velocity[1] / speed}};
-  std::vector<Triplet> target, drag, late_drag;
+  std::vector<Triplet> target, spring_target, drag, late_drag;
   for (std::size_t k = 0; k < contact.nodes.size(); ++k)
     for (unsigned int c = 0; c + 1 < dim; ++c)
       {
@@ -86,8 +101,12 @@ void add_contact(const ElasticBody<dim> &body,
         pencil.contact_nodes.push_back(k);
         const FrictionSlopes slopes =
           contact.slopes.empty() ? FrictionSlopes() : contact.slopes[k];
-        add_target(k, (contact.friction[k] + slopes.pressure) * direction[c], reactions,
-                   q, target);
+        const double coupling = (contact.friction[k] + slopes.pressure) * direction[c];
+        if (contact.stiffness.empty())
+          add_target(k, coupling, reactions, q, target);
+        else
+          spring_target.emplace_back(q, number[row_of(body, contact.nodes[k], dim - 1)],
+                                     -coupling * contact.stiffness[k]);
         if (contact.normal_force.empty())
           continue;
         const double force = contact.normal_force[k];
@@ -112,10 +131,12 @@ void add_contact(const ElasticBody<dim> &body,
     matrix.prune(0., 0.);
   };
   gather(pencil.targets, target);
+  gather(pencil.spring_targets, spring_target);
   gather(pencil.drag, drag);
   gather(pencil.late_drag, late_drag);
   const RealMatrix E     = distribution(pencil.rows, pencil.size());
   pencil.friction        = E * pencil.targets;
+  pencil.spring_friction = E * pencil.spring_targets;
   pencil.resistance      = E * pencil.drag;
   pencil.late_resistance = E * pencil.late_drag;
 }
@@ -138,7 +159,11 @@ ComplexMatrix SlidingPencil::operator()(const Complex s) const
   inertia.reserve(Eigen::VectorXi::Constant(static_cast<int>(size()), 1));
   for (Eigen::Index k = 0; k < size(); ++k)
     inertia.insert(k, k) = s * s / damped * mass[k];
+  if (on_springs())
+    for (Eigen::Index k = 0; k < size(); ++k)
+      inertia.coeffRef(k, k) += springs[k] / damped;
   return inertia + stiffness.cast<Complex>() + friction.cast<Complex>() * (-1. / lag) +
+         spring_friction.cast<Complex>() * (-1. / (lag * damped)) +
          resistance.cast<Complex>() * (s / (damped * lag)) +
          late_resistance.cast<Complex>() *
            (s / (damped * lag * (1. + law.state_time * s)));
@@ -146,18 +171,28 @@ ComplexMatrix SlidingPencil::operator()(const Complex s) const
 
 ComplexVector SlidingPencil::friction_force(const Complex s, const ComplexVector &u) const
 {
-  return ((1. + law.beta * s) * product(targets, u) - s * product(drag, u) -
-          s / (1. + law.state_time * s) * product(late_drag, u)) /
+  return ((1. + law.beta * s) * product(targets, u) + product(spring_targets, u) -
+          s * product(drag, u) - s / (1. + law.state_time * s) * product(late_drag, u)) /
          (1. + law.delta * s);
+}
+
+RealMatrix SlidingPencil::whole_stiffness() const
+{
+  RealMatrix whole = stiffness;
+  if (on_springs())
+    whole.diagonal() += springs;
+  return whole;
 }
 
 double SlidingPencil::residual(const Complex s, const ComplexVector &u) const
 {
   const Complex damped        = 1. + law.beta * s;
   const ComplexVector inertia = s * s / damped * mass.cwiseProduct(u),
-                      elastic = product(stiffness, u),
                       force   = friction_force(s, u) / damped;
-  ComplexVector sum           = inertia + elastic;
+  ComplexVector elastic       = product(stiffness, u);
+  if (on_springs())
+    elastic += springs.cwiseProduct(u) / damped;
+  ComplexVector sum = inertia + elastic;
   for (std::size_t k = 0; k < rows.size(); ++k)
     sum[rows[k]] -= force[static_cast<Eigen::Index>(k)];
   return sum.norm() / (inertia.norm() + elastic.norm() + force.norm());
@@ -224,6 +259,7 @@ SlidingPencil make_sliding_pencil(const ElasticBody<dim> &body,
   pencil.mass = Eigen::Map<const Eigen::VectorXd>(masses.begin(), n);
   RealMatrix of_nodes(n, static_cast<Eigen::Index>(contact.nodes.size()));
   of_nodes.setFromTriplets(reactions.begin(), reactions.end());
+  add_springs(body, number, contact, pencil);
   add_contact(body, of_nodes, number, contact, pencil);
   return pencil;
 }

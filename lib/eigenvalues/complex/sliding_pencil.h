@@ -27,6 +27,7 @@ struct SlidingNodesAtRest
   std::vector<double> friction;       ///< Coulomb's coefficient of each of them
   std::vector<double> normal_force;   ///< N (2D: N/m) of each; for slopes and in 3D
   std::vector<FrictionSlopes> slopes; ///< of each; empty: constant coefficients
+  std::vector<double> stiffness; ///< of the spring below each (N/m, 2D: Pa); empty: rigid
 
   /** Of the flat along x and, in 3D, y (m/s). */
   std::array<double, 2> velocity = {{1., 0.}};
@@ -43,19 +44,21 @@ struct SlidingLaw
 /**
  * Small vibrations u exp(s t) about steady sliding, in the free degrees of freedom:
  *
- *     [ s^2/(1 + beta s) M + K - N/(1 + s delta) + s/((1 + beta s)(1 + s delta)) C(s) ] u = 0
+ *     [ s^2/(1 + beta s) M + K - N/(1 + s delta) + s/((1 + beta s)(1 + s delta)) C(s)
+ *       + (K_s - N_s/(1 + s delta))/(1 + beta s) ] u = 0
  *     C(s) = C_0 + C_1/(1 + s tau)
  *
  * N moves mu + p dmu/dp times the normal reaction of each contact node to its rows along the
- * motion of the flat. C is the drag of each node, whose static normal force is f: along the
+ * motion of the flat. Where nodes stand on springs, which are not damped, these are K_s, and N_s
+ * moves their reactions; N is zero then. C is the drag of each node, whose static normal force is f: along the
  * motion f dmu/dV, of which a law with a state has a part C_1 that follows within tau; across
  * it, in 3D only, mu f over the speed of the flat, as friction turns against the velocity of
  * the node. Linear in s with v = s u, the friction forces q, and their parts z by the state:
  *
- *     s u = v,                     s M v = -K (u + beta v) + E q,
- *     s tau z = -D_1 v - z,        s delta q = G (u + beta v) - D_0 v + z - q
+ *     s u = v,                     s M v = -K (u + beta v) - K_s u + E q,
+ *     s tau z = -D_1 v - z,        s delta q = G (u + beta v) + G_s u - D_0 v + z - q
  *
- * with N = E G and C_i = E D_i. Without delta there is no q, without tau no z.
+ * with N = E G, N_s = E G_s and C_i = E D_i. Without delta there is no q, without tau no z.
  */
 class SlidingPencil
 {
@@ -84,12 +87,30 @@ public:
   /** Friction forces of the motion u exp(s t), one for each entry of rows. */
   ComplexVector friction_force(const Complex s, const ComplexVector &u) const;
 
+  /** K + K_s. */
+  RealMatrix whole_stiffness() const;
+
+  /** N + N_s. */
+  RealMatrix whole_friction() const
+  {
+    return friction + spring_friction;
+  }
+
+  /** Whether nodes stand on springs. */
+  bool on_springs() const
+  {
+    return springs.size() > 0;
+  }
+
   Eigen::VectorXd mass;                   ///< M, lumped (kg, 2D: kg/m)
   RealMatrix stiffness;                   ///< K
+  Eigen::VectorXd springs;                ///< the diagonal of K_s; empty: none
   RealMatrix targets;                     ///< G, a row for each friction force
+  RealMatrix spring_targets;              ///< G_s, likewise
   RealMatrix drag;                        ///< D_0, likewise
   RealMatrix late_drag;                   ///< D_1, likewise
   RealMatrix friction;                    ///< N
+  RealMatrix spring_friction;             ///< N_s
   RealMatrix resistance;                  ///< C_0
   RealMatrix late_resistance;             ///< C_1
   std::vector<Eigen::Index> rows;         ///< degrees of freedom that E gives the forces
@@ -109,7 +130,7 @@ RealMatrix whole_stiffness(const ElasticBody<dim> &body, const MPI_Comm communic
 
 /**
  * @p all is whole_stiffness(); @p dofs are the free ones, of the normal displacement of sliding
- * nodes none.
+ * nodes none, unless they stand on springs.
  */
 template <int dim>
 SlidingPencil make_sliding_pencil(const ElasticBody<dim> &body,

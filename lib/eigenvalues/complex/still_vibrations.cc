@@ -129,12 +129,15 @@ void collect(const SlidingPencil &still,
 }
 } // namespace
 
+// A reference for the count is as good with springs that are damped as the body is.
 SlidingPencil without_friction(SlidingPencil pencil)
 {
-  for (RealMatrix *matrix :
-       {&pencil.targets, &pencil.drag, &pencil.late_drag, &pencil.friction,
-        &pencil.resistance, &pencil.late_resistance})
+  for (RealMatrix *matrix : {&pencil.targets, &pencil.spring_targets, &pencil.drag,
+                             &pencil.late_drag, &pencil.friction, &pencil.spring_friction,
+                             &pencil.resistance, &pencil.late_resistance})
     *matrix *= 0.;
+  pencil.stiffness = pencil.whole_stiffness();
+  pencil.springs.resize(0);
   pencil.law.delta = pencil.law.state_time = 0.;
   return pencil;
 }

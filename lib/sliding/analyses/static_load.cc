@@ -75,6 +75,19 @@ void check_tipping(const ContactParameters &p,
       " m is more than half the width, " + to_text(half) +
       " m: there is no equilibrium; reduce it, or set Top/Kind = platen");
 }
+/** Stiffness (N/m, in 2D Pa) of the springs of contact nodes with these areas; nodes without area have
+ * next to none. */
+std::vector<double> of_springs(const double stiffness, const std::vector<double> &area)
+{
+  constexpr double least = 1e-9;
+  double largest         = 0.;
+  for (const double a : area)
+    largest = std::max(largest, std::fabs(a));
+  std::vector<double> springs;
+  for (const double a : area)
+    springs.push_back(stiffness * std::max(std::fabs(a), least * largest));
+  return springs;
+}
 } // namespace
 
 template <int dim>
@@ -115,13 +128,15 @@ StaticLoad<dim>::StaticLoad(const GivenBody<dim> &body,
            elastic.phases()[0].stiffness(dim - 1, dim - 1))
   , whole_load(elastic.zero_field())
 {
-  const double load              = parameters.top.pressure.amplitude(),
-               v                 = parameters.contact.flat_velocity.amplitude();
-  problem.constrained            = body.held(parameters.top, false);
-  problem.displacement           = body.compressed(strain / parameters.static_load.steps);
-  problem.force                  = elastic.zero_field();
-  problem.friction_coefficient   = friction;
-  problem.gap                    = facts.contact_height;
+  const double load            = parameters.top.pressure.amplitude(),
+               v               = parameters.contact.flat_velocity.amplitude();
+  problem.constrained          = body.held(parameters.top, false);
+  problem.displacement         = body.compressed(strain / parameters.static_load.steps);
+  problem.force                = elastic.zero_field();
+  problem.friction_coefficient = friction;
+  problem.gap                  = facts.contact_height;
+  if (parameters.contact.is_compliant())
+    problem.stiffness = of_springs(parameters.contact.normal_stiffness, facts.size.area);
   problem.sliding                = v > 0. ? 1 : (v < 0. ? -1 : 0);
   problem.flat_direction         = parameters.contact.flat_direction;
   const unsigned int n           = elastic.n_columns();

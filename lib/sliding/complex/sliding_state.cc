@@ -121,7 +121,11 @@ SlidingState sliding_state(const ElasticBody<dim> &body,
           ++state.n_separated;
           continue;
         }
-      state.held.constrain(dim - 1, node);
+      if (flat.is_compliant())
+        state.contact.stiffness.push_back(flat.normal_stiffness *
+                                          area_of<dim>(bottom, k));
+      else
+        state.held.constrain(dim - 1, node);
       state.contact.nodes.push_back(node);
       state.contact.friction.push_back(nodes[k].coefficient);
       state.contact.normal_force.push_back(solution ? solution->normal_force[k] : 0.);

@@ -27,7 +27,7 @@ SlidingSetup restricted(SlidingSetup setup,
   setup.contact.height.resize(contact.points.size(), 0.);
   setup.contact.height =
     contact_nodes.of(setup.contact.height, std::numeric_limits<double>::infinity());
-  if (setup.contact.law.slip_law && setup.contact.law.slip_law->looks_around())
+  if (setup.contact.wants_area())
     {
       setup.contact.area = contact_nodes.of(contact.area, 0.);
       for (unsigned int d = 0; d < 2; ++d)

@@ -34,7 +34,7 @@ void write_energy(Hdf5File &file, const TransientResult &run, const RunContext &
   const EnergyHistory &e             = run.energy;
   const std::string unit             = run.body.unit("J");
   const std::vector<double> residual = e.residual();
-  const std::vector<Series> columns  = {{"time", "s", &e.time},
+  std::vector<Series> columns        = {{"time", "s", &e.time},
                                         {"kinetic", unit, &e.kinetic},
                                         {"elastic", unit, &e.elastic},
                                         {"potential", unit, &e.potential},
@@ -44,6 +44,8 @@ void write_energy(Hdf5File &file, const TransientResult &run, const RunContext &
                                         {"damping", unit, &e.damping},
                                         {"scheme", unit, &e.scheme},
                                         {"residual", unit, &residual}};
+  if (run.parameters.contact.is_compliant())
+    columns.insert(columns.end() - 1, {"contact", unit, &e.contact});
   write_series(file, "/energy", columns);
   file.write_attribute("/energy", "initial", e.initial);
   file.write_attribute("/energy", "unit", unit);

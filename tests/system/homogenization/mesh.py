@@ -148,7 +148,7 @@ def refused_meshes():
     return [("flat", flat, ["flat"]), ("doubled", doubled, ["share the edge", "there twice"]),
             ("twisted", twisted, ["twisted"]), ("apart", apart, ["in 2 pieces"]), ("hole", hole, ["no side of the bounding box"]),
             ("folded", folded, ["same side", "overlap"]), ("shifted", shifted, ["the sides at both ends of x", "not opposite"]),
-            ("other", other, ["'fiber'", "Phases/Names is matrix, fibre"]), ("solid", solid, ["Dimension"])]
+            ("other", other, ["'fiber'", "there are matrix, fibre"]), ("solid", solid, ["Dimension"])]
 
 
 def check_refusals(folder):

@@ -141,14 +141,15 @@ def check_heterogeneous(folder):
         expect_same_phases(folder, "mesh", "pin1")
 
 
-def check_meshes(folder):
+def check_meshes(folder, flat):
     """The same cells as a mesh, and as a slice in 3D that is held across: its modes are among those of the slice."""
-    folder.write("grid.prm", prm({**COMMON, **BODY}))
+    common = {**COMMON, **flat}
+    folder.write("grid.prm", prm({**common, **BODY}))
     folder.run(0, "contact_dynamics", "grid.prm", "--output", "grid")
     values = found(folder, "grid")
     box = Box([12, 4], [24, 8], lambda x: "body")
     box.name_side("Contact", 1, False).name_side("Top", 1, True).write(folder("mesh.msh"))
-    folder.write("mesh.prm", prm({**COMMON, "Mesh/File": "mesh.msh", "Mesh/Scale": 0.001, "Phases/Names": "body", "Phases/body/Type":
+    folder.write("mesh.prm", prm({**common, "Mesh/File": "mesh.msh", "Mesh/Scale": 0.001, "Phases/Names": "body", "Phases/body/Type":
                                   "stiffness", "Phases/body/Stiffness": BODY["Body/Stiffness"], "Phases/body/Density": DENSITY}))
     for ranks in (1, 2, 3):
         folder.run(0, "contact_dynamics", "mesh.prm", "--output", "mesh", ranks=ranks)
@@ -156,7 +157,7 @@ def check_meshes(folder):
     d11, d12, d22, d33 = STIFFNESS
     solid = [d11, 8e9, d12, 40e9, 9e9, d22, 12e9, d33, 11e9]
     folder.write("slice.prm", "set Dimension = 3\n" + prm({
-        **COMMON, **BODY, "Body/Stiffness": ", ".join(map(str, solid)), "Body/Size": "0.012, 0.0005, 0.004", "Body/Cells": "24, 1, 8",
+        **common, **BODY, "Body/Stiffness": ", ".join(map(str, solid)), "Body/Size": "0.012, 0.0005, 0.004", "Body/Cells": "24, 1, 8",
         "Sides/Front": "u_y", "Sides/Back": "u_y"}))
     folder.run(0, "contact_dynamics", "slice.prm", "--output", "slice", ranks=2)
     in_space = found(folder, "slice")
@@ -171,6 +172,7 @@ def check_meshes(folder):
         shutil.rmtree(folder("stable"))
     folder.run(0, "contact_dynamics", "grid.prm", "--output", "grid", "--set", "Complex modes/Number of shapes=0")
     assert len(folder.summary("grid")["complex_modes"]) == len(values)
+    return values
 
 
 def check_sweep(folder):

@@ -1,5 +1,5 @@
 """Analysis static contact of many small bodies against all combinations of states of their contact nodes in numpy: bevelled blocks of
-triangles under any top, on a flat that slides to either side or rests, mu up to 1. Where an equilibrium exists it is found, and where there
+triangles under any top, on a flat that slides to either side or rests, mu up to 1, half of them on springs. Where an equilibrium exists it is found, and where there
 is none the program says so; a block that tips beyond mu = 0.5, and one whose active sets go round in circles. An argument is the number of
 bodies."""
 
@@ -47,8 +47,8 @@ def stiffness_of(points, cells):
 class Scene:
     """One problem: its files, and its equilibria by enumeration."""
 
-    def __init__(self, rng, top, sliding, mu):
-        self.top, self.sliding, self.mu = top, sliding, mu
+    def __init__(self, rng, top, sliding, mu, springs=None):
+        self.top, self.sliding, self.mu, self.springs = top, sliding, mu, springs
         nx, ny = (rng.integers(3, 7), rng.integers(2, 4)) if sliding else (rng.integers(2, 5), rng.integers(2, 4))
         self.mesh = block(rng, nx, ny)
         self.points = self.mesh.points * 1e-3
@@ -60,7 +60,15 @@ class Scene:
         return {"Analysis": "static contact", "Mesh/File": "mesh.msh", "Mesh/Scale": 0.001, "Phases/Names": "steel",
                 "Phases/steel/Young modulus": YOUNG, "Phases/steel/Poisson ratio": POISSON, "Phases/steel/Density": 7800,
                 "Flat/Velocity": 2 * self.sliding, "Top/Kind": "platen" if self.top == "platen" else "pressure", "Top/Pressure": PRESSURE,
-                "Friction/Coefficient": self.mu, **held.get(self.top, {})}
+                "Friction/Coefficient": self.mu, **({"Flat/Normal stiffness": self.springs} if self.springs else {}),
+                **held.get(self.top, {})}
+
+    def areas(self):
+        """Along x, of each point of the contact."""
+        areas, contact = np.zeros(len(self.points)), sorted(self.group["Contact"], key=lambda k: self.points[k, 0])
+        for a, b in zip(contact, contact[1:]):
+            areas[[a, b]] += (self.points[b, 0] - self.points[a, 0]) / 2
+        return areas[self.group["Contact"]]
 
     def condensed(self):
         """S and f: forces S d - f on the contact nodes displaced by d, (x, y) of each in turn; and their gaps. Unknowns that remain free,
@@ -89,6 +97,7 @@ class Scene:
         """Normal forces of all of them."""
         s, f, gap, fixed = self.condensed()
         n, scale = len(gap), abs(s).max()
+        softness = 1 / (self.springs * self.areas()) if self.springs else np.zeros(n)
         states = ("separated", "slip") if self.sliding else ("separated", "stick", "left", "right")
         found, signs = [], {"left": -1, "right": 1, "slip": self.sliding}
         pressed = abs(f).sum()
@@ -99,7 +108,8 @@ class Scene:
                 if state == "separated":
                     matrix[w], right[w] = s[w], f[w]
                 else:
-                    matrix[w, w], right[w] = scale, -scale * gap[k]
+                    matrix[w, w], right[w] = scale, scale * (softness[k] * f[w] - gap[k])
+                    matrix[w] += scale * softness[k] * s[w]
                 if fixed[t] or state == "stick":
                     matrix[t, t] = scale
                 elif state == "separated":
@@ -131,7 +141,7 @@ def check(folder, scene, counts):
     scene.mesh.write(folder("mesh.msh"))
     folder.write("block.prm", prm(scene.settings()))
     status, out, err = folder.end("contact_dynamics", "block.prm", "--output", "block")
-    what = (scene.top, scene.sliding, scene.mu, len(expected), (out + err)[-600:])
+    what = (scene.top, scene.sliding, scene.mu, scene.springs, len(expected), (out + err)[-600:])
     assert status == (0 if len(expected) else 3), what
     counts[status, "slides" if scene.sliding else "rests"] = counts.get((status, "slides" if scene.sliding else "rests"), 0) + 1
     if status:
@@ -139,11 +149,8 @@ def check(folder, scene, counts):
         return
     with open(folder("block", "static_contact.csv"), encoding="ascii") as file:
         rows = {round(float(row["x [m]"]), 9): row for row in csv.DictReader(file)}
-    areas = np.zeros(len(scene.points))
-    contact = sorted(scene.group["Contact"], key=lambda k: scene.points[k, 0])
-    for a, b in zip(contact, contact[1:]):
-        areas[[a, b]] += (scene.points[b, 0] - scene.points[a, 0]) / 2
-    force = np.array([float(rows[round(scene.points[k, 0], 9)]["pressure [Pa]"]) * areas[k] for k in scene.group["Contact"]])
+    pressure = [float(rows[round(scene.points[k, 0], 9)]["pressure [Pa]"]) for k in scene.group["Contact"]]
+    force = np.array(pressure) * scene.areas()
     error = abs(expected - force).max(axis=1).min() / force.sum()
     assert error < 1e-6, (*what, error)
 
@@ -175,7 +182,8 @@ with tempfile.TemporaryDirectory() as path:
     scenes, rng, numbers, n_bodies = Folder(path), np.random.default_rng(7), {}, int((sys.argv + ["100"])[2])
     for k in range(n_bodies):
         moves = [1, -1, 1, 0][k % 4]
-        check(scenes, Scene(rng, TOPS[rng.integers(5 if moves == 0 else 4)], moves, rng.uniform(0, 1)), numbers)
+        springs = [None, 10 ** np.random.default_rng(k).uniform(11, 16)][k // 4 % 2]
+        check(scenes, Scene(rng, TOPS[rng.integers(5 if moves == 0 else 4)], moves, rng.uniform(0, 1), springs), numbers)
     check_bevel(scenes)
     print(numbers)
     assert numbers[0, "slides"] > n_bodies / 5 and numbers[3, "slides"] > n_bodies / 50 and numbers[0, "rests"] > n_bodies / 8, numbers

@@ -107,6 +107,40 @@ TEST(Energy, ClosesUnderEveryTop)
   expect_closed(setup, "held");
 }
 
+// What springs store and take is in the balance; they take next to nothing for good, and stiff ones are the rigid flat.
+TEST(Energy, ClosesOnSprings)
+{
+  BodySetup setup      = thrown_body();
+  const Energies rigid = observe(setup);
+  const double impact  = rigid.e.impact.back();
+  EXPECT_EQ(largest(rigid.e.contact), 0.);
+  for (const double stiffness : {1e13, 1e15, 1e25})
+    {
+      setup.contact.normal_stiffness = stiffness;
+      for (const double beta2 : {0.5, 0.8})
+        {
+          setup.step.beta2     = beta2;
+          const Energies found = observe(setup);
+          EXPECT_LT(largest(found.e.residual()) / found.scale, 1e-12) << stiffness;
+          EXPECT_GT(largest(found.e.contact), 0.) << stiffness;
+          EXPECT_GT(found.landings, 50.) << stiffness;
+          for (std::size_t k = 1; k < found.e.impact.size(); ++k)
+            ASSERT_GE(found.e.impact[k] - found.e.impact[k - 1], -1e-13 * found.scale)
+              << stiffness << " at sample " << k;
+        }
+    }
+  setup.step.beta2     = 0.5;
+  const Energies stiff = observe(setup);
+  EXPECT_NEAR(stiff.e.impact.back(), impact, 1e-6 * rigid.scale);
+  setup.contact.normal_stiffness = 1e13;
+  EXPECT_LT(observe(setup, 0.2).e.impact.back(), 0.1 * impact);
+  setup.top.kind         = TopSetup::Kind::held; // pressed from the start
+  setup.contact.gap      = -2e-6;
+  const Energies pressed = observe(setup);
+  EXPECT_LT(largest(pressed.e.residual()) / pressed.scale, 1e-12);
+  EXPECT_NEAR(pressed.e.contact[0], 0.5 * 1e13 * 2e-6 * 2e-6 * 0.011, 0.02); // J/m
+}
+
 TEST(Energy, ClosesWhenTheTopIsStopped)
 {
   for (const double b : {0.5, 0.8})

@@ -27,14 +27,15 @@ oblique_case(const ObliqueLayer &layer, const unsigned int n, const bool bricks 
   else
     c.mesh = brick<3>({{nx, ny, n}}, {{length, width, H}},
                       {false, plane || layer.delta > 0. ? 0. : 0.15});
-  c.phases                      = {layer_material<3>()};
-  c.friction                    = layer.mu;
-  c.setup.contact.flat_velocity = LoadHistory(layer.flat_velocity);
-  c.setup.contact.law.time      = layer.delta;
-  c.setup.top.kind              = TopSetup::Kind::pressure;
-  c.setup.top.lateral_held      = true;
-  c.setup.top.pressure          = LoadHistory(P);
-  c.setup.step.beta             = layer.beta;
+  c.phases                         = {layer_material<3>()};
+  c.friction                       = layer.mu;
+  c.setup.contact.flat_velocity    = LoadHistory(layer.flat_velocity);
+  c.setup.contact.law.time         = layer.delta;
+  c.setup.contact.normal_stiffness = layer.springs;
+  c.setup.top.kind                 = TopSetup::Kind::pressure;
+  c.setup.top.lateral_held         = true;
+  c.setup.top.pressure             = LoadHistory(P);
+  c.setup.step.beta                = layer.beta;
   for (const unsigned int side : {2, 3})
     c.hold(side, 1);
   return c;
@@ -50,7 +51,9 @@ Complex observed_rate(const ObliqueLayer &layer,
   const double seed = 1e-12, dt = run.setup.step.dt;
   const auto &D     = layer_material<3>().stiffness;
   const auto steady = [&](const double z, const unsigned int c) {
-    return c == 0 ? layer.mu * P / D(4, 4) * (H - z) : c == 2 ? -P / D(2, 2) * z : 0.;
+    return c == 0   ? layer.mu * P / D(4, 4) * (H - z)
+           : c == 2 ? -P / D(2, 2) * z - P / layer.springs
+                    : 0.;
   };
   run.set(
     [&](const auto &p, const unsigned int c) {
@@ -118,6 +121,16 @@ TEST(MeshWaves, AtAnAngleToTheMotionOfTheFlat)
   static_cast<Layer &>(layer) = {1., 0.4, 0., 2e-8};
   layer.flat_velocity         = 4.;
   expect_growth_at_angles(layer, {0, 30, 45, 60}, 12, 5e-6, 50e-6);
+}
+
+TEST(MeshWaves, AtAnAngleOnSprings)
+{
+  ObliqueLayer layer;
+  static_cast<Layer &>(layer) = {1., 0.4, 0., 2e-8};
+  layer.springs               = 3e13;
+  layer.flat_velocity         = 4.;
+  expect_growth_at_angles(layer, {0, 45}, 12, 5e-6, 50e-6);
+  expect_growth_at_angles(layer, {0, 45}, 12, 5e-6, 50e-6, true);
 }
 
 // The vector relaxes: friction across the motion lags as that along it does.

@@ -14,8 +14,6 @@ namespace sliding_layer
  * friction alone. */
 struct ObliqueLayer : Layer
 {
-  static constexpr double G = 1900. * c_T * c_T, lambda = 2. / 3. * G; ///< Lame (Pa)
-
   double angle         = 0.; ///< t
   double flat_velocity = 0.; ///< m/s
 
@@ -26,11 +24,6 @@ struct ObliqueLayer : Layer
   double across() const
   {
     return std::sin(angle);
-  }
-  /** Stiffness with damping over that without. */
-  Complex softening(const Complex s) const
-  {
-    return 1. + beta * (scheme_dt > 0. ? (1. - std::exp(-s * scheme_dt)) / scheme_dt : s);
   }
   /** Friction across the motion of the flat over -u_y: along the slip of the step. */
   Complex drag(const Complex s) const
@@ -47,17 +40,15 @@ struct ObliqueLayer : Layer
 
   Bottom bottom(const Complex s) const
   {
-    const Complex a = decay(s, c_L()), b = decay(s, c_T), Gg = G * softening(s);
-    const Complex ta = std::tanh(a * H), tb = std::tanh(b * H);
-    const double k2 = k() * k();
     // The wave in the plane is shape(), that across it sinh(b (H - z)) / cosh(b H).
-    const Complex u = I / k() * (k2 * ta / a - b * tb), du = I / k() * (b * b - k2);
-    const Complex squeeze = a * ta - b * tb, dilatation = I * k() * u + squeeze;
-    const Complex pressure = -softening(s) * (lambda * dilatation + 2. * G * squeeze);
+    const Waves w    = waves(s);
+    const Complex Gg = G * softening(s), size = w.A * w.a, u = w.along() / size,
+                  shear    = Gg * w.shear_stress() / size,
+                  pressure = -Gg * w.normal_stress() / size;
     Bottom found;
     found.plane = {
-      {along() * Gg * du + friction(s) * pressure, across() * (Gg * du - drag(s) * u)}};
-    found.shear = {{across() * Gg * b, -along() * (Gg * b + drag(s) * tb)}};
+      {along() * shear + friction(s) * pressure, across() * (shear - drag(s) * u)}};
+    found.shear = {{across() * Gg * w.b, -along() * (Gg * w.b + drag(s) * w.tb)}};
     return found;
   }
 

@@ -136,6 +136,27 @@ TEST(Growth, Coulomb)
   expect_growth<2>({1.15, 0.25, 0., 0.}, 30030.410, 49264.050, {20, 40, 80});
 }
 
+// Numbers of a derivation by others, with G = 12.5 GPa.
+TEST(Growth, OnSprings)
+{
+  Layer layer   = {1.15, 0.25, 0., 0.};
+  layer.springs = 1e15 * Layer::G / 12.5e9;
+  EXPECT_NEAR(layer.fastest().real(), 30025.295, 2e-3);
+  EXPECT_NEAR(std::abs(layer.fastest().imag()) / (2. * M_PI), 49227.795, 2e-3);
+  layer.springs = 1e13 * Layer::G / 12.5e9;
+  expect_growth<2>(layer, 28061.032, 45707.747, {20, 40, 80}, ", springs");
+  expect_growth<3>(layer, 28061.032, 45707.747, {20, 40}, ", box on springs");
+}
+
+TEST(Growth, OnSpringsRegularizedAndDamped)
+{
+  Layer layer     = damped_layer;
+  layer.springs   = 3e13;
+  const Complex s = layer.fastest();
+  expect_growth<2>(layer, s.real(), std::abs(s.imag()) / (2. * M_PI), {20, 40, 80},
+                   ", springs");
+}
+
 TEST(Growth, RegularizedAndDamped)
 {
   expect_growth<2>(damped_layer, 23574.532, 45632.343, {20, 40, 80});

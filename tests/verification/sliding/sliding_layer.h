@@ -4,6 +4,7 @@
 #include "box_body.h"
 
 #include <complex>
+#include <limits>
 
 namespace verification
 {
@@ -32,6 +33,11 @@ struct Layer
   /** Time step (s) of the scheme: leapfrog, and damping of the velocity half a step
    *  earlier; 0: differential equations. */
   double scheme_dt = 0.;
+
+  /** Of springs below the layer for the area (Pa/m). */
+  double springs = std::numeric_limits<double>::infinity();
+
+  static constexpr double G = 1900. * c_T * c_T; ///< shear modulus (Pa)
 
   /** Friction over the pressure. The scheme solves the law for a pressure that is linear
    * in time within a step. */
@@ -66,13 +72,56 @@ struct Layer
     return c_T * std::sqrt(1.6 / 0.6);
   }
 
+  /** Stiffness with damping over that without. */
+  Complex softening(const Complex s) const
+  {
+    return 1. + beta * (scheme_dt > 0. ? (1. - std::exp(-s * scheme_dt)) / scheme_dt : s);
+  }
+
+  /** A dilatation A sinh(a eta) / cosh(a H) and a shear B cosh(b eta) / cosh(b H), eta = H - y, leave
+   * u_x = sigma_yy = 0 on top. */
+  struct Waves
+  {
+    Complex a, b, ta, tb, A, B; ///< ta, tb: tanh(a H), tanh(b H)
+    double k;
+
+    /** Over G and its softening at the flat, for A = @p of_a and B = @p of_b. */
+    Complex normal_stress(const Complex of_a, const Complex of_b) const
+    {
+      return (b * b + k * k) * ta * of_a + 2. * I * k * b * tb * of_b;
+    }
+    Complex normal_stress() const
+    {
+      return normal_stress(A, B);
+    }
+    Complex shear_stress() const
+    {
+      return -2. * I * k * a * A + (b * b + k * k) * B;
+    }
+    /** u_x at the flat. */
+    Complex along() const
+    {
+      return I * k * ta * A - b * tb * B;
+    }
+  };
+
+  /** Those with sigma_yy = springs u_y at the flat, and u_y = 0 on a rigid one. */
+  Waves waves(const Complex s) const
+  {
+    Waves w              = {decay(s, c_L()), decay(s, c_T), 0., 0., 0., 0., k()};
+    w.ta                 = std::tanh(w.a * H);
+    w.tb                 = std::tanh(w.b * H);
+    const Complex yields = G * softening(s) / springs;
+    w.A                  = -I * k() - yields * w.normal_stress(0., 1.);
+    w.B                  = w.a + yields * w.normal_stress(1., 0.);
+    return w;
+  }
+
   /** Left side of the dispersion relation. */
   Complex operator()(const Complex s) const
   {
-    const Complex a = decay(s, c_L()), b = decay(s, c_T), k2 = k() * k();
-    return inertia(s) / (c_T * c_T) +
-           I * k() * friction(s) *
-             ((b * b + k2) * std::tanh(a * H) / a - 2. * b * std::tanh(b * H));
+    const Waves w = waves(s);
+    return (w.shear_stress() - friction(s) * w.normal_stress()) / w.a;
   }
 
   /** The root near @p s by Newton's method. */
@@ -101,13 +150,12 @@ struct Layer
     return best;
   }
 
-  /** Its shape: a dilatation and a shear that leave u_x = sigma_yy = 0 on top and u_y = 0
-   *  below. */
+  /** Its shape. */
   Complex shape(const Complex s, const double y, const unsigned int c) const
   {
-    const Complex a = decay(s, c_L()), b = decay(s, c_T), eta = H - y;
-    const Complex A = -I * k() * std::cosh(b * H), B = a * std::cosh(a * H);
-    const Complex size = A * a * std::cosh(a * H);
+    const Waves w     = waves(s);
+    const Complex eta = H - y, a = w.a, b = w.b, A = w.A / std::cosh(a * H),
+                  B = w.B / std::cosh(b * H), size = w.A * a;
     return c == 0
              ? (I * k() * A * std::sinh(a * eta) - b * B * std::sinh(b * eta)) / size
              : (-a * A * std::cosh(a * eta) - I * k() * B * std::cosh(b * eta)) / size;
@@ -206,21 +254,22 @@ struct FourierProbe : StepObserver, Amplitude
 inline BodySetup layer_setup(const Layer &layer, const unsigned int n)
 {
   BodySetup setup;
-  const double length         = 2. * M_PI / layer.k();
-  const unsigned int n_length = 20 * std::lround(length / H * n / 20.);
-  setup.cells                 = {{n_length, n}};
-  setup.spacing               = {{length / n_length, H / n}};
-  setup.classes               = {resin()};
-  setup.periodic              = true;
-  setup.friction              = layer.mu;
-  setup.contact.flat_velocity = LoadHistory(V);
-  setup.contact.law.time      = layer.delta;
-  setup.top.kind              = TopSetup::Kind::pressure;
-  setup.top.lateral_held      = true;
-  setup.top.pressure          = LoadHistory(P);
-  setup.step.beta             = layer.beta;
-  setup.step.dt               = 0.9 * H / n / layer.c_L();
-  setup.sweep.steps_at_once   = 1;
+  const double length            = 2. * M_PI / layer.k();
+  const unsigned int n_length    = 20 * std::lround(length / H * n / 20.);
+  setup.cells                    = {{n_length, n}};
+  setup.spacing                  = {{length / n_length, H / n}};
+  setup.classes                  = {resin()};
+  setup.periodic                 = true;
+  setup.friction                 = layer.mu;
+  setup.contact.flat_velocity    = LoadHistory(V);
+  setup.contact.law.time         = layer.delta;
+  setup.contact.normal_stiffness = layer.springs;
+  setup.top.kind                 = TopSetup::Kind::pressure;
+  setup.top.lateral_held         = true;
+  setup.top.pressure             = LoadHistory(P);
+  setup.step.beta                = layer.beta;
+  setup.step.dt                  = 0.9 * H / n / layer.c_L();
+  setup.sweep.steps_at_once      = 1;
   return setup;
 }
 
@@ -231,7 +280,8 @@ void start_sliding(AnyBody &body, const Layer &layer, const Complex s)
   const double seed = 1e-13, dt = body.setup.step.dt;
   const auto &D = body.setup.classes[0].stiffness;
   body.set_u([&](const double x, const double y, const unsigned int c) {
-    const double steady = c == 0 ? layer.mu * P / D(2, 2) * (H - y) : -P / D(1, 1) * y;
+    const double steady =
+      c == 0 ? layer.mu * P / D(2, 2) * (H - y) : -P / D(1, 1) * y - P / layer.springs;
     return steady + seed * (layer.shape(s, y, c) * std::exp(I * layer.k() * x)).real();
   });
   body.set_w([&](const double x, const double y, const unsigned int c) {
