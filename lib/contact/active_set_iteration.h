@@ -196,7 +196,16 @@ private:
   bool update_states();
 
   /** Of nodes that slip, in their direction; else 0. */
-  Eigen::VectorXd friction_of_pressure() const;
+  Eigen::VectorXd friction_of_pressure() const
+  {
+    Eigen::VectorXd result = Eigen::VectorXd::Zero(friction.size());
+    for (unsigned int i = 0; i < n_nodes; ++i)
+      for (unsigned int c = 0; c < n_tangents; ++c)
+        if (solution.state[i] == ContactState::slip && !side_carries(i, c))
+          result[index(i, c)] = tangential.direction[i][c] *
+                                problem.friction_coefficient[i] * std::max(0., normal[i]);
+    return result;
+  }
 
   /** As a share of the normal force. */
   double friction_change() const

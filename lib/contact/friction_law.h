@@ -2,7 +2,7 @@
 #define mesoslip_contact_friction_law_h
 
 #include "contact/laws/normal_stress_memory.h"
-#include "contact/relaxation.h"
+#include "contact/laws/relaxation.h"
 
 #include <cmath>
 #include <memory>

@@ -273,18 +273,6 @@ bool ActiveSetIteration<dim>::update_states()
 }
 
 template <int dim>
-Eigen::VectorXd ActiveSetIteration<dim>::friction_of_pressure() const
-{
-  Eigen::VectorXd result = Eigen::VectorXd::Zero(friction.size());
-  for (unsigned int i = 0; i < n_nodes; ++i)
-    for (unsigned int c = 0; c < n_tangents; ++c)
-      if (solution.state[i] == ContactState::slip && !side_carries(i, c))
-        result[index(i, c)] = tangential.direction[i][c] *
-                              problem.friction_coefficient[i] * std::max(0., normal[i]);
-  return result;
-}
-
-template <int dim>
 void ActiveSetIteration<dim>::require_contact(const bool enough) const
 {
   if (!std::isfinite(normal.sum()))

@@ -46,7 +46,7 @@ void BrickStepper::set_inverse_mass()
         const auto [place, is_new] = known.emplace(bytes, mass_rows.size());
         first.push_back(place->second);
         for (std::size_t i = 0; is_new && i < n; ++i)
-          mass_rows.push_back(1. / row[i]);
+          mass_rows.push_back(1. / (row[i] * parameters.inertia()));
       }
   mass_rows.resize(mass_rows.size() + lanes<double>);
   for (const std::size_t place : first)
@@ -104,7 +104,8 @@ void BrickStepper::add_surface(const SharedNodes &nodes, SurfaceCondition<3> &co
   side.surface = std::make_unique<MeshSurface<3>>(
     nodes,
     [this](const unsigned int point, const unsigned int c) {
-      return is_held(point, c) ? 0. : 1. / op.lumped_mass()[point];
+      return is_held(point, c) ? 0.
+                               : 1. / (op.lumped_mass()[point] * parameters.inertia());
     },
     condition, communicator);
   const std::size_t n = slab.n_nodes[0];
@@ -126,12 +127,13 @@ kernels::BrickStep BrickStepper::brick_step()
       const unsigned int axis = BrickOperator::sweep_axis[c];
       step.u[c]               = u.row(axis, 0);
       step.w[c]               = w.row(axis, 0);
-      step.acceleration[c]    = parameters.acceleration[axis];
+      step.acceleration[c]    = parameters.acceleration[axis] / parameters.inertia();
     }
   step.dt           = parameters.dt;
   step.c_new        = parameters.dt * (parameters.beta2 + 0.5);
   step.c_old        = -parameters.dt * (parameters.beta2 - 0.5);
   step.beta         = parameters.beta;
+  step.alpha        = parameters.alpha / parameters.inertia();
   step.inverse_mass = inverse_mass.data();
   step.held_begin   = held_begin.data();
   step.held         = held.data();
@@ -154,10 +156,11 @@ void BrickStepper::advance(const std::uint64_t n_steps)
       for (const Side &side : sides)
         if (side.surface)
           side.surface->start([&](const std::size_t i, const unsigned int c) {
-            const std::size_t place = side.force_place[i];
-            return side.force[place + n * in_sweep(c)] -
-                   parameters.acceleration[c] *
-                     op.lumped_mass()[side.surface->points()[i]];
+            const std::size_t place  = side.force_place[i];
+            const unsigned int point = side.surface->points()[i];
+            return side.force[place + n * in_sweep(c)] +
+                   (parameters.alpha * w.row(c, 0)[point] - parameters.acceleration[c]) *
+                     op.lumped_mass()[point];
           });
       for (const Side &side : sides)
         if (side.surface)

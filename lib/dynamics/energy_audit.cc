@@ -43,7 +43,7 @@ EnergyAudit::EnergyAudit(Stepper &stepper,
   , platen_mass(platen_mass)
   , interval(interval)
   , boundary_work(boundary_work)
-  , damped(step.beta > 0.)
+  , damped(step.beta > 0. || step.alpha > 0.)
   , dissipative(step.beta2 != 0.5)
   , heavy(step.is_heavy())
   , u_before(u.zeros_alike())
@@ -51,7 +51,7 @@ EnergyAudit::EnergyAudit(Stepper &stepper,
   , u_now(u_before)
   , w_now(u_before)
   , stiff_u(u_before)
-  , stiff_w(damped ? stiff_u : NodalField<double>())
+  , stiff_w(step.beta > 0. ? stiff_u : NodalField<double>())
 {
   const NodeRows &rows = stepper.rows;
   const std::size_t n  = u.n_columns();
@@ -97,7 +97,7 @@ void EnergyAudit::before_step(const std::uint64_t n)
       multiply(u, w);
       if (heavy || (damped && interval == 1))
         u_now = u;
-      if (dissipative)
+      if (dissipative || step.alpha > 0.)
         w_now = w;
     }
   else
@@ -177,6 +177,15 @@ EnergyAudit::Sums EnergyAudit::nodal_sums() const
             sums.scheme +=
               squares(c_now, [&](const unsigned int i) { return w2[i] - w0[i]; });
           }
+        if (step.alpha > 0.)
+          {
+            const double *w1 = w_now.row(component, l), *u0 = u_before.row(component, l),
+                         *u2 = u.row(component, l);
+            sums.damping +=
+              0.5 * step.alpha * sum_of(n_distinct, [&](const unsigned int i) {
+                return 0.5 * m[i] * (w1[i] + w2[i]) * (u2[i] - u0[i]);
+              });
+          }
         if (heavy)
           {
             const double *u1 = u_now.row(component, l), *u2 = u.row(component, l);
@@ -193,7 +202,7 @@ EnergyAudit::Sums EnergyAudit::nodal_sums() const
 void EnergyAudit::multiply(NodalField<double> &u_n, NodalField<double> &w_n)
 {
   stepper.multiply(stiff_u, u_n);
-  if (damped)
+  if (step.beta > 0.)
     stepper.multiply(stiff_w, w_n);
 }
 
@@ -219,8 +228,8 @@ double EnergyAudit::dot_difference(const NodalField<double> &a,
 void EnergyAudit::add_products(Sums &sums) const
 {
   sums.elastic = 0.5 * dot_difference(stiff_u, nullptr);
-  if (damped)
-    sums.damping = 0.5 * step.beta * dot_difference(stiff_w, &u_before);
+  if (step.beta > 0.)
+    sums.damping += 0.5 * step.beta * dot_difference(stiff_w, &u_before);
 }
 
 EnergyHistory EnergyAudit::reduce() const

@@ -33,7 +33,7 @@ struct EnergyHistory
   std::vector<double> external_work; ///< since the start, as everything below
   std::vector<double> friction;      ///< dissipated by sliding
   std::vector<double> impact;        ///< dissipated by nodes that land
-  std::vector<double> damping;       ///< dissipated by C = beta K
+  std::vector<double> damping;       ///< dissipated by C = alpha M + beta K
   std::vector<double> scheme;        ///< dissipated by beta2 > 1/2
   std::vector<double> contact;       ///< in springs between surface and flat
 
@@ -53,11 +53,11 @@ struct EnergyHistory
 
 /**
  * The energy balance of the beta2 scheme. With c = (b - 1/2) dt^2, the scheme satisfies
- * exactly, for M a_n = f_n - K (u_n + beta w_n),
+ * exactly, for M a_n = f_n - K (u_n + beta w_n) - alpha M (w_n + w_(n+1)) / 2,
  *
  *     H_(n+1/2) - H_(n-1/2) = f_n.(u_(n+1) - u_(n-1)) / 2 - D_beta - D_b
  *     H_(n+1/2) = w_(n+1).M w_(n+1) / 2 + c/4 a_n.M a_n + u_(n+1).K u_n / 2
- *     D_beta    = beta (u_(n+1) - u_(n-1)).K w_n / 2
+ *     D_beta    = (u_(n+1) - u_(n-1)).(alpha M (w_n + w_(n+1)) / 2 + beta K w_n) / 2
  *     D_b       = c/4 (a_n + a_(n-1)).M (a_n + a_(n-1))
  *
  * so with interval 1 the residual is round-off. With a longer interval the two

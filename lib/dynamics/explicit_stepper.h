@@ -39,9 +39,10 @@ public:
   void set_boundary(kernels::Rows<double> &r, SurfaceView<2> &view, const bool top) const;
 
 private:
-  /** Inverse masses, zero where held, and masses of global node row @p j. */
+  /** Inverses of masses times @p inertia, zero where held, and masses of global node row @p j. */
   void inverse_mass_row(const UniformMaterial &material,
                         const SideConstraints &sides,
+                        const double inertia,
                         const unsigned int j,
                         double *x,
                         double *y,
@@ -146,7 +147,7 @@ private:
  * Explicit time integration of the bulk on a uniform grid, force and update fused in one
  * pass over the rows, in place:
  *
- *     a = M^-1 (boundary forces + M g - K (u + beta w))
+ *     a = M^-1 (boundary forces + M (g - alpha w) - K (u + beta w)) / (1 + alpha dt / 2)
  *     w += dt a,   u += dt w + (beta2 - 1/2) dt^2 a
  *
  * which is the beta2 scheme with v = w + beta2 dt a where a velocity is reported (w alone
@@ -250,9 +251,9 @@ private:
     const UniformMaterial &material = body.material;
     const NodeRows &rows            = body.rows;
     const StepParameters &p         = body.parameters;
-    if (!(p.dt > 0.) || !(p.beta2 > 0.) || !(p.beta >= 0.))
+    if (!(p.dt > 0.) || !(p.beta2 > 0.) || !(p.beta >= 0.) || !(p.alpha >= 0.))
       throw std::invalid_argument(
-        "the time step and beta2 must be positive, beta not negative");
+        "the time step and beta2 must be positive, alpha and beta not negative");
     if (material.periodicity().y)
       throw std::invalid_argument(
         "the stepper has a bottom and a top: no periodicity in y");
@@ -277,7 +278,7 @@ private:
                                          const InstructionSet isa)
   {
     RowKernels<double> kernels(material, isa, parameters.beta != 0.,
-                               parameters.is_heavy());
+                               parameters.acts_on_mass());
     auto &c         = *kernels.constants;
     const double hx = material.grid().spacing[0], hy = material.grid().spacing[1];
     c.beta      = parameters.beta;
@@ -288,6 +289,9 @@ private:
     // Stepping kernels have forces times 2/h.
     c.scaled_gravity_x = parameters.acceleration[0] * 2. / hx;
     c.scaled_gravity_y = parameters.acceleration[1] * 2. / hy;
+    c.alpha            = parameters.alpha;
+    c.scaled_alpha_x   = parameters.alpha * 2. / hx;
+    c.scaled_alpha_y   = parameters.alpha * 2. / hy;
     return kernels;
   }
 

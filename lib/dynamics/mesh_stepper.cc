@@ -45,8 +45,12 @@ MeshStepper<dim>::MeshStepper(const MeshOperator<dim> &op,
   , own_mass(NodalField<double>::of_points(u.n_columns(), 1))
   , z(op.zero_field())
   , force(z)
-  , arrays(node_arrays<dim>(
-      u, w, inverse_mass, parameters.is_heavy() ? own_mass.row(0, 0) : nullptr, z, force))
+  , arrays(node_arrays<dim>(u,
+                            w,
+                            inverse_mass,
+                            parameters.acts_on_mass() ? own_mass.row(0, 0) : nullptr,
+                            z,
+                            force))
 {
   const std::vector<unsigned int> &in_mesh = op.part.point_in_mesh;
   for (std::size_t i = 0; i < in_mesh.size(); ++i)
@@ -54,7 +58,7 @@ MeshStepper<dim>::MeshStepper(const MeshOperator<dim> &op,
       const double mass     = op.lumped_mass()[i];
       own_mass.row(0, 0)[i] = i < op.part.n_distinct ? mass : 0.;
       for (unsigned int c = 0; c < dim; ++c)
-        inverse_mass.row(c, 0)[i] = 1. / mass;
+        inverse_mass.row(c, 0)[i] = 1. / (mass * parameters.inertia());
     }
   const PointIndex index(op.part, points_of(held));
   for (const HeldComponent &h : held)
@@ -97,7 +101,7 @@ kernels::NodeStep
 MeshStepper<dim>::node_step(const double dt, const double c_new, const double c_old) const
 {
   const auto &g = parameters.acceleration;
-  return {dt, c_new, c_old, parameters.beta, {g[0], g[1], g[2]}};
+  return {dt, c_new, c_old, parameters.beta, parameters.alpha, {g[0], g[1], g[2]}};
 }
 
 template <int dim>
@@ -118,7 +122,14 @@ void MeshStepper<dim>::step_once()
       surface->finish(n_done, static_cast<double>(n_done) * dt, u, w);
       for (const unsigned int i : surface->points())
         for (unsigned int c = 0; c < dim; ++c)
-          z[i * stride<dim> + c] = u.row(c, 0)[i] + parameters.beta * w.row(c, 0)[i];
+          {
+            const double velocity  = w.row(c, 0)[i];
+            z[i * stride<dim> + c] = u.row(c, 0)[i] + parameters.beta * velocity;
+            if (parameters.alpha > 0.)
+              force[i * stride<dim> + c] =
+                (parameters.alpha * velocity - parameters.acceleration[c]) *
+                own_mass.row(0, 0)[i];
+          }
     }
   ++n_done;
 }

@@ -29,6 +29,9 @@ struct StepParameters
   /** Stiffness-proportional damping C = beta K (s); zero costs nothing. */
   double beta = 0.;
 
+  /** Mass-proportional damping alpha M (1/s); zero costs nothing. */
+  double alpha = 0.;
+
   /** Body acceleration (m/s^2), the last one unused in 2D; zero costs nothing. */
   std::array<double, 3> acceleration = {};
 
@@ -36,6 +39,21 @@ struct StepParameters
   bool is_heavy() const
   {
     return acceleration != std::array<double, 3>{};
+  }
+
+  /**
+   * What the damping alpha M makes of the mass in a step. It acts on the mean of w_n and w_(n+1), that
+   * is, on w_n + dt a_n / 2: M (1 + alpha dt / 2) a_n = f - alpha M w_n, f being all other forces.
+   */
+  double inertia() const
+  {
+    return 1. + 0.5 * alpha * dt;
+  }
+
+  /** Whether there are forces in proportion to the mass. */
+  bool acts_on_mass() const
+  {
+    return is_heavy() || alpha > 0.;
   }
 };
 

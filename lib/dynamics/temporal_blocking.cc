@@ -9,7 +9,7 @@ StepMasses::StepMasses(const UniformMaterial &material,
                        const StepParameters &parameters,
                        const SideConstraints &sides)
   : one_row(material.has_uniform_density())
-  , has_mass(parameters.is_heavy())
+  , has_mass(parameters.acts_on_mass())
 {
   const unsigned int n = material.n_columns(), top_row = material.grid().cells[1];
   const std::array<double, 2> h = material.grid().spacing;
@@ -17,7 +17,7 @@ StepMasses::StepMasses(const UniformMaterial &material,
     {
       inverse_boundary[top] = NodalField<double>(n, 1);
       mass_boundary[top]    = NodalField<double>(n, 1);
-      inverse_mass_row(material, sides, top ? top_row : 0,
+      inverse_mass_row(material, sides, parameters.inertia(), top ? top_row : 0,
                        inverse_boundary[top].row(0, 0), inverse_boundary[top].row(1, 0),
                        mass_boundary[top].row(0, 0));
     }
@@ -29,7 +29,7 @@ StepMasses::StepMasses(const UniformMaterial &material,
     {
       double *x = factor.row(0, l);
       double *y = factor.row(1, l);
-      inverse_mass_row(material, sides,
+      inverse_mass_row(material, sides, parameters.inertia(),
                        one_row ? std::min(1u, top_row) : rows.first() + l, x, y,
                        mass.row(0, has_mass ? l : 0));
       for (unsigned int i = 0; i < n; ++i)
@@ -44,6 +44,7 @@ StepMasses::StepMasses(const UniformMaterial &material,
 
 void StepMasses::inverse_mass_row(const UniformMaterial &material,
                                   const SideConstraints &sides,
+                                  const double inertia,
                                   const unsigned int j,
                                   double *x,
                                   double *y,
@@ -52,7 +53,7 @@ void StepMasses::inverse_mass_row(const UniformMaterial &material,
   const unsigned int n = material.n_columns();
   material.mass_row(j, m);
   for (unsigned int i = 0; i < n; ++i)
-    x[i] = y[i] = 1. / m[i];
+    x[i] = y[i] = 1. / (m[i] * inertia);
   double *component[2] = {x, y};
   for (const unsigned int c : {0u, 1u})
     {

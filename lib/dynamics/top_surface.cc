@@ -192,8 +192,9 @@ template <int dim>
 void TopSurface<dim>::stop(const SurfaceView<dim> &surface)
 {
   const auto work = [&](const double m, const double w, const double moved,
-                        const double f) {
-    return 0.5 * ((f - m * w / step.dt) * moved + (step.beta2 - 0.5) * m * w * w);
+                        const double f, const double inertia) {
+    return 0.5 *
+           ((f - m * w / step.dt) * moved + (step.beta2 - 0.5) * m / inertia * w * w);
   };
   const auto mass = [](const double inverse) { return inverse > 0. ? 1. / inverse : 0.; };
   for (unsigned int i = 0; i < n_distinct; ++i)
@@ -201,11 +202,11 @@ void TopSurface<dim>::stop(const SurfaceView<dim> &surface)
       double of_node = 0.;
       for (unsigned int c = 0; c < dim; ++c)
         of_node += work(mass(surface.inverse_mass[c][i]), surface.w[c][i],
-                        increment[c][i], surface.force[c][i]);
+                        increment[c][i], surface.force[c][i], step.inertia());
       work_this_step += of_node;
     }
   if (surface.n > 0)
-    work_this_step += work(platen_mass, platen_w, increment[dim - 1][0], 0.);
+    work_this_step += work(platen_mass, platen_w, increment[dim - 1][0], 0., 1.);
 }
 
 template <int dim>

@@ -154,7 +154,7 @@ static void advance_nodes(const NodeArrays &nodes, const NodeStep &step)
           store(nodes.w[c] + first, w_new);
           store(nodes.u[c] + first, u);
           z[c]     = fma(splat(step.beta), w_new, u);
-          force[c] = splat(-step.acceleration[c]) * mass;
+          force[c] = fma(splat(step.alpha), w_new, splat(-step.acceleration[c])) * mass;
         }
       store_row(nodes.z + node_stride<dim> * first, z);
       store_row(nodes.force + node_stride<dim> * first, force);

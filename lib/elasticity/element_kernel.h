@@ -88,7 +88,8 @@ struct NodeStep
   double dt;              ///< s
   double c_new;           ///< u += c_new w_(n+1) + c_old w_n (s)
   double c_old;           ///< see c_new
-  double beta;            ///< of the damping C = beta K (s)
+  double beta;            ///< of the damping C = alpha M + beta K (s)
+  double alpha;           ///< likewise (1/s)
   double acceleration[3]; ///< of the body (m/s^2)
 };
 
@@ -99,7 +100,7 @@ struct NodeArrays
   double *u[3];                  ///< displacement (m)
   double *w[3];                  ///< velocity of the scheme (m/s)
   const double *inverse_mass[3]; ///< m/kg, 0 where constrained
-  const double *mass;            ///< kg (in 2D kg/m); null without body acceleration
+  const double *mass; ///< kg (in 2D kg/m); null without forces in proportion to it
 
   /** u + beta w, to be set for the next product. */
   double *z;

@@ -43,9 +43,9 @@ static void finish(const Constants<Number> &c, const Rows<Number> &r)
       fy        = fy * splat(c.scale_y);
       if constexpr (gravity)
         {
-          const Vector mass = load(r.mass + i);
-          fx                = fnma(splat(c.gravity_x), mass, fx);
-          fy                = fnma(splat(c.gravity_y), mass, fy);
+          const Vector mass = load(r.mass + i), alpha = splat(c.alpha);
+          fx = fnma(fnma(alpha, load(r.wx + i), splat(c.gravity_x)), mass, fx);
+          fy = fnma(fnma(alpha, load(r.wy + i), splat(c.gravity_y)), mass, fy);
         }
       store(r.fx + i, fx);
       store(r.fy + i, fy);

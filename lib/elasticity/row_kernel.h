@@ -92,13 +92,18 @@ struct Constants
   Number gravity_y        = 0; ///< m/s^2
   Number scaled_gravity_x = 0; ///< times 2/hx
   Number scaled_gravity_y = 0; ///< times 2/hy
+
+  /** Of the damping alpha M, and the same times 2/hx, 2/hy. */
+  Number alpha          = 0; ///< 1/s
+  Number scaled_alpha_x = 0; ///< times 2/hx
+  Number scaled_alpha_y = 0; ///< times 2/hy
 };
 
 /** Where one call works: n node rows and the cell rows above them. */
 template <typename Number>
 struct Rows
 {
-  /** Lowest of the n + 1 node rows of the state (w unused without damping and step). */
+  /** Lowest of the n + 1 node rows of the state (w unused without damping, gravity and step). */
   Number *ux         = nullptr;
   Number *uy         = nullptr; ///< displacement (m)
   Number *wx         = nullptr; ///< velocity of the scheme (m/s)
@@ -121,7 +126,7 @@ struct Rows
   const Number *factor_y    = nullptr; ///< of the y component
   std::size_t factor_stride = 0;       ///< numbers from one row to the next
 
-  /** Lumped mass, only with gravity. */
+  /** Lumped mass, only with forces in proportion to it. */
   const Number *mass      = nullptr;
   std::size_t mass_stride = 0; ///< numbers from one row to the next
 
@@ -140,7 +145,7 @@ struct Choice
   unsigned int n_phases = 1;     ///< 1 + the largest phase of a cell; 1: homogeneous
   bool anisotropic      = false; ///< with D13 and D23
   bool damping          = false; ///< C = beta K
-  bool gravity          = false; ///< a body acceleration
+  bool gravity          = false; ///< a body acceleration, or the damping alpha M
 
   /** Result: how coefficients are found. */
   MaterialVariant material = MaterialVariant::homogeneous;

@@ -224,9 +224,14 @@ struct Kernel
       }
     if constexpr (gravity)
       {
-        const Vector mass = load(r.mass + k * r.mass_stride + i);
-        fx = fnma(splat(step ? c.scaled_gravity_x : c.gravity_x), mass, fx);
-        fy = fnma(splat(step ? c.scaled_gravity_y : c.gravity_y), mass, fy);
+        const Vector mass    = load(r.mass + k * r.mass_stride + i);
+        const std::size_t at = k * r.stride + i;
+        const Vector gx      = splat(step ? c.scaled_gravity_x : c.gravity_x),
+                     gy      = splat(step ? c.scaled_gravity_y : c.gravity_y),
+                     ax      = splat(step ? c.scaled_alpha_x : c.alpha),
+                     ay      = splat(step ? c.scaled_alpha_y : c.alpha);
+        fx                   = fnma(fnma(ax, load(r.wx + at), gx), mass, fx);
+        fy                   = fnma(fnma(ay, load(r.wy + at), gy), mass, fy);
       }
     if constexpr (step)
       {

@@ -68,7 +68,7 @@ std::string kernels::name(const Choice &choice)
   if (choice.damping)
     result += ", damped";
   if (choice.gravity)
-    result += ", body force";
+    result += ", forces on the mass";
   return result;
 }
 

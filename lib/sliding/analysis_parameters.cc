@@ -310,7 +310,6 @@ void ContactParameters::bind_analyses(Keys &keys)
 
 RunConditions ContactParameters::stated_conditions() const
 {
-  using Kind                              = TopSetup::Kind;
   const std::array<const char *, 3> kinds = {{"pressure", "platen", "held"}};
   const bool transient                    = analysis == ContactAnalysis::transient;
   RunConditions conditions                = {
@@ -325,13 +324,10 @@ RunConditions ContactParameters::stated_conditions() const
                    {"acceleration_y", step.acceleration[1]}};
   add_load(conditions, "pressure", top.pressure);
   add_load(conditions, "velocity", contact.flat_velocity);
-  if (contact.flat_direction[1] != 0.)
-    {
-      conditions["flat_direction_x"] = contact.flat_direction[0];
-      conditions["flat_direction_y"] = contact.flat_direction[1];
-    }
+  if (const auto &along = contact.flat_direction; along[1] != 0.)
+    conditions.insert({{"flat_direction_x", along[0]}, {"flat_direction_y", along[1]}});
   add_friction(conditions, *this);
-  if (top.kind == Kind::platen)
+  if (top.kind == TopSetup::Kind::platen)
     conditions["platen_mass"] = top.platen_mass;
   if (contact.is_compliant())
     conditions["normal_stiffness"] = contact.normal_stiffness;
@@ -343,6 +339,8 @@ RunConditions ContactParameters::stated_conditions() const
       conditions["initial_velocity_y"] = body.initial_velocity[1];
       conditions["beta2"]              = step.beta2;
       conditions["rayleigh_beta"]      = step.beta;
+      if (step.alpha > 0.)
+        conditions["rayleigh_alpha"] = step.alpha;
     }
   if (!mesh.is_plane_grid())
     add_mesh(conditions, *this, transient);

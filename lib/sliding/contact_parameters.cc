@@ -76,6 +76,9 @@ void bind_body(Keys &keys, ContactParameters &p)
     keys, "Acceleration", p.step.acceleration, p.mesh.mesh.dim,
     "Acceleration that acts on the whole body, such as gravity: x, y and, in 3D, "
     "z [m/s^2]");
+  keys.bind("Rayleigh alpha", p.step.alpha, Range::non_negative(),
+            "alpha of the mass-proportional damping C = alpha M, which damps a vibration "
+            "of the frequency f with the ratio alpha / (4 pi f) [1/s]");
   const unsigned int dim  = p.mesh.mesh.dim;
   const auto require_axes = [&](const std::string &key, const std::size_t n) {
     keys.require(p.mesh.is_given() || n == 0 || n == dim, key,
@@ -139,113 +142,6 @@ void bind_time(Keys &keys, ContactParameters &p)
                  to_text(p.time.end_time) + " s");
 }
 
-/** The key of an amplitude is bound already. */
-LoadHistory bind_history(Keys &keys,
-                         const double amplitude,
-                         const std::string &what,
-                         const std::string &unit)
-{
-  Ramp ramp   = Ramp::step;
-  double time = 0.;
-  std::string expression;
-  keys.bind("Ramp", ramp, {"step", "linear", "smooth"},
-            "How the " + what +
-              " grows from zero: at once, as t / T or as (1 - cos(pi t / T)) / 2 in the "
-              "Ramp time T");
-  keys.bind("Ramp time", time, Range::non_negative(),
-            "Time T in which the " + what + " grows to its full value [s]");
-  keys.bind("Expression", expression,
-            "The " + what +
-              " as an expression in the time t (s), instead of a ramp, e.g. "
-              "2*cos(2*pi*1000*t) [" +
-              unit + "]");
-  keys.only_if(expression.empty(), {"Ramp", "Ramp time"},
-               keys.path("Expression") + " gives the load at all times",
-               "leave " + keys.path("Expression") + " empty");
-  keys.only_with("Ramp", {"linear", "smooth"}, {"Ramp time"});
-  keys.require(ramp == Ramp::step || time > 0., "Ramp time",
-               "it is 0, so that the " + what +
-                 " acts at once; give it in s, or set Ramp = step");
-  if (expression.empty())
-    return {amplitude, ramp, time};
-  try
-    {
-      LoadHistory history(amplitude, expression);
-      keys.require(std::isfinite(history(0.)), "Expression",
-                   "at t = 0 it is " + to_text(history(0.)) +
-                     "; write an expression that is finite at all times");
-      return history;
-    }
-  catch (const std::invalid_argument &e)
-    {
-      throw UserError(keys.path("Expression") + ": " + e.what() +
-                      "; write for example 2*cos(2*pi*1000*t)");
-    }
-}
-
-/** Puts the direction of the flat into @p p; its speed along it (m/s). */
-double bind_flat_direction(Keys &keys, ContactParameters &p)
-{
-  std::vector<double> velocity = {2.};
-  keys.bind_list("Velocity", velocity, Range::any(),
-                 "Velocity of the rigid flat along x and, in 3D, y (0 where it is left "
-                 "out). With two components a ramp or an expression is along their "
-                 "direction [m/s]",
-                 1, 2);
-  keys.require(velocity.size() < 2 || p.mesh.mesh.dim == 3, "Velocity",
-               "it has two components, but Dimension is 2; give the one along x");
-  if (velocity.size() < 2 || velocity[1] == 0.)
-    return velocity[0];
-  const double speed = std::hypot(velocity[0], velocity[1]);
-  keys.require(std::isfinite(speed), "Velocity", "its size is infinite; give it in m/s");
-  p.contact.flat_direction = {{velocity[0] / speed, velocity[1] / speed}};
-  p.top.direction          = p.contact.flat_direction;
-  return speed;
-}
-
-void bind_loads(Keys &keys, ContactParameters &p)
-{
-  {
-    const auto section      = keys.section("Flat");
-    const double speed      = bind_flat_direction(keys, p);
-    p.contact.flat_velocity = bind_history(keys, speed, "velocity", "m/s");
-    keys.bind("Gap", p.contact.gap, Range::non_negative(),
-              "Distance between the body and the flat at the start [m]");
-    double stiffness = automatic;
-    keys.bind_or_auto("Normal stiffness", stiffness, Range::positive(),
-                      "Stiffness for the area of springs between body and flat, as of "
-                      "the asperities of rough surfaces; auto: none, the flat is rigid "
-                      "[Pa/m]");
-    if (!std::isnan(stiffness))
-      p.contact.normal_stiffness = stiffness;
-  }
-  const auto section = keys.section("Top");
-  double pressure = 5e6, hold_from = automatic;
-  keys.bind(
-    "Kind", p.top.kind, {"pressure", "platen", "held"},
-    "Load of the top: a pressure on each node; a rigid platen (u_x = 0, one common "
-    "u_y) pushed by the resultant of the pressure; or no motion (u = 0)");
-  keys.bind("Pressure", pressure, Range::any(),
-            "Pressure on the top, positive when it presses the body on the flat [Pa]");
-  p.top.pressure = bind_history(keys, pressure, "pressure", "Pa");
-  keys.bind("Lateral held", p.top.lateral_held,
-            "Keep u_x = 0 on the top also under Kind = pressure, as under a platen");
-  keys.bind("Platen mass", p.top.platen_mass, Range::non_negative(),
-            "Mass of the platen, which moves with the top, in 2D per unit thickness; "
-            "Body/Acceleration does not act on it [kg/m, in 3D kg]");
-  keys.bind_or_auto("Hold from", hold_from, Range::non_negative(),
-                    "Time from which on the top stays where it is; auto: never [s]");
-  if (!std::isnan(hold_from))
-    p.top.hold_from = hold_from;
-  keys.only_with("Kind", {"pressure"}, {"Lateral held"});
-  keys.only_with("Kind", {"platen"}, {"Platen mass"});
-  keys.only_with("Kind", {"pressure", "platen"},
-                 {"Ramp", "Ramp time", "Expression", "Hold from"});
-  // Steady sliding under complex modes takes its pressure from there.
-  if (p.analysis == ContactAnalysis::transient)
-    keys.only_with("Kind", {"pressure", "platen"}, {"Pressure"});
-}
-
 void bind_friction(Keys &keys, FrictionParameters &friction, FrictionLaw &law)
 {
   const auto section = keys.section("Friction");
@@ -292,8 +188,9 @@ void check_analysis(const Keys &keys)
              "Checkpoints/", "Performance/Temporal blocking",
              "Performance/Instruction set"});
   only_with({"transient", "complex modes"},
-            {"Time/Rayleigh beta", "Friction/Law", "Friction/Regularization time",
-             "Friction/Length", "Friction/Reference velocity", "Friction/Normal stress",
+            {"Body/Rayleigh alpha", "Time/Rayleigh beta", "Friction/Law",
+             "Friction/Regularization time", "Friction/Length",
+             "Friction/Reference velocity", "Friction/Normal stress",
              "Friction/Normal stress time", "Friction/Normal stress length",
              "Friction/Normal stress velocity"});
   only_with({"transient", "static contact", "complex modes"},
@@ -332,16 +229,20 @@ void ContactParameters::bind(Keys &keys)
   mesh.bind(keys);
   bind_body(keys, *this);
   bind_time(keys, *this);
-  bind_loads(keys, *this);
+  bind_loads(keys);
   bind_sides(keys);
   bind_friction(keys, friction, contact.law);
   bind_observation(keys);
   bind_contact_map(keys);
   bind_analyses(keys);
   keys.renamed("Performance/Static solver = assembled", "ml");
-  // The multigrid of plane grids knows no springs.
   if (mesh.is_plane_grid() && contact.is_compliant())
-    static_solver = StaticSolverKind::ml;
+    {
+      keys.only_if(static_solver == StaticSolverKind::ml, {"Performance/Static solver"},
+                   "Flat/Normal stiffness is set, and ml alone knows springs",
+                   "set it to ml");
+      static_solver = StaticSolverKind::ml;
+    }
   check_analysis(keys);
   check_mesh(keys, *this);
   if (analysis == ContactAnalysis::transient ||

@@ -160,6 +160,7 @@ struct ContactParameters : SlidingSetup
   RunConditions stated_conditions() const;
 
 private:
+  void bind_loads(Keys &keys);
   void bind_sides(Keys &keys);
   void make_slip_law(const Keys &keys);
   void bind_observation(Keys &keys);

@@ -66,7 +66,9 @@ std::string TimeStepChoice::text() const
   return "Time step " + nanoseconds(step.dt) + ", " +
          quantity_text(100. * step.dt / critical, "%") + " of the critical " +
          nanoseconds(critical) + "; beta2 = " + quantity_text(step.beta2, "") +
-         ", beta = " + nanoseconds(step.beta) + "; " + std::to_string(n_steps) + " steps";
+         ", beta = " + nanoseconds(step.beta) +
+         (step.alpha > 0. ? ", alpha = " + quantity_text(step.alpha, "1/s") : "") + "; " +
+         std::to_string(n_steps) + " steps";
 }
 
 void require_frequency(const UniformMaterial &material)

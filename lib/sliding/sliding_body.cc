@@ -113,15 +113,17 @@ SlidingGrid::SlidingGrid(const UniformMaterial &material,
 void SlidingGrid::set_initial_velocity(const std::array<double, 3> &v)
 {
   const unsigned int n = w.n_columns(), last = rows.n_global - 1;
-  const double back                      = -setup.step.beta2 * setup.step.dt;
-  const std::array<double, 3> &of_weight = setup.step.acceleration;
-  const std::array<bool, 2> &left        = setup.sides.left_held,
-                            &right       = setup.sides.right_held;
+  const double back                = -setup.step.beta2 * setup.step.dt;
+  std::array<double, 3> of_mass    = setup.step.acceleration;
+  const std::array<bool, 2> &left  = setup.sides.left_held,
+                            &right = setup.sides.right_held;
+  for (unsigned int c = 0; c < 2; ++c)
+    of_mass[c] -= setup.step.alpha * v[c];
   for (unsigned int c = 0; c < 2; ++c)
     for (unsigned int j = 0; j < rows.n_local(); ++j)
-      std::fill_n(w.row(c, j), n, v[c] + back * of_weight[c]);
+      std::fill_n(w.row(c, j), n, v[c] + back * of_mass[c]);
   for (unsigned int i = 0; rows.begin == 0 && i < n; ++i)
-    if (contact.rests(i, of_weight[1]))
+    if (contact.rests(i, of_mass[1]))
       w.row(1, rows.local(0))[i] = v[1];
   if (rows.end == rows.n_global)
     {
@@ -133,7 +135,7 @@ void SlidingGrid::set_initial_velocity(const std::array<double, 3> &v)
         mass.back() = 0.;
       const std::vector<double> a = top.start_acceleration(mass);
       for (unsigned int i = 0; i < n; ++i)
-        w.row(1, rows.local(last))[i] = v[1] + back * a[i];
+        w.row(1, rows.local(last))[i] = v[1] + back * (a[i] - setup.step.alpha * v[1]);
     }
   for (unsigned int c = 0; c < 2; ++c)
     for (unsigned int j = 0; j < rows.n_local(); ++j)

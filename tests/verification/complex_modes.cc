@@ -50,7 +50,8 @@ SlidingPencil layer_pencil(const ElasticBody<2> &body,
       }
   const FreeDofs<2> dofs(body, held, std::nullopt);
   return make_sliding_pencil<2>(body, whole_stiffness(body, MPI_COMM_WORLD), dofs,
-                                contact, {layer.delta, layer.beta, state_time});
+                                contact,
+                                {layer.delta, layer.beta, state_time, layer.alpha});
 }
 
 ComplexModes modes_of(const SlidingPencil &pencil, const double highest_frequency)
@@ -103,6 +104,7 @@ TEST(ComplexModes, OfTheLayerOnSprings)
   expect_order_two(layer, "on springs");
   layer         = {1., 0.25, 1.5e-6, 4.4e-9};
   layer.springs = 3e13;
+  layer.alpha   = 1e4;
   expect_order_two(layer, "on springs, regularized and damped");
 }
 
@@ -115,7 +117,9 @@ TEST(ComplexModes, OfTheRegularizedAndDampedLayer)
 // Power of friction by node and of damping over twice the energy sum up to the growth rate.
 TEST(ComplexModes, GrowthIsThePowerOfFrictionLessDamping)
 {
-  const Layer layer{1., 0.25, 1.5e-6, 4.4e-9};
+  Layer layer{1., 0.25, 1.5e-6, 4.4e-9};
+  layer.alpha                    = 2e3;
+  layer.springs                  = 1e14;
   const UniformMaterial material = layer_material(layer, 10);
   const ComplexModes found = modes_of(layer_pencil(GridBody<2>(material), layer), 200e3);
   ASSERT_GT(found.modes.size(), 2U);

@@ -1,7 +1,7 @@
 #ifndef mesoslip_contact_laws_normal_stress_memory_h
 #define mesoslip_contact_laws_normal_stress_memory_h
 
-#include "contact/relaxation.h"
+#include "contact/laws/relaxation.h"
 
 namespace mesoslip
 {

@@ -112,10 +112,11 @@ ComplexMode finish(const SlidingPencil &pencil, const FoundMode &found)
                          imaginary.dot(pencil.stiffness * imaginary),
                stored =
                  pencil.on_springs() ? pencil.springs.dot(found.u.cwiseAbs2()) : 0.,
-               speed  = std::norm(found.s),
-               energy = speed * found.u.dot(pencil.mass.cwiseProduct(found.u)).real() +
-                        elastic + stored;
-  mode.growth_by_damping    = -pencil.law.beta * speed * elastic / energy;
+               speed   = std::norm(found.s),
+               kinetic = speed * found.u.dot(pencil.mass.cwiseProduct(found.u)).real(),
+               energy  = kinetic + elastic + stored;
+  mode.growth_by_damping =
+    -(pencil.law.beta * speed * elastic + pencil.law.alpha * kinetic) / energy;
   const ComplexVector force = pencil.friction_force(found.s, found.u);
   const auto n_nodes        = pencil.contact_nodes.empty()
                                 ? Eigen::Index(0)

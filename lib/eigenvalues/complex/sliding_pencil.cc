@@ -158,7 +158,7 @@ ComplexMatrix SlidingPencil::operator()(const Complex s) const
   ComplexMatrix inertia(size(), size());
   inertia.reserve(Eigen::VectorXi::Constant(static_cast<int>(size()), 1));
   for (Eigen::Index k = 0; k < size(); ++k)
-    inertia.insert(k, k) = s * s / damped * mass[k];
+    inertia.insert(k, k) = s * (s + law.alpha) / damped * mass[k];
   if (on_springs())
     for (Eigen::Index k = 0; k < size(); ++k)
       inertia.coeffRef(k, k) += springs[k] / damped;
@@ -187,7 +187,7 @@ RealMatrix SlidingPencil::whole_stiffness() const
 double SlidingPencil::residual(const Complex s, const ComplexVector &u) const
 {
   const Complex damped        = 1. + law.beta * s;
-  const ComplexVector inertia = s * s / damped * mass.cwiseProduct(u),
+  const ComplexVector inertia = s * (s + law.alpha) / damped * mass.cwiseProduct(u),
                       force   = friction_force(s, u) / damped;
   ComplexVector elastic       = product(stiffness, u);
   if (on_springs())

@@ -39,12 +39,13 @@ struct SlidingLaw
   double delta      = 0.; ///< time in which friction follows its target (s); 0: at once
   double beta       = 0.; ///< of the stiffness-proportional damping (s)
   double state_time = 0.; ///< in which the state follows the slip rate (s); 0: no state
+  double alpha      = 0.; ///< of the mass-proportional damping (1/s)
 };
 
 /**
  * Small vibrations u exp(s t) about steady sliding, in the free degrees of freedom:
  *
- *     [ s^2/(1 + beta s) M + K - N/(1 + s delta) + s/((1 + beta s)(1 + s delta)) C(s)
+ *     [ s (s + alpha)/(1 + beta s) M + K - N/(1 + s delta) + s/((1 + beta s)(1 + s delta)) C(s)
  *       + (K_s - N_s/(1 + s delta))/(1 + beta s) ] u = 0
  *     C(s) = C_0 + C_1/(1 + s tau)
  *
@@ -55,7 +56,7 @@ struct SlidingLaw
  * it, in 3D only, mu f over the speed of the flat, as friction turns against the velocity of
  * the node. Linear in s with v = s u, the friction forces q, and their parts z by the state:
  *
- *     s u = v,                     s M v = -K (u + beta v) - K_s u + E q,
+ *     s u = v,                     s M v = -K (u + beta v) - K_s u - alpha M v + E q,
  *     s tau z = -D_1 v - z,        s delta q = G (u + beta v) + G_s u - D_0 v + z - q
  *
  * with N = E G, N_s = E G_s and C_i = E D_i. Without delta there is no q, without tau no z.

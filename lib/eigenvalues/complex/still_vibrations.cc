@@ -129,7 +129,7 @@ void collect(const SlidingPencil &still,
 }
 } // namespace
 
-// A reference for the count is as good with springs that are damped as the body is.
+// A reference for the count is as good without alpha, and with springs that are damped as the body is.
 SlidingPencil without_friction(SlidingPencil pencil)
 {
   for (RealMatrix *matrix : {&pencil.targets, &pencil.spring_targets, &pencil.drag,
@@ -138,7 +138,7 @@ SlidingPencil without_friction(SlidingPencil pencil)
     *matrix *= 0.;
   pencil.stiffness = pencil.whole_stiffness();
   pencil.springs.resize(0);
-  pencil.law.delta = pencil.law.state_time = 0.;
+  pencil.law.delta = pencil.law.state_time = pencil.law.alpha = 0.;
   return pencil;
 }
 

@@ -67,7 +67,8 @@ struct BrickStep
   double dt;              ///< s
   double c_new;           ///< u += c_new w_(n+1) + c_old w_n (s)
   double c_old;           ///< see c_new
-  double beta;            ///< of the damping C = beta K (s)
+  double beta;            ///< of the damping C = alpha M + beta K (s)
+  double alpha;           ///< likewise (1/s)
   double acceleration[3]; ///< of the body (m/s^2), in the order of the sweep
 
   const double *const *inverse_mass; ///< of each row of nodes, [plane][row] (m/kg)

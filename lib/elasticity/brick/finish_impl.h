@@ -66,10 +66,11 @@ private:
   MESOSLIP_INLINE vdouble new_velocity(const vdouble w,
                                        const vdouble force,
                                        const vdouble inverse_mass,
-                                       const double dt,
-                                       const double acceleration)
+                                       const BrickStep &step,
+                                       const int c)
   {
-    return fma(splat(dt), fnma(inverse_mass, force, splat(acceleration)), w);
+    const vdouble of_mass = fnma(splat(step.alpha), w, splat(step.acceleration[c]));
+    return fma(splat(step.dt), fnma(inverse_mass, force, of_mass), w);
   }
 
   inline __attribute__((always_inline)) void advance_row(const BrickSweep &a,
@@ -84,19 +85,17 @@ private:
       {
         double *u = step.u[c] + place, *w = step.w[c] + place;
         const double *force = f + c * a.stride;
-        const double g      = step.acceleration[c];
         for (std::size_t i = 0; i < whole; i += length)
           {
             const vdouble old = load_any(w + i),
                           now = new_velocity(old, load_any(force + i),
-                                             load_any(inverse_mass + i), step.dt, g);
+                                             load_any(inverse_mass + i), step, c);
             store_any(w + i, now);
             store_any(u + i, load_any(u + i) + moved(now, old));
           }
         const vdouble old = load_some(w + whole, rest),
-                      now =
-                        new_velocity(old, load_some(force + whole, rest),
-                                     load_some(inverse_mass + whole, rest), step.dt, g);
+                      now = new_velocity(old, load_some(force + whole, rest),
+                                         load_some(inverse_mass + whole, rest), step, c);
         store_some(w + whole, now, rest);
         store_some(u + whole, load_some(u + whole, rest) + moved(now, old), rest);
       }
@@ -155,7 +154,8 @@ private:
           double &u = step.u[c][place + i], &w = step.w[c][place + i];
           const double old = w;
           if (!held)
-            w += step.dt * (step.acceleration[c] - inverse_mass[i] * f[c * a.stride + i]);
+            w += step.dt * (step.acceleration[c] - step.alpha * old -
+                            inverse_mass[i] * f[c * a.stride + i]);
           u += step.c_new * w + step.c_old * old;
         }
   }

@@ -88,12 +88,19 @@ void log_complex_modes(const ComplexCases<dim> &cases,
   const ComplexCase &base   = cases.base;
   const ComplexModes &found = cases.modes;
   const bool counted        = parameters.complex_modes.count;
-  context.log(std::to_string(base.n_sliding) + " contact nodes slide" +
-              (base.n_separated > 0 ? ", " + std::to_string(base.n_separated) +
-                                        " are separated in the static state and free"
-                                    : "") +
-              brief_text(4, "; delta = ", 1e9 * base.delta, " ns, beta = ",
-                         1e9 * parameters.step.beta, " ns (Time/Rayleigh beta)"));
+  context.log(
+    std::to_string(base.n_sliding) + " contact nodes slide" +
+    (base.n_separated > 0 ? ", " + std::to_string(base.n_separated) +
+                              " are separated in the static state and free"
+                          : "") +
+    brief_text(4, "; delta = ", 1e9 * base.delta,
+               " ns, beta = ", 1e9 * parameters.step.beta, " ns (Time/Rayleigh beta)") +
+    (parameters.step.alpha > 0.
+       ? brief_text(4, ", alpha = ", parameters.step.alpha, " 1/s")
+       : "") +
+    (parameters.contact.is_compliant()
+       ? brief_text(4, "; on springs of ", parameters.contact.normal_stiffness, " Pa/m")
+       : ""));
   if (!cases.state.contact.slopes.empty())
     context.log(law_text(cases.state));
   if (parameters.friction.law_name == "slip rate")

@@ -148,6 +148,7 @@ std::string swept_column(const ContactParameters &parameters)
                                                     : "friction_coefficient [-]";
   return sweep == ModeSweep::regularization_time ? "regularization_time [s]"
          : sweep == ModeSweep::velocity          ? "velocity [m/s]"
+         : sweep == ModeSweep::normal_stiffness  ? "normal_stiffness [Pa/m]"
                                                  : "pressure [Pa]";
 }
 
@@ -176,6 +177,8 @@ void write_complex_tables(const ComplexCases<dim> &cases,
   json["regularization_time"]    = cases.base.delta;
   json["flat_velocity"]          = parameters.contact.flat_velocity.amplitude();
   json["rayleigh_beta"]          = parameters.step.beta;
+  json["rayleigh_alpha"]         = parameters.step.alpha;
+  json["normal_stiffness"]       = finite_or_null(parameters.contact.normal_stiffness);
   json["sliding_nodes"]          = cases.base.n_sliding;
   json["separated_nodes"]        = cases.base.n_separated;
   json["steepest_friction_fall"] = parameters.contact.law.slip_law

@@ -41,29 +41,33 @@ void ComplexModesParameters::bind(Keys &keys)
             "Number of modes, from the fastest growing on, whose shapes are written [-]");
   keys.bind(
     "Sweep", sweep,
-    {"none", "friction coefficient", "regularization time", "velocity", "pressure"},
+    {"none", "friction coefficient", "regularization time", "velocity", "pressure",
+     "normal stiffness"},
     "Parameter that takes the Sweep values one after the other, besides the value "
     "that it has elsewhere");
   keys.bind_list(
     "Sweep values", values, Range::any(),
     "Values of what Sweep names, in its unit: Friction/Coefficient [-], with "
     "Coefficient from = phases a factor of the coefficients of all phases [-]; "
-    "Friction/Regularization time [s], Flat/Velocity [m/s] or Top/Pressure [Pa]; curves "
-    "of modes are followed in this order",
+    "Friction/Regularization time [s], Flat/Velocity [m/s], Top/Pressure [Pa] or "
+    "Flat/Normal stiffness [Pa/m]; curves of modes are followed in this order",
     0, 10000);
   keys.require(sweep == ModeSweep::none || !values.empty(), "Sweep values",
                "it is empty; list the values that Sweep is to take");
   keys.only_if(sweep != ModeSweep::none, {"Sweep values"}, "Complex modes/Sweep is none",
                "name a parameter there");
   for (const double value : values)
-    keys.require(sweep == ModeSweep::velocity   ? value != 0.
-                 : sweep == ModeSweep::pressure ? value > 0.
-                                                : value >= 0.,
+    keys.require(sweep == ModeSweep::velocity ? value != 0.
+                 : sweep == ModeSweep::pressure || sweep == ModeSweep::normal_stiffness
+                   ? value > 0.
+                   : value >= 0.,
                  "Sweep values",
                  "one of them is " + to_text(value) +
                    (sweep == ModeSweep::velocity   ? "; without velocity nothing slides"
                     : sweep == ModeSweep::pressure ? "; without pressure nothing touches"
-                                                   : "; they must not be negative"));
+                    : sweep == ModeSweep::normal_stiffness
+                      ? "; springs are stiffer than 0"
+                      : "; they must not be negative"));
 }
 
 ContactParameters with_swept(ContactParameters p, const double value)
@@ -82,6 +86,9 @@ ContactParameters with_swept(ContactParameters p, const double value)
     case ModeSweep::pressure:
       p.top.pressure = LoadHistory(value);
       break;
+    case ModeSweep::normal_stiffness:
+      p.contact.normal_stiffness = value;
+      break;
     default:
       break;
     }
@@ -92,7 +99,8 @@ SlidingLaw sliding_law(const ContactParameters &p)
 {
   const FrictionParameters &friction = p.friction;
   SlidingLaw law;
-  law.beta = p.step.beta;
+  law.alpha = p.step.alpha;
+  law.beta  = p.step.beta;
   if (friction.law_name == "slip rate")
     law.delta = friction.slip_length / (std::fabs(p.contact.flat_velocity.amplitude()) +
                                         friction.reference_velocity);
@@ -138,6 +146,10 @@ void check_complex_modes(const ContactParameters &p)
     throw UserError(
       "Complex modes/Sweep is pressure, but the top is held; set Top/Kind = "
       "platen or pressure");
+  if (sweep == ModeSweep::normal_stiffness && !p.contact.is_compliant())
+    throw UserError(
+      "Complex modes/Sweep is normal stiffness, but Flat/Normal stiffness is "
+      "auto, a rigid flat; give a stiffness there as well");
   if (sweep == ModeSweep::regularization_time && law != "constant time")
     throw UserError("Complex modes/Sweep is regularization time, but Friction/Law is " +
                     law + "; set it to constant time");

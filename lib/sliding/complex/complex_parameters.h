@@ -17,7 +17,8 @@ enum class ModeSweep
   coefficient,
   regularization_time,
   velocity,
-  pressure
+  pressure,
+  normal_stiffness
 };
 
 /** Section Complex modes. */

@@ -204,8 +204,11 @@ void SlidingMesh<dim>::set_initial_velocity(const std::array<double, 3> &velocit
       if (c < normal ? this->setup.top.holds_tangentially()
                      : this->setup.top.holds_normally())
         hold(point, c);
-  const StepParameters &step = this->setup.step;
-  std::vector<std::array<double, 3>> a(n, step.acceleration);
+  const StepParameters &step    = this->setup.step;
+  std::array<double, 3> of_mass = step.acceleration;
+  for (unsigned int c = 0; c < dim; ++c)
+    of_mass[c] -= step.alpha * velocity[c];
+  std::vector<std::array<double, 3>> a(n, of_mass);
   for (unsigned int i = 0; i < contact_nodes.size(); ++i)
     if (const unsigned int point = contact_nodes.point(i);
         point != SharedNodes::none && this->contact.rests(i, a[point][normal]))
@@ -220,7 +223,7 @@ void SlidingMesh<dim>::set_initial_velocity(const std::array<double, 3> &velocit
   const std::vector<double> pushed = this->top.start_acceleration(of_top);
   for (unsigned int i = 0; i < top_nodes.size(); ++i)
     if (top_nodes.point(i) != SharedNodes::none)
-      a[top_nodes.point(i)][normal] = pushed[i];
+      a[top_nodes.point(i)][normal] = pushed[i] - step.alpha * velocity[normal];
   const double back = -step.beta2 * step.dt;
   for (unsigned int c = 0; c < dim; ++c)
     for (std::size_t i = 0; i < n; ++i)

@@ -285,6 +285,17 @@ with tempfile.TemporaryDirectory() as path:
     check_refused(scene)
     check_above_all_modes(scene)
     check_heterogeneous(scene)
-    check_meshes(scene)
+    hard = check_meshes(scene, {})
+    soft = check_meshes(scene, {"Flat/Normal stiffness": 1e13, "Body/Rayleigh alpha": 2e3})
+    assert abs(soft[0] - hard[0]) > 1e-3 * abs(hard[0])
+    swept = ["--set=Complex modes/Sweep=normal stiffness", "--set=Complex modes/Sweep values=1e13, 1e15"]
+    scene.run(0, "contact_dynamics", "grid.prm", "--output", "swept", "--set=Flat/Normal stiffness=1e14", *swept)
+    first, last = (eigenvalues(case["complex_modes"]) for case in scene.summary("swept")["sweep"])
+    expect_same(first, soft, 1e-9, "first of the sweep")
+    assert abs(last - soft[0]).min() > 1e-3 * abs(soft[0])
+    assert "Flat/Normal stiffness is auto" in scene.run(2, "contact_dynamics", "grid.prm", "--set=Flat/Normal stiffness=auto", *swept)
+    scene.run(0, "contact_dynamics", "grid.prm", "--output", "stiff", "--set", "Flat/Normal stiffness=1e19",
+              "--set", "Body/Rayleigh alpha=0")
+    expect_same(found(scene, "stiff"), hard, 1e-5, "next to rigid")
     check_sweep(scene)
     check_sweep_by_phase(scene)

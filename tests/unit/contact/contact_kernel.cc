@@ -165,7 +165,7 @@ void expect_the_same_bits()
     std::mt19937 generator(seed);
     std::uniform_real_distribution<double> random(-1., 1.);
     using Arrays = ContactArrays;
-    NodalField<double> values(n, 1, 19 + Arrays::n_columns);
+    NodalField<double> values(n, 1, 20 + Arrays::n_columns);
     unsigned int next = 0;
     const auto row    = [&](const double centre, const double width) {
       double *r = values.row(next++, 0);
@@ -184,7 +184,10 @@ void expect_the_same_bits()
       }
     for (double *&column : a.column)
       column = row(0.5, 0.5);
-    a.column[Arrays::gap] = row(0., 1e-4);
+    a.column[Arrays::gap]      = row(0., 1e-4);
+    a.column[Arrays::softness] = row(1e-4, 1e-4); // about that of the nodes, or none
+    for (std::size_t i = 0; i < n; i += 3)
+      a.column[Arrays::softness][i] = 0.;
     for (const auto c : {Arrays::increment_x, Arrays::increment_y})
       a.column[c] = row(0., 1e-3);
     for (const auto c : {Arrays::tangential_force, Arrays::target, Arrays::lateral_force,

@@ -168,6 +168,9 @@ TEST(Energy, ClosesWithEverythingElse)
   expect_closed(setup, "gravity, damping");
   setup.step.beta2 = 0.8;
   expect_closed(setup, "gravity, damping, beta2 = 0.8");
+  setup.step.alpha               = 2e4;
+  setup.contact.normal_stiffness = 1e14;
+  expect_closed(setup, "damping by the mass, springs");
   setup.contact.law.node_law  = std::make_shared<SlipRateRegularization>(3e-6, 1e-3);
   setup.contact.flat_velocity = LoadHistory(V, "2*cos(2*pi*2e4*t)");
   expect_closed(setup, "slip rate, flat to and fro");

@@ -35,6 +35,7 @@ oblique_case(const ObliqueLayer &layer, const unsigned int n, const bool bricks 
   c.setup.top.kind                 = TopSetup::Kind::pressure;
   c.setup.top.lateral_held         = true;
   c.setup.top.pressure             = LoadHistory(P);
+  c.setup.step.alpha               = layer.alpha;
   c.setup.step.beta                = layer.beta;
   for (const unsigned int side : {2, 3})
     c.hold(side, 1);
@@ -128,6 +129,7 @@ TEST(MeshWaves, AtAnAngleOnSprings)
   ObliqueLayer layer;
   static_cast<Layer &>(layer) = {1., 0.4, 0., 2e-8};
   layer.springs               = 3e13;
+  layer.alpha                 = 2e4;
   layer.flat_velocity         = 4.;
   expect_growth_at_angles(layer, {0, 45}, 12, 5e-6, 50e-6);
   expect_growth_at_angles(layer, {0, 45}, 12, 5e-6, 50e-6, true);

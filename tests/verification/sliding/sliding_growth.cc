@@ -157,6 +157,17 @@ TEST(Growth, OnSpringsRegularizedAndDamped)
                    ", springs");
 }
 
+TEST(Growth, DampedByMassAndStiffness)
+{
+  Layer layer     = damped_layer;
+  layer.alpha     = 3e4;
+  const Complex s = layer.fastest();
+  EXPECT_NEAR(damped_layer.fastest().real() - s.real(), 1.5e4, 500.);
+  const double frequency = std::abs(s.imag()) / (2. * M_PI);
+  expect_growth<2>(layer, s.real(), frequency, {20, 40, 80}, ", alpha");
+  expect_growth<3>(layer, s.real(), frequency, {20, 40}, ", box, alpha");
+}
+
 TEST(Growth, RegularizedAndDamped)
 {
   expect_growth<2>(damped_layer, 23574.532, 45632.343, {20, 40, 80});

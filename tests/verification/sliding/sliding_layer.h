@@ -37,6 +37,8 @@ struct Layer
   /** Of springs below the layer for the area (Pa/m). */
   double springs = std::numeric_limits<double>::infinity();
 
+  double alpha = 0.; ///< of the damping in proportion to the mass (1/s)
+
   static constexpr double G = 1900. * c_T * c_T; ///< shear modulus (Pa)
 
   /** Friction over the pressure. The scheme solves the law for a pressure that is linear
@@ -54,13 +56,15 @@ struct Layer
   {
     return kH / H;
   }
-  /** Inertia over stiffness with its damping, s^2 / (1 + beta s). */
+  /** Inertia over stiffness with their damping, s (s + alpha) / (1 + beta s). */
   Complex inertia(const Complex s) const
   {
     if (scheme_dt == 0.)
-      return s * s / (1. + beta * s);
-    const Complex root = 2. / scheme_dt * std::sinh(0.5 * s * scheme_dt);
-    return root * root / (1. + beta * (1. - std::exp(-s * scheme_dt)) / scheme_dt);
+      return s * (s + alpha) / (1. + beta * s);
+    const Complex root     = 2. / scheme_dt * std::sinh(0.5 * s * scheme_dt),
+                  velocity = (1. - std::exp(-s * scheme_dt)) / scheme_dt;
+    return (root * root + alpha * std::sinh(s * scheme_dt) / scheme_dt) /
+           (1. + beta * velocity);
   }
   /** a (c_L) or b (c_T) */
   Complex decay(const Complex s, const double speed) const
@@ -267,6 +271,7 @@ inline BodySetup layer_setup(const Layer &layer, const unsigned int n)
   setup.top.kind                 = TopSetup::Kind::pressure;
   setup.top.lateral_held         = true;
   setup.top.pressure             = LoadHistory(P);
+  setup.step.alpha               = layer.alpha;
   setup.step.beta                = layer.beta;
   setup.step.dt                  = 0.9 * H / n / layer.c_L();
   setup.sweep.steps_at_once      = 1;

@@ -12,7 +12,7 @@ from report.bodies import mode_shapes
 
 LABELS = {"friction_coefficient [-]": "friction coefficient", "friction_coefficient_factor [-]": "factor of all friction coefficients",
           "regularization_time [s]": "regularization time (s)",
-          "velocity [m/s]": "velocity (m/s)", "pressure [Pa]": "pressure (Pa)"}
+          "velocity [m/s]": "velocity (m/s)", "pressure [Pa]": "pressure (Pa)", "normal_stiffness [Pa/m]": "stiffness of the contact (Pa/m)"}
 
 
 def complex_modes(page, run):
@@ -92,5 +92,5 @@ def sweep(run):
         axes[1].plot(value[of_curve], growth[of_curve], ".-", ms=3, lw=style["lw"], color=line.get_color())
     axes[1].axhline(0, color=GREY, lw=0.8)
     for axis, label in zip(axes, ("frequency (kHz)", "growth rate (1/s)")):
-        axis.set(xlabel=LABELS.get(columns[0], columns[0]), ylabel=label)
+        axis.set(xlabel=LABELS.get(columns[0], columns[0]), ylabel=label, xscale="log" if columns[0].startswith("normal_stiffness") else "linear")
     return figure

@@ -1,5 +1,5 @@
-#ifndef mesoslip_contact_relaxation_h
-#define mesoslip_contact_relaxation_h
+#ifndef mesoslip_contact_laws_relaxation_h
+#define mesoslip_contact_laws_relaxation_h
 
 #include <cmath>
 
