@@ -78,6 +78,7 @@ void row_kernels(kernels::Choice choice, const std::string &name)
   c.c_old   = 0.2f;
   c.scale_x = c.scale_y = 1.1f;
   c.gravity_x = c.gravity_y = c.scaled_gravity_x = c.scaled_gravity_y = 0.3f;
+  c.alpha = c.scaled_alpha_x = c.scaled_alpha_y = 0.2f;
   std::vector<std::uint8_t> phases(4 * n, 0);
   for (unsigned int k = 0; k < phases.size(); ++k)
     phases[k] = choice.n_phases == 2 ? k * k % 7 % 2 : k * k % 31;
@@ -202,7 +203,7 @@ void cell_kernels(const kernels::CellKernels &cells)
   a.mass  = x.row(9);
   a.z     = x.row(10);
   a.force = x.row(12);
-  cells.advance(a, {0.1, 0.07, 0.03, 0.2, {0.1, 0.2, 0.3}});
+  cells.advance(a, {0.1, 0.07, 0.03, 0.2, 0.4, {0.1, 0.2, 0.3}});
   x.digest(in_space + " nodes");
 }
 

@@ -290,6 +290,9 @@ with tempfile.TemporaryDirectory() as path:
     assert abs(soft[0] - hard[0]) > 1e-3 * abs(hard[0])
     swept = ["--set=Complex modes/Sweep=normal stiffness", "--set=Complex modes/Sweep values=1e13, 1e15"]
     scene.run(0, "contact_dynamics", "grid.prm", "--output", "swept", "--set=Flat/Normal stiffness=1e14", *swept)
+    for ranks in (2, 3):
+        scene.run(0, "contact_dynamics", "grid.prm", "--output", "grid", ranks=ranks)
+        expect_same(found(scene, "grid"), soft, 1e-9, ("grid on springs", ranks))
     first, last = (eigenvalues(case["complex_modes"]) for case in scene.summary("swept")["sweep"])
     expect_same(first, soft, 1e-9, "first of the sweep")
     assert abs(last - soft[0]).min() > 1e-3 * abs(soft[0])
