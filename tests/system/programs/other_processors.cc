@@ -6,6 +6,7 @@
 #include "elasticity/row_kernel.h"
 #include "statics/multigrid/kernels/kernels.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstring>
 #include <string>
@@ -138,7 +139,8 @@ void all_row_kernels()
 
 void contact_kernel()
 {
-  Numbers<double> x(30 * 2 * n);
+  constexpr unsigned int n_rows = 13 + ContactArrays::n_columns;
+  Numbers<double> x(n_rows * 2 * n);
   unsigned int k  = 0;
   const auto next = [&]() { return x.row(k++); };
   ContactArrays a;
@@ -151,6 +153,9 @@ void contact_kernel()
       components[c] = next();
   for (double *&column : a.column)
     column = next();
+  for (unsigned int i = 0; i < n; ++i)
+    a.column[ContactArrays::softness][i] =
+      std::max(0., a.column[ContactArrays::softness][i]);
   ContactSums sums;
   for (unsigned int step = 0; step < 5; ++step)
     {
@@ -159,8 +164,9 @@ void contact_kernel()
       contact_kernels::baseline::advance_in_space(a, constants, sums);
     }
   const double all[] = {sums.normal_force, sums.tangential_force, sums.sticking,
-                        sums.slipping,     sums.friction_energy,  sums.impact_energy};
-  std::memcpy(x.row(29), all, sizeof(all));
+                        sums.slipping,     sums.friction_energy,  sums.impact_energy,
+                        sums.stored_energy};
+  std::memcpy(x.row(n_rows - 1), all, sizeof(all));
   x.digest("contact");
 }
 
