@@ -139,6 +139,7 @@ static void multiply_matrix(const CellBatches &cells, const double *u, double *f
 template <int dim>
 static void advance_nodes(const NodeArrays &nodes, const NodeStep &step)
 {
+  const double alpha = step.alpha;
   for (std::size_t first = 0; first < nodes.n; first += n_lanes)
     {
       vdouble force[dim], z[dim];
@@ -154,7 +155,7 @@ static void advance_nodes(const NodeArrays &nodes, const NodeStep &step)
           store(nodes.w[c] + first, w_new);
           store(nodes.u[c] + first, u);
           z[c]     = fma(splat(step.beta), w_new, u);
-          force[c] = fma(splat(step.alpha), w_new, splat(-step.acceleration[c])) * mass;
+          force[c] = fma(splat(alpha), w_new, splat(-step.acceleration[c])) * mass;
         }
       store_row(nodes.z + node_stride<dim> * first, z);
       store_row(nodes.force + node_stride<dim> * first, force);

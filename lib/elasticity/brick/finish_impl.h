@@ -51,7 +51,7 @@ struct Advance
     const std::size_t row = k * a.n[1] + j, place = a.plane_start[k] + j * a.n[0];
     const std::uint32_t first = step.held_begin[row], last = step.held_begin[row + 1];
     constexpr unsigned int at_once = 64;
-    if (last - first <= at_once)
+    if (step.alpha == 0. && last - first <= at_once)
       {
         double before[2 * at_once];
         save(first, last, place, before);
@@ -66,11 +66,10 @@ private:
   MESOSLIP_INLINE vdouble new_velocity(const vdouble w,
                                        const vdouble force,
                                        const vdouble inverse_mass,
-                                       const BrickStep &step,
-                                       const int c)
+                                       const double dt,
+                                       const double acceleration)
   {
-    const vdouble of_mass = fnma(splat(step.alpha), w, splat(step.acceleration[c]));
-    return fma(splat(step.dt), fnma(inverse_mass, force, of_mass), w);
+    return fma(splat(dt), fnma(inverse_mass, force, splat(acceleration)), w);
   }
 
   inline __attribute__((always_inline)) void advance_row(const BrickSweep &a,
@@ -85,17 +84,19 @@ private:
       {
         double *u = step.u[c] + place, *w = step.w[c] + place;
         const double *force = f + c * a.stride;
+        const double g      = step.acceleration[c];
         for (std::size_t i = 0; i < whole; i += length)
           {
             const vdouble old = load_any(w + i),
                           now = new_velocity(old, load_any(force + i),
-                                             load_any(inverse_mass + i), step, c);
+                                             load_any(inverse_mass + i), step.dt, g);
             store_any(w + i, now);
             store_any(u + i, load_any(u + i) + moved(now, old));
           }
         const vdouble old = load_some(w + whole, rest),
-                      now = new_velocity(old, load_some(force + whole, rest),
-                                         load_some(inverse_mass + whole, rest), step, c);
+                      now =
+                        new_velocity(old, load_some(force + whole, rest),
+                                     load_some(inverse_mass + whole, rest), step.dt, g);
         store_some(w + whole, now, rest);
         store_some(u + whole, load_some(u + whole, rest) + moved(now, old), rest);
       }
@@ -135,7 +136,7 @@ private:
       }
   }
 
-  /** A row of a side that is held. */
+  /** A row of a side that is held, or damped in proportion to the mass. */
   void advance_slowly(const BrickSweep &a,
                       const std::size_t row,
                       const std::size_t place,
