@@ -52,17 +52,38 @@ void GivenBody<dim>::summarize(const std::string &analysis, RunContext &context)
   json["material"]     = known.heterogeneous ? "heterogeneous" : "homogeneous";
 }
 
+namespace
+{
+/** Springs between body and flat that the pressure presses in by a hundredth of the height at most. */
+PlausibleRange plausible_springs(const ContactParameters &parameters, const double height)
+{
+  const double stiffness = parameters.contact.normal_stiffness,
+               pressure  = std::fabs(parameters.top.pressure.amplitude());
+  PlausibleRange range;
+  range.key    = "Flat/Normal stiffness";
+  range.value  = stiffness;
+  range.unit   = "Pa/m";
+  range.lowest = 100. * pressure / height;
+  range.if_low = "so that Top/Pressure presses the springs in by " +
+                 quantity_text(pressure / stiffness, "m") + " under a body of " +
+                 quantity_text(height, "m") + "; 100 MPa per micrometre are 1e14 Pa/m";
+  return range;
+}
+} // namespace
+
 template <int dim>
 void GivenBody<dim>::add_implausible(std::vector<std::string> &sentences,
                                      std::vector<PlausibleRange> ranges,
-                                     const double stiffness) const
+                                     const BodyScales &scales) const
 {
   const FrictionParameters &friction = parameters.friction;
   if (friction.has_constant_coefficient())
     ranges.push_back(plausible_friction("Friction/Coefficient", friction.coefficient));
   if (parameters.analysis == ContactAnalysis::static_contact)
     ranges.push_back(plausible_pressure(
-      "Top/Pressure", std::fabs(parameters.top.pressure.amplitude()), stiffness));
+      "Top/Pressure", std::fabs(parameters.top.pressure.amplitude()), scales.stiffness));
+  if (parameters.contact.is_compliant())
+    ranges.push_back(plausible_springs(parameters, scales.height));
   for (const std::string &sentence : implausible(ranges))
     sentences.push_back(sentence);
   for (const std::string &sentence : stiffness_warnings<dim>(known.phases))

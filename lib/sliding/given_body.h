@@ -200,11 +200,11 @@ protected:
   /** Of these parameters. */
   explicit GivenBody(const ContactParameters &parameters);
 
-  /** Adds sentences on @p ranges, friction, a static load and facts().phases that look like another unit, in a body of that
-   * @p stiffness (Pa). */
+  /** Adds sentences on @p ranges, friction, a static load and facts().phases that look like another unit, in a body of these
+   * @p scales. */
   void add_implausible(std::vector<std::string> &sentences,
                        std::vector<PlausibleRange> ranges,
-                       const double stiffness) const;
+                       const BodyScales &scales) const;
 
   BodyFacts<dim> known; ///< see facts(); for derived classes to set
 };

@@ -177,7 +177,7 @@ std::vector<std::string> GivenGrid::warnings() const
                                             phase.friction_coefficient));
     }
   std::vector<std::string> found = body.warnings;
-  add_implausible(found, ranges, known.scales.stiffness);
+  add_implausible(found, ranges, known.scales);
   return found;
 }
 

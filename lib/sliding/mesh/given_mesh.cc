@@ -38,7 +38,7 @@ GivenMesh<dim>::GivenMesh(const ContactParameters &given,
     if (!parameters.mesh.rve_note.empty())
       mesh->warnings.push_back(parameters.mesh.rve_note);
     this->add_implausible(mesh->warnings, plausible_phases<dim>(mesh->phases),
-                          body.scales.stiffness);
+                          body.scales);
   });
   broadcast_object(MPI_COMM_WORLD, body);
   broadcast_object(MPI_COMM_WORLD, known.memory);

@@ -133,6 +133,7 @@ SLIPS = [
     ("Body/Density=1.77", ["Body/Density is 1.77 kg/m^3", "g/cm^3"]),
     ("Friction/Regularization time=1500", ["Friction/Regularization time is 1500 s", "the whole run (1e-06 s)", "times are in s"]),
     ("Friction/Coefficient=25", ["Friction/Coefficient is 25,", "per cent"]),
+    ("Flat/Normal stiffness=100", ["Flat/Normal stiffness is 100 Pa/m", "by 5e+04 m", "1e14 Pa/m"]),
     ("Top/Pressure=5", ["Top/Pressure is 5 Pa", "by 1.058e-10 only", "MPa"]),
     ("Top/Pressure=6e8", ["Top/Pressure is 6e+08 Pa", "by 1.27 %"]),
     ("Top/Pressure=-5e6", ["Top/Pressure is -5e+06 Pa", "pulls the body off"]),
