@@ -110,11 +110,11 @@ template <int dim>
 void CondensedContact<dim>::stand_on_springs()
 {
   softness = Eigen::VectorXd::Zero(F.size());
-  for (Eigen::Index k = 0; k < F.size() && !problem.stiffness.empty(); ++k)
-    if (const auto [i, c] = place[static_cast<std::size_t>(k)]; c == normal_axis)
-      softness[k] = 1. / problem.stiffness[i];
   if (problem.stiffness.empty())
     return;
+  for (Eigen::Index k = 0; k < F.size(); ++k)
+    if (const auto [i, c] = place[static_cast<std::size_t>(k)]; c == normal_axis)
+      softness[k] = 1. / problem.stiffness[i];
   const Eigen::MatrixXd more =
     Eigen::MatrixXd::Identity(F.size(), F.size()) + S * softness.asDiagonal();
   const Eigen::PartialPivLU<Eigen::MatrixXd> factors(more);

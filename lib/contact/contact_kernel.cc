@@ -3,6 +3,7 @@
 // by lane.
 #include "contact/contact_kernel.h"
 
+#include "contact/laws/flat_spring_impl.h"
 #include "elasticity/kernel_variants.h"
 
 #include <cstdint>
@@ -220,16 +221,11 @@ MESOSLIP_INLINE void advance_vector(const ContactArrays &a,
   const vdouble height = load(at(Arrays::gap)) + load(a.u[1] + i),
                 gap    = height + dt * w[1] + c * a_free[1];
 
-  // Contact. With a spring the force is a mean of those at the end and at the start of two steps.
+  // Contact.
   const vdouble soft = load(at(Arrays::softness)), yields = c * minv[1],
-                squares = soft * soft,
-                share =
-                  0.5 * squares / at_least_smallest(squares + 0.0625 * (yields * yields)),
                 earlier = compression(height - load(at(Arrays::increment_y)));
   const vint64 touches  = gap < zero;
-  const vdouble normal  = touches ? ((share - 1.) * gap + share * earlier) /
-                                     at_least_smallest(soft + (1. - share) * yields)
-                                  : zero;
+  const vdouble normal  = touches ? force_of_flat(gap, earlier, soft, yields) : zero;
 
   // Friction.
   vdouble slip[dim - 1], compliance[dim - 1];

@@ -16,10 +16,13 @@ namespace mesoslip
 /** When a run counts as steady. */
 struct LimitCycleCriterion
 {
-  unsigned int periods   = 3;    ///< that a part has at least
-  unsigned int windows   = 3;    ///< equal parts of the second half of the run
-  double tolerance       = 0.02; ///< largest relative difference among the parts
-  double reference_speed = 0.;   ///< of the flat (m/s)
+  unsigned int periods = 3;    ///< that a part has at least
+  unsigned int windows = 3;    ///< equal parts of the second half of the run
+  double tolerance     = 0.02; ///< largest relative difference among the parts
+
+  /** Speed of the flat (m/s); times the mean normal force it is what frictional power is compared with. */
+  double reference_speed = 0.;
+
 
   /** Period (s) while the signal shows no vibration; runs set that of their body. */
   double expected_period = 2.5e-5;

@@ -18,7 +18,7 @@ struct Range
   bool lower_exclusive = false; ///< lower itself is not allowed
   bool upper_exclusive = false; ///< upper itself is not allowed
 
-  /** All numbers. */
+  /** All numbers of a usable size. */
   static Range any()
   {
     return {};

@@ -200,8 +200,8 @@ protected:
   /** Of these parameters. */
   explicit GivenBody(const ContactParameters &parameters);
 
-  /** Adds sentences on @p ranges, friction, a static load and facts().phases that look like another unit, in a body of these
-   * @p scales. */
+  /** Adds sentences on @p ranges, friction, springs of the contact, a static load and facts().phases that
+   * look like another unit, in a body of these @p scales. */
   void add_implausible(std::vector<std::string> &sentences,
                        std::vector<PlausibleRange> ranges,
                        const BodyScales &scales) const;

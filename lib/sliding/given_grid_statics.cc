@@ -4,13 +4,10 @@
 
 namespace mesoslip
 {
-void GivenGrid::make_elastic(const MPI_Comm communicator, const bool whole)
+// Its fields are whole in any case.
+void GivenGrid::make_elastic(const MPI_Comm communicator, const bool /*whole*/)
 {
-  of_statics = mesoslip::make_body(material,
-                                   whole && !parameters.contact.is_compliant()
-                                     ? StaticSolverKind::multigrid
-                                     : parameters.static_solver,
-                                   communicator);
+  of_statics = mesoslip::make_body(material, parameters.static_solver, communicator);
 }
 
 const ElasticBody<2> &GivenGrid::elastic() const

@@ -1,5 +1,7 @@
 #include "contact/laws/variable_friction.h"
 
+#include "contact/laws/flat_spring_impl.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -75,14 +77,10 @@ VariableFriction<dim>::predict(const SurfaceView<dim> &surface,
                height = at(Arrays::gap) + surface.u[dim - 1][i],
                gap    = height + dt * surface.w[dim - 1][i] +
                      c * (-surface.force[dim - 1][i] * minv),
-               soft = at(Arrays::softness), yields = c * minv,
-               share   = soft > 0.
-                           ? 0.5 * soft * soft / (soft * soft + 0.0625 * yields * yields)
-                           : 0.,
                earlier = std::max(0., at(Arrays::increment_y) - height);
-  node.normal          = gap < 0. && minv > 0. ? ((share - 1.) * gap + share * earlier) /
-                                          (soft + (1. - share) * yields)
-                                               : 0.;
+  node.normal          = gap < 0. && minv > 0.
+                           ? force_of_flat(gap, earlier, at(Arrays::softness), c * minv)
+                           : 0.;
   for (unsigned int k = 0; k + 1 < dim && distance > 0.; ++k)
     {
       const double e = slip[k] / distance;
