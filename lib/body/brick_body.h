@@ -63,12 +63,12 @@ public:
   void copy_duplicates(NodalField<double> &field) const override;
   using ElasticBody<3>::copy_duplicates;
   std::array<double, 3> point(const NodeIndex &node) const override;
-  std::vector<double> lumped_mass() const override;
+  std::vector<double> mass_of_cells() const override;
   std::size_t n_cell_groups() const override;
   void evaluate(const NodalField<double> &u,
                 const std::size_t group,
                 Cells &cells) const override;
-  void vmult(NodalField<double> &Ku, const NodalField<double> &u) const override;
+  void multiply(NodalField<double> &Ku, const NodalField<double> &u) const override;
   std::vector<MatrixEntry> stiffness_entries() const override;
   std::unique_ptr<StaticSolver> make_solver() const override;
   std::unique_ptr<ElasticBody<3>> make_periodic() const override;
@@ -99,7 +99,7 @@ private:
   const unsigned int first_plane;    ///< of the points of this rank
   std::vector<unsigned int> points;  ///< number in the box of the point of each node
   std::vector<unsigned int> node_of; ///< node of each point from that plane on
-  mutable voxel::VoxelField<double> input, output; ///< fields that vmult() works with
+  mutable voxel::VoxelField<double> input, output; ///< fields that multiply() works with
   mutable voxel::VoxelField<float> rounded; ///< the same, which kernels write as well
 };
 } // namespace mesoslip

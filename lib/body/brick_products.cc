@@ -87,7 +87,7 @@ unsigned int GridBody<3>::phase_beside(const Place &node, const unsigned int cor
                    node[0] - (corner & 1U)];
 }
 
-std::vector<double> GridBody<3>::lumped_mass() const
+std::vector<double> GridBody<3>::mass_of_cells() const
 {
   const double of_corner = box.grid.cell_measure() / 8.;
   const Place n          = output.n_nodes();
@@ -143,7 +143,7 @@ void GridBody<3>::evaluate(const NodalField<double> &u,
     }
 }
 
-void GridBody<3>::vmult(NodalField<double> &Ku, const NodalField<double> &u) const
+void GridBody<3>::multiply(NodalField<double> &Ku, const NodalField<double> &u) const
 {
   to_voxels(u, input);
   K->forces({}, input, rounded, output.data());

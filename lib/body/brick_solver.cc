@@ -33,8 +33,9 @@ BrickSolver::BrickSolver(const GridBody<3> &body)
 }
 
 void BrickSolver::set_constrained_on_springs(const DofMask &mask,
-                                             const std::vector<SpringEntry> &on)
+                                             const std::vector<SpringEntry> &more)
 {
+  const std::vector<SpringEntry> on = with_foundation(body.foundation(), more);
   voxel::HeldComponents held(K.grid);
   for (unsigned int i = 0; i < body.n_columns(); ++i)
     if (const auto at = body.voxel_node({i, 0}); at && mask.bits({i, 0}) != 0)

@@ -31,7 +31,7 @@ public:
   }
 
   void set_constrained_on_springs(const DofMask &mask,
-                                  const std::vector<SpringEntry> &on) override;
+                                  const std::vector<SpringEntry> &more) override;
 
   SolverReport solve(NodalField<double> &u,
                      const NodalField<double> &force,

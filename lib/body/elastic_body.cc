@@ -40,6 +40,47 @@ std::vector<double> ElasticBody<dim>::surface_values(const unsigned int id,
 }
 
 template <int dim>
+void ElasticBody<dim>::stand_on(const Foundation &given)
+{
+  under         = given;
+  is_on_springs = mpi::max(under.springs.empty() ? 0 : 1, sharing) > 0;
+  extra.clear();
+  if (mpi::max(under.masses.empty() ? 0 : 1, sharing) == 0)
+    return;
+  NodalField<double> field = zero_field();
+  double counted           = 0.;
+  for (const auto &[node, of_node] : under.masses)
+    {
+      field(0, node) += of_node;
+      counted += is_counted(node) ? of_node : 0.;
+    }
+  mass += mpi::sum(counted, sharing);
+  copy_duplicates(field);
+  for (unsigned int j = 0; j < rows; ++j)
+    extra.insert(extra.end(), field.row(0, j), field.row(0, j) + columns);
+}
+
+template <int dim>
+std::vector<double> ElasticBody<dim>::lumped_mass() const
+{
+  std::vector<double> masses = mass_of_cells();
+  for (std::size_t k = 0; k < extra.size(); ++k)
+    masses[k] += extra[k];
+  return masses;
+}
+
+template <int dim>
+void ElasticBody<dim>::vmult(NodalField<double> &Ku, const NodalField<double> &u) const
+{
+  multiply(Ku, u);
+  if (!is_on_springs)
+    return;
+  for (const SpringEntry &spring : under.springs)
+    Ku(spring.c, spring.node) += spring.stiffness * u(spring.d, spring.node);
+  copy_duplicates(Ku);
+}
+
+template <int dim>
 void ElasticBody<dim>::add_duplicates(NodalField<double> &field) const
 {
   for (const auto &[duplicate, original] : duplicates)
@@ -86,6 +127,14 @@ std::unique_ptr<ElasticBody<2>> make_body(const UniformMaterial &material,
   if (solver == StaticSolverKind::ml)
     return std::make_unique<MeshBody<2>>(mesh_of_grid(material), communicator);
   return std::make_unique<GridBody<2>>(material, solver);
+}
+
+std::vector<SpringEntry> with_foundation(const Foundation &foundation,
+                                         const std::vector<SpringEntry> &springs)
+{
+  std::vector<SpringEntry> all = foundation.springs;
+  all.insert(all.end(), springs.begin(), springs.end());
+  return all;
 }
 
 template class ElasticBody<2>;

@@ -10,6 +10,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace mesoslip
@@ -47,6 +48,15 @@ struct MatrixEntry
   std::uint64_t row    = 0;  ///< degree of freedom of the force
   std::uint64_t column = 0;  ///< of the displacement
   double value         = 0.; ///< N/m, in 2D N/m^2
+};
+
+/** What nodes stand on and carry besides the cells around them; of each rank what concerns the nodes that it
+ * has, of duplicates that of the originals. */
+struct Foundation
+{
+  std::vector<SpringEntry> springs;                      ///< to places at rest
+  std::vector<SpringEntry> dashpots;                     ///< likewise, N s/m (in 2D Pa s)
+  std::vector<std::pair<NodeIndex, double>> masses = {}; ///< kg, in 2D kg/m
 };
 
 /**
@@ -187,9 +197,19 @@ public:
   /** Place of a node, from the lower corner of the bounding box (m). */
   virtual std::array<double, dim> point(const NodeIndex &node) const = 0;
 
+  /** From now on the body has this besides its cells: products and solvers have the springs, masses those of
+   * nodes. Collective. */
+  void stand_on(const Foundation &given);
+
+  /** What it stands on. */
+  const Foundation &foundation() const
+  {
+    return under;
+  }
+
   /** Lumped mass (kg, in 2D kg/m) of the nodes, row after row; duplicates and their
    * originals carry the mass of both. */
-  virtual std::vector<double> lumped_mass() const = 0;
+  std::vector<double> lumped_mass() const;
 
   /** Cells are evaluated in groups of consecutive ones, on a grid its rows. */
   virtual std::size_t n_cell_groups() const = 0;
@@ -207,17 +227,18 @@ public:
   virtual void
   evaluate(const NodalField<double> &u, const std::size_t group, Cells &cells) const = 0;
 
-  /** Ku = K u without constraints (N, in 2D N/m). */
-  virtual void vmult(NodalField<double> &Ku, const NodalField<double> &u) const = 0;
+  /** Ku = K u without constraints (N, in 2D N/m), with the springs of the foundation. Collective. */
+  void vmult(NodalField<double> &Ku, const NodalField<double> &u) const;
 
   /**
-   * K as a matrix: of this rank's cells or rows, all together without repetition.
+   * K of the cells as a matrix: of this rank's cells or rows, all together without repetition.
    * Duplicate nodes are apart from their originals or empty. Not collective; for whole
    * fields.
    */
   virtual std::vector<MatrixEntry> stiffness_entries() const = 0;
 
-  /** A solver for K u = f, without constraints at first. The body must outlive it. */
+  /** A solver for K u = f, without constraints at first. The body must outlive it. That of a plane grid knows
+   * no springs, those of other bodies have the ones of the foundation; solves then begin with u = 0. */
   virtual std::unique_ptr<StaticSolver> make_solver() const = 0;
 
   /** The same body, periodic along all axes. @throws std::invalid_argument if nodes of
@@ -237,6 +258,12 @@ protected:
     , periodic(periodicity)
   {
   }
+
+  /** Ku = K u of the cells. */
+  virtual void multiply(NodalField<double> &Ku, const NodalField<double> &u) const = 0;
+
+  /** lumped_mass() of the cells. */
+  virtual std::vector<double> mass_of_cells() const = 0;
 
   /** Of a node among those of a field, row after row. */
   std::size_t index(const NodeIndex &node) const
@@ -259,9 +286,16 @@ private:
   std::vector<double> gather(const unsigned int id, const Value &value) const;
 
   const unsigned int columns, rows;
+  Foundation under;
+  bool is_on_springs = false; ///< on any rank
+  std::vector<double> extra;  ///< masses of the nodes; empty: none
   const std::vector<ElasticPhase<dim>> the_phases;
   const Periodicity periodic;
 };
+
+/** The springs of both. */
+std::vector<SpringEntry> with_foundation(const Foundation &foundation,
+                                         const std::vector<SpringEntry> &springs);
 
 /** Volume (in mean cell volumes) of each phase. */
 template <int dim>

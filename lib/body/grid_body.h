@@ -76,7 +76,7 @@ public:
     return {{node.i * material.grid().spacing[0], node.j * material.grid().spacing[1]}};
   }
 
-  std::vector<double> lumped_mass() const override
+  std::vector<double> mass_of_cells() const override
   {
     std::vector<double> masses(static_cast<std::size_t>(n_columns()) * n_rows());
     for (unsigned int j = 0; j < n_rows(); ++j)
@@ -106,7 +106,7 @@ public:
       }
   }
 
-  void vmult(NodalField<double> &Ku, const NodalField<double> &u) const override
+  void multiply(NodalField<double> &Ku, const NodalField<double> &u) const override
   {
     stiffness.vmult(Ku, u);
   }

@@ -222,7 +222,7 @@ public:
   void serialize(Archive &archive, const unsigned int)
   {
     archive &values &started;
-    serialize_members<6>(archive, total);
+    serialize_members<7>(archive, total);
     if (variable)
       archive &*variable;
   }

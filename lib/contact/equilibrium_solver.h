@@ -83,7 +83,8 @@ public:
   /** Whether constraints and springs leave the body a motion as a whole. Collective. */
   bool can_move() const
   {
-    return mesoslip::can_move(body, constrained, springs);
+    return mesoslip::can_move(body, constrained,
+                              with_foundation(body.foundation(), springs));
   }
 
   /** K u after solve() (N, in 2D N/m). */

@@ -28,7 +28,8 @@ std::vector<double> EnergyHistory::residual() const
   std::vector<double> r(time.size());
   for (std::size_t k = 0; k < r.size(); ++k)
     r[k] = kinetic[k] + elastic[k] + potential[k] - initial - external_work[k] +
-           friction[k] + impact[k] + damping[k] + scheme[k] + contact[k];
+           friction[k] + impact[k] + damping[k] + scheme[k] + contact[k] + supports[k] +
+           dashpots[k];
   return r;
 }
 
@@ -132,7 +133,7 @@ void EnergyAudit::after_step(const std::uint64_t n)
 
   const BoundaryWork boundary = boundary_work();
   if (first)
-    samples.initial += boundary.pressed;
+    samples.initial += boundary.pressed + boundary.supports.at_start;
   samples.time.push_back(n * step.dt);
   samples.kinetic.push_back(sums.kinetic);
   samples.elastic.push_back(sums.elastic);
@@ -143,6 +144,8 @@ void EnergyAudit::after_step(const std::uint64_t n)
   samples.damping.push_back(sum_damping);
   samples.scheme.push_back(sum_scheme);
   samples.contact.push_back(boundary.stored);
+  samples.supports.push_back(boundary.supports.stored);
+  samples.dashpots.push_back(boundary.supports.lost);
 }
 
 EnergyAudit::Sums EnergyAudit::nodal_sums() const
@@ -161,8 +164,7 @@ EnergyAudit::Sums EnergyAudit::nodal_sums() const
         const double *m  = mass.data() + static_cast<std::size_t>(n) * (j - rows.begin);
         const double *w2 = w.row(component, l);
         const auto &top  = stepper.top_node;
-        const double m_extra =
-          component + 1 == u.n_components() && top && j == top->j ? platen_mass : 0.;
+        const double m_extra = top && j == top->j ? platen_mass : 0.;
         const auto squares = [&](const double factor, const auto &value) {
           const auto square = [&](const unsigned int i) { return value(i) * value(i); };
           const auto term   = [&](const unsigned int i) { return m[i] * square(i); };
@@ -237,9 +239,9 @@ EnergyHistory EnergyAudit::reduce() const
   EnergyHistory all = samples;
   // All members by name, so that one that is added has to be looked at here.
   auto &[time, kinetic, elastic, potential, external_work, friction, impact, damping,
-         scheme, contact, initial] = all;
+         scheme, contact, supports, dashpots, initial] = all;
   for (auto *values : {&kinetic, &elastic, &potential, &external_work, &friction, &impact,
-                       &damping, &scheme, &contact})
+                       &damping, &scheme, &contact, &supports, &dashpots})
     MPI_Allreduce(MPI_IN_PLACE, values->data(), static_cast<int>(values->size()),
                   MPI_DOUBLE, MPI_SUM, stepper.communicator);
   MPI_Allreduce(MPI_IN_PLACE, &initial, 1, MPI_DOUBLE, MPI_SUM, stepper.communicator);

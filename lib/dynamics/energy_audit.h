@@ -3,6 +3,7 @@
 
 #include "base/serialize_members.h"
 #include "dynamics/stepper.h"
+#include "dynamics/suspension.h"
 #include "grid/row_partition.h"
 
 
@@ -21,6 +22,7 @@ struct BoundaryWork
   double load     = 0.; ///< integral of F_N |V|, of normal force and speed of the flat
   double stored   = 0.; ///< now, in springs between surface and flat
   double pressed  = 0.; ///< stored in them at the start
+  SuspensionEnergies supports;
 };
 
 /** Sampled energies (J/m); on the ranks the local shares until reduce() is called. */
@@ -36,15 +38,17 @@ struct EnergyHistory
   std::vector<double> damping;       ///< dissipated by C = alpha M + beta K
   std::vector<double> scheme;        ///< dissipated by beta2 > 1/2
   std::vector<double> contact;       ///< in springs between surface and flat
+  std::vector<double> supports;      ///< in springs and masses of supports
+  std::vector<double> dashpots;      ///< dissipated by those of supports
 
-  /** kinetic + elastic + potential + contact at the start. */
+  /** kinetic + elastic + potential + contact + supports at the start. */
   double initial = 0.;
 
   /** Of boost::serialization. */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    serialize_members<11>(archive, *this);
+    serialize_members<13>(archive, *this);
   }
 
   /** What is left of the balance at each sample; zero in exact arithmetic. */

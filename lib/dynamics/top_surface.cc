@@ -10,6 +10,21 @@
 
 namespace mesoslip
 {
+namespace
+{
+/** The area that each of @p n nodes of the top carries (m^2, in 2D m). */
+std::vector<double> areas_of(const TopSetup &setup, const unsigned int n)
+{
+  std::vector<double> areas = setup.tributary;
+  if (!areas.empty() || n == 0)
+    return areas;
+  areas.assign(n, setup.cell_width);
+  if (!setup.periodic)
+    areas.front() = areas.back() = 0.5 * setup.cell_width;
+  return areas;
+}
+} // namespace
+
 void sum_over_ranks(TopHistory &samples, const MPI_Comm communicator)
 {
   auto &[normal, tangential, displacement] = samples;
@@ -33,19 +48,16 @@ TopSurface<dim>::TopSurface(const TopSetup &setup,
   , step(step)
   , n_distinct(setup.n_owned.value_or(setup.periodic ? n_nodes - 1 : n_nodes))
   , ranks(ranks)
-  , tributary(setup.tributary)
+  , tributary(areas_of(setup, n_nodes))
+  , on_nodes(setup.kind == TopSetup::Kind::pressure && setup.suspension.is_there())
+  , nodes(setup.suspension,
+          step,
+          on_nodes ? tributary : std::vector<double>(),
+          setup.impedance)
 {
   for (std::vector<double> &component : increment)
     component.assign(n_nodes, 0.);
-  if (tributary.empty() && n_nodes > 0)
-    {
-      area = setup.cell_width * (n_nodes - 1);
-      tributary.assign(n_nodes, setup.cell_width);
-      if (!setup.periodic)
-        tributary.front() = tributary.back() = 0.5 * setup.cell_width;
-    }
-  else
-    area = std::accumulate(tributary.begin(), tributary.begin() + n_distinct, 0.);
+  area = std::accumulate(tributary.begin(), tributary.begin() + n_distinct, 0.);
   top_area = mpi::sum(area, ranks);
   n_in_top = mpi::sum(static_cast<double>(n_distinct), ranks);
   if (top_area > 0.)
@@ -69,6 +81,7 @@ void TopSurface<dim>::advance(const SurfaceView<dim> &surface)
   const bool held = setup.kind == TopSetup::Kind::held || surface.time >= setup.hold_from;
   const TopLoad load = held                                   ? hold(surface)
                        : setup.kind == TopSetup::Kind::platen ? push_platen(surface)
+                       : on_nodes                             ? push_suspended(surface)
                                                               : push_nodes(surface);
   total_work += work_this_step;
   for (TopRecorder *recorder : recorders)
@@ -82,30 +95,54 @@ void TopSurface<dim>::initialize(const SurfaceView<dim> &surface)
   for (unsigned int c = 0; c < dim; ++c)
     for (unsigned int i = 0; i < surface.n; ++i)
       increment[c][i] = step.dt * surface.w[c][i];
-  moving_mass = platen_mass;
-  for (unsigned int i = 0; i < n_distinct; ++i)
-    if (surface.inverse_mass[dim - 1][i] > 0.)
-      moving_mass += 1. / surface.inverse_mass[dim - 1][i];
-  moving_mass = mpi::sum(moving_mass, ranks);
-  started     = true;
+  moving_mass.fill(platen_mass);
+  for (unsigned int c = 0; c < dim; ++c)
+    {
+      for (unsigned int i = 0; i < n_distinct; ++i)
+        if (surface.inverse_mass[c][i] > 0.)
+          moving_mass[c] += 1. / surface.inverse_mass[c][i];
+      moving_mass[c] = mpi::sum(moving_mass[c], ranks);
+    }
+  if (on_nodes)
+    nodes.start(surface, n_distinct);
+  const FarEnd<dim> far(setup.suspension, surface.time, step.dt);
+  for (unsigned int c = 0; c < dim && !on_nodes && surface.n > 0; ++c)
+    of_platen.at_start += 0.5 * setup.suspension.stiffness[c] * area *
+                          (surface.u[c][0] - far.now[c]) *
+                          (surface.u[c][0] - increment[c][0] - far.before[c]);
+  started = true;
 }
 
 template <int dim>
-std::vector<double>
-TopSurface<dim>::start_acceleration(const std::vector<double> &mass) const
+std::vector<std::array<double, dim>>
+TopSurface<dim>::start_acceleration(const std::vector<double> &mass,
+                                    const std::array<double, 3> &velocity) const
 {
   AssertDimension(mass.size(), tributary.size());
-  const double pressure = setup.pressure(0.), g = step.acceleration[dim - 1];
+  constexpr unsigned int y = dim - 1;
+  const double pressure = setup.pressure(0.), g = step.acceleration[y];
   const double moved =
     mpi::sum(std::accumulate(mass.begin(), mass.begin() + n_distinct, 0.), ranks);
-  const double of_platen =
-    (g * moved - pressure * top_area) / (moved + setup.platen_mass);
-  std::vector<double> result(mass.size(), g);
+  std::array<double, dim> rigid;
+  const FarEnd<dim> far(setup.suspension, 0., step.dt);
+  for (unsigned int c = 0; c < dim; ++c)
+    {
+      const double k = setup.suspension.stiffness[c], z = setup.suspension.dashpot[c],
+                   load = k * far.now[c] - z * (velocity[c] - far.velocity[c]) -
+                          (c == y ? pressure : 0.);
+      rigid[c] =
+        (step.acceleration[c] * moved + load * top_area) / (moved + setup.platen_mass);
+    }
+  std::array<double, dim> by_weight;
+  std::copy_n(step.acceleration.begin(), dim, by_weight.begin());
+  std::vector<std::array<double, dim>> result(mass.size(), by_weight);
   for (std::size_t i = 0; i < mass.size(); ++i)
     if (setup.kind == TopSetup::Kind::platen)
-      result[i] = of_platen;
+      result[i] = rigid;
+    else if (on_nodes && mass[i] > 0.)
+      result[i] = nodes.start_acceleration(i, mass[i], pressure, velocity);
     else if (mass[i] > 0.)
-      result[i] -= pressure * tributary[i] / mass[i];
+      result[i][y] = g - pressure * tributary[i] / mass[i];
   return result;
 }
 
@@ -116,13 +153,22 @@ void TopSurface<dim>::move_node(double &u, double &w, const double acceleration)
   u += step.dt * w + (step.beta2 - 0.5) * step.dt * step.dt * acceleration;
 }
 
+/** Its component along TopSetup::direction. */
+template <int dim>
+double TopSurface<dim>::along_flat(const std::array<double, dim> &force) const
+{
+  const auto [c, s] = setup.direction;
+  return s == 0. ? force[0] : c * force[0] + s * force[1];
+}
+
 /** Tangential force along TopSetup::direction. */
 template <int dim>
 double TopSurface<dim>::transmitted(const SurfaceView<dim> &surface) const
 {
-  const auto [c, s]    = setup.direction;
-  const double along_x = sum_of(surface.force[0], n_distinct);
-  return s == 0. ? -along_x : -(c * along_x + s * sum_of(surface.force[1], n_distinct));
+  std::array<double, dim> force = {};
+  for (unsigned int c = 0; c + 1 < dim; ++c)
+    force[c] = -sum_of(surface.force[c], n_distinct);
+  return along_flat(force);
 }
 
 template <int dim>
@@ -158,30 +204,60 @@ TopLoad TopSurface<dim>::push_nodes(const SurfaceView<dim> &surface)
 }
 
 template <int dim>
-TopLoad TopSurface<dim>::push_platen(const SurfaceView<dim> &surface)
+TopLoad TopSurface<dim>::push_suspended(const SurfaceView<dim> &surface)
 {
   constexpr unsigned int y = dim - 1;
+  const double pressure    = setup.pressure(surface.time);
+  const SuspensionStep<dim> done =
+    nodes.advance(surface, pressure, n_distinct, increment);
+  work_this_step = done.work;
+  return {pressure * area - done.force[y], -along_flat(done.force)};
+}
 
-  TopLoad load;
-  const double pressure = setup.pressure(surface.time);
-  load.normal           = pressure * area;
-  load.tangential       = transmitted(surface);
+template <int dim>
+TopLoad TopSurface<dim>::push_platen(const SurfaceView<dim> &surface)
+{
+  std::array<double, dim> pull = {};
   if (surface.n == 0)
-    return load;
-  const double force        = surface.total_force != nullptr
-                                ? surface.total_force[y]
-                                : sum_of(surface.force[y], n_distinct);
-  const double acceleration = -(pressure * top_area + force) / moving_mass;
+    return {};
+  of_platen.stored = 0.;
+  const FarEnd<dim> far(setup.suspension, surface.time, step.dt);
+  for (unsigned int c = 0; c < dim; ++c)
+    pull[c] = c + 1 == dim || !setup.holds(c) ? move_platen(surface, c, far)
+                                              : -sum_of(surface.force[c], n_distinct);
+  return {setup.pressure(surface.time) * area + pull[dim - 1], along_flat(pull)};
+}
 
-  double u = surface.u[y][0], w = surface.w[y][0];
+/** Component @p c, under the pressure along the normal; returns the force of springs and dashpots against it. */
+template <int dim>
+double TopSurface<dim>::move_platen(const SurfaceView<dim> &surface,
+                                    const unsigned int c,
+                                    const FarEnd<dim> &far)
+{
+  const bool is_normal  = c + 1 == dim;
+  const double k        = setup.suspension.stiffness[c],
+               z        = setup.suspension.dashpot[c],
+               pressure = is_normal ? setup.pressure(surface.time) : 0.,
+               force    = surface.total_force != nullptr
+                            ? surface.total_force[c]
+                            : sum_of(surface.force[c], n_distinct);
+  double u = surface.u[c][0], w = surface.w[c][0];
+  const double before = u, w_before = w, stretched = u - far.now[c];
+  const double acceleration =
+    -((pressure + k * stretched + z * (w - far.velocity[c])) * top_area + force) /
+    (moving_mass[c] + 0.5 * step.dt * z * top_area);
   move_node(u, w, acceleration);
-  const double moved = u - surface.u[y][0];
-  work_this_step     = -load.normal * 0.5 * (moved + increment[y][0]);
-  std::fill(increment[y].begin(), increment[y].end(), moved);
-  platen_w = w;
-  std::fill_n(surface.u[y], surface.n, u);
-  std::fill_n(surface.w[y], surface.n, w);
-  return load;
+  const double moved = u - before, central = 0.5 * (moved + increment[c][0]),
+               drag = z * area * (0.5 * (w_before + w) - far.velocity[c]),
+               pull = k * area * stretched + drag;
+  work_this_step -= pressure * area * central + pull * far.moved(c);
+  of_platen.stored += 0.5 * k * area * stretched * (u - far.after[c]);
+  of_platen.lost += drag * (central - far.moved(c));
+  std::fill(increment[c].begin(), increment[c].end(), moved);
+  platen_w[c] = w;
+  std::fill_n(surface.u[c], surface.n, u);
+  std::fill_n(surface.w[c], surface.n, w);
+  return pull;
 }
 
 // Work of the force that stops the surface at once. It acts during one step, along half
@@ -205,8 +281,8 @@ void TopSurface<dim>::stop(const SurfaceView<dim> &surface)
                         increment[c][i], surface.force[c][i], step.inertia());
       work_this_step += of_node;
     }
-  if (surface.n > 0)
-    work_this_step += work(platen_mass, platen_w, increment[dim - 1][0], 0., 1.);
+  for (unsigned int c = 0; c < dim && surface.n > 0; ++c)
+    work_this_step += work(platen_mass, platen_w[c], increment[c][0], 0., 1.);
 }
 
 template <int dim>
@@ -214,8 +290,8 @@ TopLoad TopSurface<dim>::hold(const SurfaceView<dim> &surface)
 {
   if (!holding)
     stop(surface);
-  holding  = true;
-  platen_w = 0.;
+  holding = true;
+  platen_w.fill(0.);
   for (unsigned int c = 0; c < dim; ++c)
     std::fill_n(surface.w[c], surface.n, 0.);
 

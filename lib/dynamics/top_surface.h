@@ -2,8 +2,7 @@
 #define mesoslip_dynamics_top_surface_h
 
 #include "base/serialize_members.h"
-#include "dynamics/surface_condition.h"
-#include "parameters/load_history.h"
+#include "dynamics/suspended_nodes.h"
 
 #include <array>
 #include <cstdint>
@@ -21,7 +20,7 @@ struct TopSetup
   /** What the top may do. */
   enum class Kind
   {
-    pressure, ///< a pressure on each node
+    pressure, ///< a pressure on each node, which a suspension may hold besides
     platen,   ///< rigid: u_x = 0 and one common u_y, pushed by the pressure's resultant
     held      ///< u = 0
   };
@@ -37,11 +36,31 @@ struct TopSetup
   /** Mass of the platen per unit thickness (kg/m). */
   double platen_mass = 0.;
 
+  /** With Kind::pressure or a platen: springs, dashpots and mass that hold it. A platen moves along the
+   * flat on springs alone. */
+  Suspension suspension;
+
+  /** Of each node, if the suspension absorbs: see SuspendedNodes. */
+  std::vector<std::vector<double>> impedance;
+
+  /** Whether component @p c along the flat does not move from the start. */
+  bool holds(const unsigned int c) const
+  {
+    return kind == Kind::platen ? !(suspension.stiffness[c] > 0.)
+                                : kind == Kind::held || lateral_held;
+  }
+
   /** Whether it keeps the body from moving along the flat from the start, so that it takes the
    * friction. */
   bool holds_tangentially() const
   {
-    return kind != Kind::pressure || lateral_held;
+    return holds(0);
+  }
+
+  /** Whether it takes the friction: it holds the body along the flat, or its suspension does. */
+  bool takes_friction() const
+  {
+    return holds_tangentially() || suspension.resists(0);
   }
 
   /** Whether it keeps the body from moving along the normal from the start. */
@@ -54,7 +73,7 @@ struct TopSetup
    * modes: that of a platen along the normal as well. */
   bool is_fixed(const unsigned int c, const unsigned int dim) const
   {
-    return c + 1 < dim ? holds_tangentially() : kind != Kind::pressure;
+    return c + 1 < dim ? holds(c) : kind != Kind::pressure;
   }
 
   /** From this time (s) on the top stays where it is. */
@@ -81,7 +100,7 @@ struct TopSetup
 struct TopLoad
 {
   double normal     = 0.; ///< N/m, positive when it presses
-  double tangential = 0.; ///< N/m, as transmitted from the contact, along direction
+  double tangential = 0.; ///< N/m, as transmitted from the contact, along direction; of springs
 };
 
 /** Sampled resultants at the top, per unit thickness. */
@@ -178,14 +197,22 @@ public:
   /** One step of the surface under its load. */
   void advance(const SurfaceView<dim> &surface) override;
 
-  /** Accelerations (m/s^2) of nodes of this @p mass (kg, in 2D kg/m; 0: held) along the normal by
-   * load and weight at the start. Collective. */
-  std::vector<double> start_acceleration(const std::vector<double> &mass) const;
+  /** Accelerations (m/s^2) of the nodes by load, weight and suspension when they start with @p velocity
+   * (m/s): of these masses (kg, in 2D kg/m), 0 where the normal component is held. Collective. */
+  std::vector<std::array<double, dim>>
+  start_acceleration(const std::vector<double> &mass,
+                     const std::array<double, 3> &velocity) const;
 
-  /** Work done on the body since the start (J/m), by the load on the nodes of this rank. */
+  /** Work done on the body since the start (J/m), by load and far end on the nodes of this rank. */
   double work() const
   {
     return total_work;
+  }
+
+  /** Energies of the suspension, of this rank. */
+  const SuspensionEnergies &suspended() const
+  {
+    return on_nodes ? nodes.energies() : of_platen;
   }
 
   /** Saves or restores the state between two steps (Boost.Serialization). */
@@ -193,15 +220,24 @@ public:
   void serialize(Archive &archive, const unsigned int)
   {
     archive &increment &started &holding &moving_mass &platen_w &total_work;
+    if (on_nodes)
+      archive &nodes;
+    else if (setup.suspension.is_there())
+      archive &of_platen;
   }
 
 private:
   void initialize(const SurfaceView<dim> &surface);
 
   TopLoad push_nodes(const SurfaceView<dim> &surface);
+  TopLoad push_suspended(const SurfaceView<dim> &surface);
   TopLoad push_platen(const SurfaceView<dim> &surface);
+  double move_platen(const SurfaceView<dim> &surface,
+                     const unsigned int c,
+                     const FarEnd<dim> &far);
   TopLoad hold(const SurfaceView<dim> &surface);
   double transmitted(const SurfaceView<dim> &surface) const;
+  double along_flat(const std::array<double, dim> &force) const;
   void stop(const SurfaceView<dim> &surface);
 
   void move_node(double &u, double &w, const double acceleration) const;
@@ -216,13 +252,17 @@ private:
   double top_area = 0.;          ///< of the whole top (m^2, m)
   double n_in_top = 0.;          ///< nodes of the whole top
 
+  const bool on_nodes;      ///< there is a suspension of each node
+  SuspendedNodes<dim> nodes; ///< if so
+  SuspensionEnergies of_platen;
+
   /** What this rank counts of TopSetup::platen_mass: its share of the area. */
   double platen_mass = 0.;
   std::array<std::vector<double>, dim> increment; ///< of the step before (m)
-  bool started          = false;
-  bool holding          = false;
-  double moving_mass    = 0.; ///< of platen and surface (kg/m)
-  double platen_w       = 0.;
+  bool started = false;
+  bool holding = false;
+  std::array<double, dim> moving_mass = {}; ///< of platen and surface (kg/m)
+  std::array<double, dim> platen_w    = {};
   double total_work     = 0.;
   double work_this_step = 0.;
   std::vector<TopRecorder *> recorders;

@@ -21,7 +21,7 @@ orthonormal_motions(const ElasticBody<dim> &body, DofMask mask, const FreeDofs<d
   std::vector<Vector> motions;
   // Neither can a platen turn.
   for (const NodalField<double> &field :
-       free_rigid_motions(body, mask, !dofs.has_platen()))
+       free_rigid_motions(body, mask, !dofs.has_platen(), body.foundation().springs))
     {
       Vector motion = dofs.zero();
       dofs.gather(motion, field);

@@ -7,9 +7,8 @@
 namespace mesoslip
 {
 template <int dim>
-double shear_impedance(const VoigtMatrix<dim> &stiffness,
-                       const double density,
-                       const std::array<double, 2> &direction)
+Eigen::Matrix<double, dim, dim> impedance(const VoigtMatrix<dim> &stiffness,
+                                          const double density)
 {
   using Tensor = Eigen::Matrix<double, dim, dim>;
   Tensor gamma;
@@ -17,8 +16,16 @@ double shear_impedance(const VoigtMatrix<dim> &stiffness,
     for (unsigned int k = 0; k < dim; ++k)
       gamma(i, k) = stiffness(voigt_index<dim>(i, dim - 1), voigt_index<dim>(k, dim - 1));
   const Tensor symmetric = 0.5 * (gamma + gamma.transpose());
-  const Tensor waves =
-    std::sqrt(density) * Eigen::SelfAdjointEigenSolver<Tensor>(symmetric).operatorSqrt();
+  return std::sqrt(density) *
+         Eigen::SelfAdjointEigenSolver<Tensor>(symmetric).operatorSqrt();
+}
+
+template <int dim>
+double shear_impedance(const VoigtMatrix<dim> &stiffness,
+                       const double density,
+                       const std::array<double, 2> &direction)
+{
+  const auto waves = impedance<dim>(stiffness, density);
   // The side slides along itself, with no force across the direction.
   const Eigen::Matrix<double, dim - 1, dim - 1> along =
     waves.template topLeftCorner<dim - 1, dim - 1>();
@@ -26,6 +33,8 @@ double shear_impedance(const VoigtMatrix<dim> &stiffness,
   return 1. / unit.dot(along.inverse() * unit);
 }
 
+template Eigen::Matrix2d impedance<2>(const VoigtMatrix<2> &, const double);
+template Eigen::Matrix3d impedance<3>(const VoigtMatrix<3> &, const double);
 template double
 shear_impedance<2>(const VoigtMatrix<2> &, const double, const std::array<double, 2> &);
 template double

@@ -3,10 +3,19 @@
 
 #include "material/voigt.h"
 
+#include <Eigen/Core>
+
 #include <array>
 
 namespace mesoslip
 {
+/** The tractions on the flat side of a half-space, with the last axis as its normal, over the velocities
+ * that they drive (Pa s/m): sqrt(rho) Gamma^(1/2), see shear_impedance(); an isotropic solid has rho c_T
+ * along the side and rho c_L along the normal. */
+template <int dim>
+Eigen::Matrix<double, dim, dim> impedance(const VoigtMatrix<dim> &stiffness,
+                                          const double density);
+
 /**
  * Shear traction that moves the flat side of a half-space along @p direction at one speed, over
  * that speed (Pa s/m), the side moving neither along its normal, the last axis, nor pushed across

@@ -311,11 +311,15 @@ void ContactParameters::bind_analyses(Keys &keys)
 RunConditions ContactParameters::stated_conditions() const
 {
   const std::array<const char *, 3> kinds = {{"pressure", "platen", "held"}};
+  const Suspension &suspension            = top.suspension;
   const bool transient                    = analysis == ContactAnalysis::transient;
   RunConditions conditions                = {
                    {"analysis", transient ? "transient" : "static contact"},
                    {"material", body.heterogeneous ? "heterogeneous" : "homogeneous"},
-                   {"top", kinds.at(static_cast<std::size_t>(top.kind))},
+                   {"top", suspension.absorbing ? "absorbing"
+                           : top.kind == TopSetup::Kind::pressure && suspension.is_there()
+                             ? "springs"
+                             : kinds.at(static_cast<std::size_t>(top.kind))},
                    {"lateral_held", yes_or_no(top.holds_tangentially())},
                    {"left_side", side_text(sides.left_held)},
                    {"right_side", side_text(sides.right_held)},
@@ -329,6 +333,16 @@ RunConditions ContactParameters::stated_conditions() const
   add_friction(conditions, *this);
   if (top.kind == TopSetup::Kind::platen)
     conditions["platen_mass"] = top.platen_mass;
+  for (unsigned int c = 0; c < mesh.mesh.dim; ++c)
+    for (const auto &[name, value] : {std::make_pair("spring_stiffness_", suspension.stiffness[c]),
+                                      std::make_pair("dashpot_", suspension.dashpot[c])})
+      if (value > 0.)
+        conditions[std::string(name) + "xyz"[c]] = value;
+  for (unsigned int c = 0; c < mesh.mesh.dim; ++c)
+    if (suspension.motion[c].is_expression())
+      conditions[std::string("motion_") + "xyz"[c]] = suspension.motion[c].shape();
+  if (suspension.mass > 0.)
+    conditions["top_mass"] = suspension.mass;
   if (contact.is_compliant())
     conditions["normal_stiffness"] = contact.normal_stiffness;
   if (std::isfinite(top.hold_from))

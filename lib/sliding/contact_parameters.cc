@@ -236,10 +236,13 @@ void ContactParameters::bind(Keys &keys)
   bind_contact_map(keys);
   bind_analyses(keys);
   keys.renamed("Performance/Static solver = assembled", "ml");
-  if (mesh.is_plane_grid() && contact.is_compliant())
+  if (mesh.is_plane_grid() &&
+      (contact.is_compliant() || top.suspension.has_springs()))
     {
       keys.only_if(static_solver == StaticSolverKind::ml, {"Performance/Static solver"},
-                   "Flat/Normal stiffness is set, and ml alone knows springs",
+                   std::string(contact.is_compliant() ? "Flat/Normal stiffness"
+                                                      : "Top/Spring stiffness") +
+                     " is set, and ml alone knows springs",
                    "set it to ml");
       static_solver = StaticSolverKind::ml;
     }

@@ -161,6 +161,8 @@ struct ContactParameters : SlidingSetup
 
 private:
   void bind_loads(Keys &keys);
+  void bind_top(Keys &keys);
+  void set_top(const Keys &keys, const std::string &kind);
   void bind_sides(Keys &keys);
   void make_slip_law(const Keys &keys);
   void bind_observation(Keys &keys);

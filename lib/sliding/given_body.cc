@@ -91,6 +91,33 @@ void GivenBody<dim>::add_implausible(std::vector<std::string> &sentences,
 }
 
 template <int dim>
+Foundation foundation_of(const TopNodes &nodes, const TopSetup &setup)
+{
+  const Suspension &suspension = setup.suspension;
+  Foundation foundation;
+  if (setup.kind != TopSetup::Kind::pressure || !suspension.is_there())
+    return foundation;
+  for (std::size_t k = 0; k < nodes.nodes.size(); ++k)
+    {
+      const NodeIndex &node = nodes.nodes[k];
+      const double area     = nodes.area[k];
+      for (unsigned int c = 0; c < dim; ++c)
+        {
+          if (suspension.stiffness[c] > 0.)
+            foundation.springs.push_back({node, c, c, area * suspension.stiffness[c]});
+          if (suspension.dashpot[c] > 0.)
+            foundation.dashpots.push_back({node, c, c, area * suspension.dashpot[c]});
+          for (unsigned int d = 0; d < dim && suspension.absorbing; ++d)
+            foundation.dashpots.push_back(
+              {node, c, d, area * nodes.impedance[dim * c + d][k]});
+        }
+      if (suspension.mass > 0.)
+        foundation.masses.emplace_back(node, area * suspension.mass);
+    }
+  return foundation;
+}
+
+template <int dim>
 std::unique_ptr<GivenBody<dim>> make_given_body(const ContactParameters &parameters)
 {
   if constexpr (dim == 2)
@@ -107,6 +134,8 @@ std::unique_ptr<GivenBody<dim>> make_given_body(const ContactParameters &paramet
 
 template class GivenBody<2>;
 template class GivenBody<3>;
+template Foundation foundation_of<2>(const TopNodes &, const TopSetup &);
+template Foundation foundation_of<3>(const TopNodes &, const TopSetup &);
 template std::unique_ptr<GivenBody<2>> make_given_body(const ContactParameters &);
 template std::unique_ptr<GivenBody<3>> make_given_body(const ContactParameters &);
 } // namespace mesoslip

@@ -25,6 +25,7 @@ namespace mesoslip
 template <int dim>
 class ElasticBody;
 class DofMask;
+struct Foundation;
 
 /** What is told of a body, and what its runs are planned by; the same on all ranks, but for lines and
  * warnings, which rank 0 has. */
@@ -68,6 +69,9 @@ struct TopNodes
 {
   std::vector<NodeIndex> nodes; ///< of ElasticBody fields
   std::vector<double> area;     ///< tributary of each (m^2, in 2D m)
+
+  /** Of each, if the top absorbs: TopSetup::impedance. */
+  std::vector<std::vector<double>> impedance;
 };
 
 /** What a face of the contact carries. */
@@ -208,6 +212,10 @@ protected:
 
   BodyFacts<dim> known; ///< see facts(); for derived classes to set
 };
+
+/** What nodes of the top stand on in statics and modes: springs, dashpots and masses of @p setup. */
+template <int dim>
+Foundation foundation_of(const TopNodes &nodes, const TopSetup &setup);
 
 /** The body that @p parameters and their files give. Collective. @throws UserError for input that no
  * analysis can work with, or without the memory for it */

@@ -190,7 +190,15 @@ BodyScales GivenGrid::scales() const
   double frequency = 0.;
   on_root(MPI_COMM_WORLD, [&]() { frequency = largest_frequency(material).upper; });
   broadcast_object(MPI_COMM_WORLD, frequency);
-  found.highest_frequency = frequency;
+  const double lightest = std::min_element(
+                            material.phases().begin(), material.phases().end(),
+                            [](const ElasticPhase<2> &a, const ElasticPhase<2> &b) {
+                              return a.density < b.density;
+                            })->density;
+  // That of the sum is at most the sum of both.
+  found.highest_frequency =
+    std::hypot(frequency, std::sqrt(parameters.top.suspension.squared_frequency(
+                            0.5 * lightest * body.grid.spacing[1])));
   return found;
 }
 
@@ -209,9 +217,11 @@ BodySize GivenGrid::size() const
   return size;
 }
 
-BodyInMotion<2> GivenGrid::start(const SlidingSetup &setup, RunContext &context) const
+BodyInMotion<2> GivenGrid::start(const SlidingSetup &given, RunContext &context) const
 {
   const std::vector<ProbePoint> &probes = parameters.observation.probes;
+  SlidingSetup setup = given;
+  setup.top.impedance = top_nodes().impedance;
   auto sliding =
     std::make_unique<SlidingGrid>(material, setup, context.communicator(), nullptr,
                                   context.options().profile ? &context.timer() : nullptr);

@@ -43,7 +43,7 @@ public:
   /** The body as it is described. */
   GivenGrid(const ContactParameters &given, const BodyDescription &described);
 
-  BodyInMotion<2> start(const SlidingSetup &setup, RunContext &context) const override;
+  BodyInMotion<2> start(const SlidingSetup &given, RunContext &context) const override;
   void write_contact(Hdf5File &file) const override;
 
   void make_elastic(const MPI_Comm communicator, const bool whole) override;
@@ -76,6 +76,7 @@ private:
   std::vector<std::string> warnings() const;
   BodyScales scales() const;
   BodySize size() const;
+  std::vector<std::vector<double>> top_impedance() const;
 
   std::unique_ptr<ElasticBody<2>> of_statics; ///< see make_elastic()
 };

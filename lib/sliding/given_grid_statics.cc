@@ -1,5 +1,6 @@
 #include "body/grid_body.h"
 #include "eigenvalues/free_dofs.h"
+#include "material/shear_impedance.h"
 #include "sliding/given_grid.h"
 
 namespace mesoslip
@@ -8,6 +9,10 @@ namespace mesoslip
 void GivenGrid::make_elastic(const MPI_Comm communicator, const bool /*whole*/)
 {
   of_statics = mesoslip::make_body(material, parameters.static_solver, communicator);
+  TopNodes originals = top_nodes();
+  if (parameters.periodic)
+    originals.nodes.pop_back();
+  of_statics->stand_on(foundation_of<2>(originals, parameters.top));
 }
 
 const ElasticBody<2> &GivenGrid::elastic() const
@@ -33,7 +38,30 @@ TopNodes GivenGrid::top_nodes() const
       top.nodes.push_back({i, body.grid.cells[1]});
       top.area.push_back(tributary_width(body.grid, i, parameters.periodic));
     }
+  if (parameters.top.suspension.absorbing)
+    top.impedance = top_impedance();
   return top;
+}
+
+/** Nodes have the mean of the cells on either side, as these have the same area. */
+std::vector<std::vector<double>> GivenGrid::top_impedance() const
+{
+  const unsigned int n    = body.grid.cells[0];
+  const std::size_t first = std::size_t{n} * (body.grid.cells[1] - 1);
+  std::vector<Eigen::Matrix2d> of_phase;
+  for (const Phase<2> &phase : body.phases)
+    of_phase.push_back(impedance<2>(phase.stiffness, phase.density));
+  std::vector<std::vector<double>> result(4);
+  for (unsigned int i = 0; i <= n; ++i)
+    {
+      const unsigned int left  = i > 0 ? i - 1 : (parameters.periodic ? n - 1 : 0),
+                         right = i < n ? i : (parameters.periodic ? 0 : n - 1);
+      const Eigen::Matrix2d Z  = 0.5 * (of_phase[body.phase_of(first + left)] +
+                                       of_phase[body.phase_of(first + right)]);
+      for (unsigned int k = 0; k < 4; ++k)
+        result[k].push_back(Z(k / 2, k % 2));
+    }
+  return result;
 }
 
 NodalField<double> GivenGrid::compressed(const double strain) const

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 
 namespace mesoslip
@@ -75,6 +76,64 @@ double bind_flat_direction(Keys &keys, ContactParameters &p)
   return speed;
 }
 
+/** An expression of t for each component of the far end, separated by semicolons. */
+void bind_motion(Keys &keys, Suspension &suspension, const unsigned int dim)
+{
+  std::string motion;
+  keys.bind("Motion", motion,
+            "Displacement of the far end of springs and dashpots along x, y and, in 3D, z "
+            "as expressions in the time t (s), separated by semicolons, e.g. 1e-3*t; 0. "
+            "Components that are left out do not move [m]");
+  std::istringstream text(motion);
+  std::string expression;
+  for (unsigned int c = 0; std::getline(text, expression, ';'); ++c)
+    {
+      keys.require(c < dim, "Motion",
+                   "it has more than " + std::to_string(dim) +
+                     " expressions; give one for each component");
+      if (expression.find_first_not_of(" \t") == std::string::npos)
+        continue;
+      try
+        {
+          suspension.motion[c] = LoadHistory(1., expression);
+        }
+      catch (const std::invalid_argument &e)
+        {
+          throw UserError(keys.path("Motion") + ": " + e.what() +
+                          "; write for example 1e-3*t; 0");
+        }
+      const double at_start = suspension.motion[c](0.);
+      keys.require(std::isfinite(at_start), "Motion",
+                   "at t = 0 it is " + to_text(at_start) +
+                     "; write expressions that are finite at all times");
+    }
+}
+
+/** Springs, dashpots and mass of the top. */
+void bind_suspension(Keys &keys, Suspension &suspension, const unsigned int dim)
+{
+  const auto bind = [&](const std::string &key, std::array<double, 3> &to,
+                        const std::string &meaning) {
+    std::vector<double> values = {0.};
+    keys.bind_list(key, values, Range::non_negative(), meaning, 1, 3);
+    keys.require(values.size() <= dim, key,
+                 "it has " + std::to_string(values.size()) + " components, but " +
+                   (dim == 2 ? "Dimension is 2; give those along x and y"
+                             : "there are three"));
+    std::copy(values.begin(), values.end(), to.begin());
+  };
+  bind("Spring stiffness", suspension.stiffness,
+       "Stiffness for the area along x, y and, in 3D, z of springs from the top to a far "
+       "end; 0 where it is left out. A platen moves along the flat only on springs "
+       "[Pa/m]");
+  bind("Dashpot", suspension.dashpot,
+       "The same of dashpots beside the springs [Pa s/m]");
+  keys.bind("Mass", suspension.mass, Range::non_negative(),
+            "Mass for the area that moves with each node of the top; "
+            "Body/Acceleration acts on it [kg/m^2]");
+  bind_motion(keys, suspension, dim);
+}
+
 /** The components that are held on a side of the body, x to z. */
 std::array<bool, 3> bind_side(Keys &keys, const std::string &key, const std::string &side)
 {
@@ -119,12 +178,19 @@ void ContactParameters::bind_loads(Keys &keys)
     if (!std::isnan(stiffness))
       contact.normal_stiffness = stiffness;
   }
+  bind_top(keys);
+}
+
+void ContactParameters::bind_top(Keys &keys)
+{
   const auto section = keys.section("Top");
+  std::string kind   = "platen";
   double pressure = 5e6, hold_from = automatic;
-  keys.bind(
-    "Kind", top.kind, {"pressure", "platen", "held"},
-    "Load of the top: a pressure on each node; a rigid platen (u_x = 0, one common "
-    "u_y) pushed by the resultant of the pressure; or no motion (u = 0)");
+  keys.bind("Kind", kind, {"free", "pressure", "platen", "held", "springs", "absorbing"},
+            "What the top stands on: nothing; a pressure on each node; a rigid platen "
+            "(u_x = 0, one common u_y) pushed by the resultant of the pressure; no "
+            "motion (u = 0); springs and dashpots of each node, with a pressure; or "
+            "dashpots that absorb waves, as if the body went on, with a pressure");
   keys.bind("Pressure", pressure, Range::any(),
             "Pressure on the top, positive when it presses the body on the flat [Pa]");
   top.pressure = bind_history(keys, pressure, "pressure", "Pa");
@@ -133,17 +199,51 @@ void ContactParameters::bind_loads(Keys &keys)
   keys.bind("Platen mass", top.platen_mass, Range::non_negative(),
             "Mass of the platen, which moves with the top, in 2D per unit thickness; "
             "Body/Acceleration does not act on it [kg/m, in 3D kg]");
+  bind_suspension(keys, top.suspension, mesh.mesh.dim);
   keys.bind_or_auto("Hold from", hold_from, Range::non_negative(),
                     "Time from which on the top stays where it is; auto: never [s]");
   if (!std::isnan(hold_from))
     top.hold_from = hold_from;
   keys.only_with("Kind", {"pressure"}, {"Lateral held"});
   keys.only_with("Kind", {"platen"}, {"Platen mass"});
-  keys.only_with("Kind", {"pressure", "platen"},
-                 {"Ramp", "Ramp time", "Expression", "Hold from"});
+  keys.only_with("Kind", {"springs"}, {"Mass"});
+  keys.only_with("Kind", {"springs", "platen"},
+                 {"Spring stiffness", "Dashpot", "Motion"});
+  keys.only_with("Kind", {"pressure", "platen", "springs", "absorbing"},
+                 {"Ramp", "Ramp time", "Expression"});
+  keys.only_with("Kind", {"pressure", "platen"}, {"Hold from"});
   // Steady sliding under complex modes takes its pressure from there.
   if (analysis == ContactAnalysis::transient)
-    keys.only_with("Kind", {"pressure", "platen"}, {"Pressure"});
+    keys.only_with("Kind", {"pressure", "platen", "springs", "absorbing"}, {"Pressure"});
+  set_top(keys, kind);
+}
+
+void ContactParameters::set_top(const Keys &keys, const std::string &kind)
+{
+  Suspension &suspension = top.suspension;
+  top.kind               = kind == "platen" ? TopSetup::Kind::platen
+                           : kind == "held" ? TopSetup::Kind::held
+                                            : TopSetup::Kind::pressure;
+  suspension.absorbing   = kind == "absorbing";
+  if (kind == "free")
+    top.pressure = LoadHistory();
+  keys.require(kind != "springs" || suspension.is_there(), "Kind",
+               "it is springs, but Spring stiffness, Dashpot and Mass are 0; give one of "
+               "them, or set Kind = pressure");
+  keys.require(!suspension.is_there() || !std::isfinite(top.hold_from), "Hold from",
+               "the top is held from then on, but there are springs or dashpots; leave "
+               "one of the two out");
+  keys.require(kind != "platen" || !suspension.is_there() ||
+                 analysis == ContactAnalysis::transient,
+               "Kind",
+               "it is a platen on springs, which transient runs alone know; set it to "
+               "springs, which hold each node by itself");
+  for (unsigned int c = 0; c + 1 < mesh.mesh.dim; ++c)
+    keys.require(kind != "platen" || suspension.stiffness[c] > 0. ||
+                   suspension.dashpot[c] == 0.,
+                 "Dashpot",
+                 std::string("along ") + "xy"[c] +
+                   " the platen moves on springs only; give a Spring stiffness there");
 }
 
 void ContactParameters::bind_sides(Keys &keys)
@@ -174,11 +274,14 @@ void ContactParameters::bind_sides(Keys &keys)
                    side < 2 ? "Periodic" : "Periodic in y",
                    side < 2 ? "it is true, so Left and Right have to be free"
                             : "it is true, so Front and Back have to be free");
-      keys.require(
-        top.kind != TopSetup::Kind::platen || !h[normal], names[side],
-        std::string("u_") + "xyz"[normal] +
-          " is held, but the platen of Top/Kind moves the corner; hold u_x only, "
-          "or set Top/Kind = pressure or held");
+      for (unsigned int c = 0; c < mesh.mesh.dim; ++c)
+        keys.require(top.kind != TopSetup::Kind::platen || !h[c] ||
+                       (c != normal && top.holds(c)),
+                     names[side],
+                     std::string("u_") + "xyz"[c] +
+                       " is held, but the platen of Top/Kind moves the corner; hold " +
+                       (c == normal ? "u_x only" : "nothing there") +
+                       ", or set Top/Kind = pressure or held");
     }
   if (!mesh.is_given())
     use_sides_of_grid(mesh, held, {{periodic, periodic_in_y}});

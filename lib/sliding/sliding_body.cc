@@ -58,6 +58,7 @@ BoundaryWork SlidingBody<dim>::boundary_work() const
 {
   BoundaryWork work = contact.work();
   work.external     = top.work() + work.external;
+  work.supports     = top.suspended();
   return work;
 }
 
@@ -133,9 +134,11 @@ void SlidingGrid::set_initial_velocity(const std::array<double, 3> &v)
         mass.front() = 0.;
       if (right[1])
         mass.back() = 0.;
-      const std::vector<double> a = top.start_acceleration(mass);
-      for (unsigned int i = 0; i < n; ++i)
-        w.row(1, rows.local(last))[i] = v[1] + back * (a[i] - setup.step.alpha * v[1]);
+      const auto a = top.start_acceleration(mass, v);
+      for (unsigned int c = 0; c < 2; ++c)
+        for (unsigned int i = 0; i < n; ++i)
+          w.row(c, rows.local(last))[i] =
+            v[c] + back * (a[i][c] - setup.step.alpha * v[c]);
     }
   for (unsigned int c = 0; c < 2; ++c)
     for (unsigned int j = 0; j < rows.n_local(); ++j)
@@ -147,7 +150,7 @@ void SlidingGrid::set_initial_velocity(const std::array<double, 3> &v)
       }
   // What the top holds does not move from the start.
   for (unsigned int c = 0; c < 2 && rows.end == rows.n_global; ++c)
-    if (c == 0 ? setup.top.holds_tangentially() : setup.top.holds_normally())
+    if (c == 0 ? setup.top.holds(0) : setup.top.holds_normally())
       std::fill_n(w.row(c, rows.local(last)), n, 0.);
 }
 

@@ -25,14 +25,15 @@ UniformMaterial layer_material(const Layer &layer, const unsigned int n)
   return UniformMaterial({setup.cells, setup.spacing}, setup.classes, {}, {true, false});
 }
 
-/** Top u_x = 0 and free in y, as layer_setup() has it; the contact on the flat. */
+/** Top u_x = 0 and free in y, as layer_setup() has it, unless it stands on something; the contact on the flat. */
 SlidingPencil layer_pencil(const ElasticBody<2> &body,
                            const Layer &layer,
                            const FrictionSlopes &slopes = {},
                            const double state_time      = 0.)
 {
   DofMask held(body.n_columns(), body.n_rows());
-  held.constrain_row(0, body.n_rows() - 1);
+  if (body.foundation().springs.empty())
+    held.constrain_row(0, body.n_rows() - 1);
   const bool rigid = std::isinf(layer.springs);
   if (rigid)
     held.constrain_row(1, 0);
@@ -112,6 +113,122 @@ TEST(ComplexModes, OfTheRegularizedAndDampedLayer)
 {
   if (has_turn(1))
     expect_order_two({1., 0.25, 1.5e-6, 4.4e-9}, "regularized and damped");
+}
+
+namespace
+{
+/** What a layer hangs on: springs, dashpots and mass for the area, along x and y. */
+struct Hanger
+{
+  std::array<double, 2> stiffness, dashpot; ///< Pa/m, Pa s/m
+  double mass;                              ///< kg/m^2
+};
+
+/** The determinant of the conditions at the flat and at the top for the potentials of both waves,
+ * phi = A cosh a y + B sinh a y and psi likewise, u = (i k phi + psi', phi' - i k psi). */
+Complex hanging_layer(const Layer &layer, const Hanger &top, const Complex s)
+{
+  const double k  = layer.k();
+  const Complex a = layer.decay(s, layer.c_L()), b = layer.decay(s, c_T),
+                G = Layer::G * layer.softening(s), q = b * b + k * k,
+                mu = layer.friction(s);
+  std::array<Complex, 2> on;
+  for (unsigned int c = 0; c < 2; ++c)
+    on[c] = top.stiffness[c] + s * top.dashpot[c] + s * (s + layer.alpha) * top.mass;
+  Eigen::Matrix4cd conditions;
+  for (int n = 0; n < 4; ++n)
+    {
+      // Potential n, its derivative and, of psi, the second one at a height.
+      const auto of_top = [&](const double y, const bool shear) {
+        const Complex r = shear ? b : a;
+        const bool even = n % 2 == 0, other = shear != (n > 1);
+        const Complex c = std::cosh(r * y), d = std::sinh(r * y);
+        return std::array<Complex, 2>{{other ? 0. : even ? c : d,
+                                       other ? 0. : r * (even ? d : c)}};
+      };
+      for (const bool top_side : {false, true})
+        {
+          const auto phi = of_top(top_side ? H : 0., false),
+                     psi = of_top(top_side ? H : 0., true);
+          const Complex ux = I * k * phi[0] + psi[1], uy = phi[1] - I * k * psi[0],
+                        xy = G * (2. * I * k * phi[1] + q * psi[0]),
+                        yy = G * (q * phi[0] - 2. * I * k * psi[1]);
+          conditions(top_side ? 2 : 0, n) =
+            top_side ? xy + on[0] * ux : Layer::G / H * uy;
+          conditions(top_side ? 3 : 1, n) = top_side ? yy + on[1] * uy : xy - mu * yy;
+        }
+      conditions.col(n) /= std::cosh((n < 2 ? a : b) * H);
+    }
+  return conditions.determinant() / std::pow(Layer::G / H, 4);
+}
+} // namespace
+
+// Springs, dashpots and mass of the top: the fastest and the slowest growth that is found are exact ones, with order two.
+TEST(ComplexModes, OfTheLayerThatHangsOnSprings)
+{
+  if (!has_turn(1))
+    return;
+  for (const Hanger &top : {Hanger{{{3e12, 5e12}}, {{0., 0.}}, 0.},
+                            Hanger{{{3e12, 5e12}}, {{2e6, 1e6}}, 6.}})
+    {
+      Layer layer = {1.15, 0.25, 1.5e-6, 4.4e-9};
+      layer.alpha = 2e3;
+      std::array<std::vector<double>, 2> errors;
+      for (const unsigned int n : {10, 20, 40})
+        {
+          const UniformMaterial material = layer_material(layer, n);
+          GridBody<2> body(material);
+          const unsigned int columns = body.n_columns() - 1;
+          const double area          = body.extent(0) / columns;
+          Foundation foundation;
+          for (unsigned int i = 0; i < columns; ++i)
+            {
+              const NodeIndex node = {i, body.n_rows() - 1};
+              for (unsigned int c = 0; c < 2; ++c)
+                {
+                  foundation.springs.push_back({node, c, c, area * top.stiffness[c]});
+                  foundation.dashpots.push_back({node, c, c, area * top.dashpot[c]});
+                }
+              foundation.masses.emplace_back(node, area * top.mass);
+            }
+          body.stand_on(foundation);
+          ComplexModesOptions options;
+          options.highest_frequency = 60e3;
+          options.least_growth      = -4e4;
+          const SlidingPencil pencil = layer_pencil(body, layer);
+          const ComplexModes found =
+            find_complex_modes(pencil, friction_radius(pencil), options);
+          EXPECT_EQ(found.n_missing, 0);
+          ASSERT_GT(found.modes.size(), 2U);
+          // Of waves as long as the layer, in either direction.
+          unsigned int seen = 0;
+          for (const ComplexMode &mode : found.modes)
+            {
+              EXPECT_NEAR(mode.growth_by_friction.sum() + mode.growth_by_damping,
+                          mode.s.real(), 1e-6 * std::abs(mode.s));
+              Complex exact = mode.s;
+              for (unsigned int k = 0; k < 50; ++k)
+                {
+                  const double step = 1e-6 * std::abs(exact);
+                  exact -= hanging_layer(layer, top, exact) * 2. * step /
+                           (hanging_layer(layer, top, exact + step) -
+                            hanging_layer(layer, top, exact - step));
+                }
+              const double error = std::abs(exact - mode.s) / std::abs(exact);
+              if (error > 0.02 || seen == 2)
+                continue;
+              errors[seen++].push_back(error);
+            }
+          EXPECT_EQ(seen, 2U) << n;
+        }
+      for (const auto &of_mode : errors)
+        {
+          ASSERT_EQ(of_mode.size(), 3U);
+          EXPECT_LT(of_mode.back(), 1e-3);
+          for (const double order : orders(of_mode))
+            EXPECT_NEAR(order, 2., 0.25);
+        }
+    }
 }
 
 // Power of friction by node and of damping over twice the energy sum up to the growth rate.

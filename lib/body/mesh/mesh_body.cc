@@ -202,7 +202,7 @@ std::array<double, dim> MeshBody<dim>::point(const NodeIndex &node) const
 }
 
 template <int dim>
-std::vector<double> MeshBody<dim>::lumped_mass() const
+std::vector<double> MeshBody<dim>::mass_of_cells() const
 {
   NodalField<double> mass = this->zero_field();
   discretization->to_field(mass, discretization->lumped_mass());
@@ -243,7 +243,7 @@ void MeshBody<dim>::evaluate(const NodalField<double> &u,
 }
 
 template <int dim>
-void MeshBody<dim>::vmult(NodalField<double> &Ku, const NodalField<double> &u) const
+void MeshBody<dim>::multiply(NodalField<double> &Ku, const NodalField<double> &u) const
 {
   const auto x = discretization->to_vector(u);
   auto y       = x;

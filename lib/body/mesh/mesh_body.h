@@ -89,12 +89,12 @@ public:
   using ElasticBody<dim>::copy_duplicates;
   std::uint64_t number(const NodeIndex &node) const override;
   std::array<double, dim> point(const NodeIndex &node) const override;
-  std::vector<double> lumped_mass() const override;
+  std::vector<double> mass_of_cells() const override;
   std::size_t n_cell_groups() const override;
   void evaluate(const NodalField<double> &u,
                 const std::size_t group,
                 Cells &cells) const override;
-  void vmult(NodalField<double> &Ku, const NodalField<double> &u) const override;
+  void multiply(NodalField<double> &Ku, const NodalField<double> &u) const override;
   std::vector<MatrixEntry> stiffness_entries() const override;
   std::unique_ptr<StaticSolver> make_solver() const override;
   std::unique_ptr<ElasticBody<dim>> make_periodic() const override;

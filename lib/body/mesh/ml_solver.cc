@@ -84,8 +84,9 @@ MlSolver<dim>::MlSolver(const ElasticBody<dim> &the_body,
 
 template <int dim>
 void MlSolver<dim>::set_constrained_on_springs(const DofMask &mask,
-                                               const std::vector<SpringEntry> &springs)
+                                               const std::vector<SpringEntry> &on)
 {
+  const std::vector<SpringEntry> springs = with_foundation(body.foundation(), on);
   is_ready         = true;
   constrained_dofs = mask;
   // Axis after axis, so that the original of an original is held as well.

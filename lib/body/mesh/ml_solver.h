@@ -23,7 +23,7 @@ public:
   }
 
   void set_constrained_on_springs(const DofMask &mask,
-                                  const std::vector<SpringEntry> &springs) override;
+                                  const std::vector<SpringEntry> &on) override;
 
   SolverReport solve(NodalField<double> &u,
                      const NodalField<double> &force,

@@ -107,16 +107,14 @@ ComplexMode finish(const SlidingPencil &pencil, const FoundMode &found)
   mode.shape    = found.u;
   mode.residual = pencil.residual(found.s, found.u);
 
-  const Eigen::VectorXd real = found.u.real(), imaginary = found.u.imag();
-  const double elastic = real.dot(pencil.stiffness * real) +
-                         imaginary.dot(pencil.stiffness * imaginary),
-               stored =
-                 pencil.on_springs() ? pencil.springs.dot(found.u.cwiseAbs2()) : 0.,
-               speed   = std::norm(found.s),
+  const auto form = [&](const RealMatrix &matrix) {
+    return found.u.dot(product(matrix, found.u)).real();
+  };
+  const double elastic = form(pencil.stiffness), speed = std::norm(found.s),
                kinetic = speed * found.u.dot(pencil.mass.cwiseProduct(found.u)).real(),
-               energy  = kinetic + elastic + stored;
+               energy  = kinetic + elastic + form(pencil.springs);
   mode.growth_by_damping =
-    -(pencil.law.beta * speed * elastic + pencil.law.alpha * kinetic) / energy;
+    -speed * (pencil.law.beta * elastic + form(pencil.resistances)) / energy;
   const ComplexVector force = pencil.friction_force(found.s, found.u);
   const auto n_nodes        = pencil.contact_nodes.empty()
                                 ? Eigen::Index(0)

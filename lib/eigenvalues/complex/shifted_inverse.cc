@@ -33,7 +33,8 @@ void ShiftedInverse::vmult(ComplexVector &dst, const ComplexVector &src) const
     return product(pencil.drag, velocity) +
            (product(pencil.late_drag, velocity) + old_late) / late;
   };
-  ComplexVector right = -pencil.mass.cwiseProduct(v + (shift + pencil.law.alpha) * u);
+  ComplexVector right =
+    -pencil.mass.cwiseProduct(v + shift * u) - product(pencil.resistances, u);
   if (beta > 0.)
     right -= beta * product(pencil.stiffness, u);
   const ComplexVector force =

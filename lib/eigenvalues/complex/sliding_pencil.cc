@@ -63,19 +63,34 @@ void add_target(const std::size_t node,
     target.emplace_back(q, entry.row(), coupling * entry.value());
 }
 
-/** The springs below the nodes. */
+/** The springs below the nodes, foundation and alpha. */
 template <int dim>
-void add_springs(const ElasticBody<dim> &body,
-                 const std::vector<std::int64_t> &number,
-                 const SlidingNodesAtRest &contact,
-                 SlidingPencil &pencil)
+void add_supports(const ElasticBody<dim> &body,
+                  const std::vector<std::int64_t> &number,
+                  const SlidingNodesAtRest &contact,
+                  SlidingPencil &pencil)
 {
-  if (contact.stiffness.empty())
-    return;
-  pencil.springs = Eigen::VectorXd::Zero(pencil.size());
-  for (std::size_t k = 0; k < contact.nodes.size(); ++k)
-    pencil.springs[number[row_of(body, contact.nodes[k], dim - 1)]] +=
-      contact.stiffness[k];
+  std::vector<SpringEntry> springs = body.foundation().springs;
+  for (std::size_t k = 0; k < contact.stiffness.size(); ++k)
+    springs.push_back({contact.nodes[k], dim - 1, dim - 1, contact.stiffness[k]});
+  const auto gather = [&](const std::vector<SpringEntry> &from,
+                          std::vector<Triplet> entries) {
+    for (const SpringEntry &spring : from)
+      {
+        const std::int64_t row    = number[row_of(body, spring.node, spring.c)],
+                           column = number[row_of(body, spring.node, spring.d)];
+        if (row >= 0 && column >= 0 && spring.stiffness != 0.)
+          entries.emplace_back(row, column, spring.stiffness);
+      }
+    RealMatrix matrix(pencil.size(), pencil.size());
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    return matrix;
+  };
+  pencil.springs = gather(springs, {});
+  std::vector<Triplet> of_mass;
+  for (Eigen::Index k = 0; k < pencil.size() && pencil.law.alpha > 0.; ++k)
+    of_mass.emplace_back(k, k, pencil.law.alpha * pencil.mass[k]);
+  pencil.resistances = gather(body.foundation().dashpots, of_mass);
 }
 
 /** The friction forces, their targets and the drag. */
@@ -158,11 +173,9 @@ ComplexMatrix SlidingPencil::operator()(const Complex s) const
   ComplexMatrix inertia(size(), size());
   inertia.reserve(Eigen::VectorXi::Constant(static_cast<int>(size()), 1));
   for (Eigen::Index k = 0; k < size(); ++k)
-    inertia.insert(k, k) = s * (s + law.alpha) / damped * mass[k];
-  if (on_springs())
-    for (Eigen::Index k = 0; k < size(); ++k)
-      inertia.coeffRef(k, k) += springs[k] / damped;
-  return inertia + stiffness.cast<Complex>() + friction.cast<Complex>() * (-1. / lag) +
+    inertia.insert(k, k) = s * s / damped * mass[k];
+  return inertia + resistances.cast<Complex>() * (s / damped) +
+         springs.cast<Complex>() * (1. / damped) + stiffness.cast<Complex>() + friction.cast<Complex>() * (-1. / lag) +
          spring_friction.cast<Complex>() * (-1. / (lag * damped)) +
          resistance.cast<Complex>() * (s / (damped * lag)) +
          late_resistance.cast<Complex>() *
@@ -180,18 +193,19 @@ RealMatrix SlidingPencil::whole_stiffness() const
 {
   RealMatrix whole = stiffness;
   if (on_springs())
-    whole.diagonal() += springs;
+    whole += springs;
   return whole;
 }
 
 double SlidingPencil::residual(const Complex s, const ComplexVector &u) const
 {
   const Complex damped        = 1. + law.beta * s;
-  const ComplexVector inertia = s * (s + law.alpha) / damped * mass.cwiseProduct(u),
+  const ComplexVector inertia = s / damped * (s * mass.cwiseProduct(u) +
+                                              product(resistances, u)),
                       force   = friction_force(s, u) / damped;
   ComplexVector elastic       = product(stiffness, u);
   if (on_springs())
-    elastic += springs.cwiseProduct(u) / damped;
+    elastic += product(springs, u) / damped;
   ComplexVector sum = inertia + elastic;
   for (std::size_t k = 0; k < rows.size(); ++k)
     sum[rows[k]] -= force[static_cast<Eigen::Index>(k)];
@@ -259,7 +273,7 @@ SlidingPencil make_sliding_pencil(const ElasticBody<dim> &body,
   pencil.mass = Eigen::Map<const Eigen::VectorXd>(masses.begin(), n);
   RealMatrix of_nodes(n, static_cast<Eigen::Index>(contact.nodes.size()));
   of_nodes.setFromTriplets(reactions.begin(), reactions.end());
-  add_springs(body, number, contact, pencil);
+  add_supports(body, number, contact, pencil);
   add_contact(body, of_nodes, number, contact, pencil);
   return pencil;
 }

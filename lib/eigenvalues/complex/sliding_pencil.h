@@ -39,24 +39,24 @@ struct SlidingLaw
   double delta      = 0.; ///< time in which friction follows its target (s); 0: at once
   double beta       = 0.; ///< of the stiffness-proportional damping (s)
   double state_time = 0.; ///< in which the state follows the slip rate (s); 0: no state
-  double alpha      = 0.; ///< of the mass-proportional damping (1/s)
+  double alpha      = 0.; ///< of the mass-proportional damping (1/s), which C_v has
 };
 
 /**
  * Small vibrations u exp(s t) about steady sliding, in the free degrees of freedom:
  *
- *     [ s (s + alpha)/(1 + beta s) M + K - N/(1 + s delta) + s/((1 + beta s)(1 + s delta)) C(s)
- *       + (K_s - N_s/(1 + s delta))/(1 + beta s) ] u = 0
+ *     [ s (s M + C_v)/(1 + beta s) + K - N/(1 + s delta) + s/((1 + beta s)(1 + s delta)) C(s)
+ *       + (K_s - N_s/(1 + s delta))/(1 + beta s) ] u = 0,   C_v = alpha M + C_d
  *     C(s) = C_0 + C_1/(1 + s tau)
  *
  * N moves mu + p dmu/dp times the normal reaction of each contact node to its rows along the
- * motion of the flat. Where nodes stand on springs, which are not damped, these are K_s, and N_s
- * moves their reactions; N is zero then. C is the drag of each node, whose static normal force is f:
+ * motion of the flat. Springs below contact nodes and of the foundation, which are not damped, are K_s,
+ * dashpots of the foundation C_d. Where contact nodes stand on springs, N_s moves their reactions; N is zero then. C is the drag of each node, whose static normal force is f:
  * along the motion f dmu/dV, of which a law with a state has a part C_1 that follows within tau; across
  * it, in 3D only, mu f over the speed of the flat, as friction turns against the velocity of
  * the node. Linear in s with v = s u, the friction forces q, and their parts z by the state:
  *
- *     s u = v,                     s M v = -K (u + beta v) - K_s u - alpha M v + E q,
+ *     s u = v,                     s M v = -K (u + beta v) - K_s u - C_v v + E q,
  *     s tau z = -D_1 v - z,        s delta q = G (u + beta v) + G_s u - D_0 v + z - q
  *
  * with N = E G, N_s = E G_s and C_i = E D_i. Without delta there is no q, without tau no z.
@@ -100,12 +100,13 @@ public:
   /** Whether nodes stand on springs. */
   bool on_springs() const
   {
-    return springs.size() > 0;
+    return springs.nonZeros() > 0;
   }
 
   Eigen::VectorXd mass;                   ///< M, lumped (kg, 2D: kg/m)
   RealMatrix stiffness;                   ///< K
-  Eigen::VectorXd springs;                ///< the diagonal of K_s; empty: none
+  RealMatrix springs;                     ///< K_s
+  RealMatrix resistances;                 ///< C_v
   RealMatrix targets;                     ///< G, a row for each friction force
   RealMatrix spring_targets;              ///< G_s, likewise
   RealMatrix drag;                        ///< D_0, likewise

@@ -129,15 +129,16 @@ void collect(const SlidingPencil &still,
 }
 } // namespace
 
-// A reference for the count is as good without alpha, and with springs that are damped as the body is.
+// A reference for the count is as good without alpha and dashpots, and with springs that are damped as the body is.
 SlidingPencil without_friction(SlidingPencil pencil)
 {
   for (RealMatrix *matrix : {&pencil.targets, &pencil.spring_targets, &pencil.drag,
                              &pencil.late_drag, &pencil.friction, &pencil.spring_friction,
                              &pencil.resistance, &pencil.late_resistance})
     *matrix *= 0.;
-  pencil.stiffness = pencil.whole_stiffness();
-  pencil.springs.resize(0);
+  pencil.stiffness   = pencil.whole_stiffness();
+  pencil.springs     = RealMatrix(pencil.size(), pencil.size());
+  pencil.resistances = pencil.springs;
   pencil.law.delta = pencil.law.state_time = pencil.law.alpha = 0.;
   return pencil;
 }

@@ -38,6 +38,9 @@ std::string top_text(const TopSetup &top)
     case TopSetup::Kind::held:
       return "held: u = 0";
     default:
+      if (top.suspension.is_there())
+        return top.suspension.has_springs() ? "on springs, without dashpots"
+                                            : "free, without dashpots";
       return top.lateral_held ? lateral + ", free in " + along_normal<dim>() : "free";
     }
 }

@@ -40,7 +40,9 @@ void check_lateral_support(const ContactParameters &p, const bool rubs)
       const std::string side = p.mesh.is_given()
                                  ? std::string("a group in Mesh/Held in ") + "xy"[c]
                                  : std::string("a side in u_") + "xy"[c] + " (Sides)";
-      if (p.top.holds_tangentially() || !p.mesh.held[c].empty())
+      if (p.top.holds(c) || p.top.suspension.stiffness[c] > 0. ||
+          p.top.suspension.absorbing || // see top_at_rest()
+          !p.mesh.held[c].empty())
         continue;
       if (rubs && speed * p.contact.flat_direction[c] != 0.)
         throw UserError(
@@ -75,6 +77,15 @@ void check_tipping(const ContactParameters &p,
       " m is more than half the width, " + to_text(half) +
       " m: there is no equilibrium; reduce it, or set Top/Kind = platen");
 }
+
+/** The body beyond a top that absorbs carries the friction, so that nothing moves along the flat there. */
+TopSetup top_at_rest(const ContactParameters &parameters)
+{
+  TopSetup top     = parameters.top;
+  top.lateral_held = top.lateral_held || top.suspension.absorbing;
+  return top;
+}
+
 /** Stiffness (N/m, in 2D Pa) of the springs of contact nodes with these areas; nodes without area have
  * next to none. */
 std::vector<double> of_springs(const double stiffness, const std::vector<double> &area)
@@ -101,7 +112,8 @@ void check_static_load(const ContactParameters &p, const BodyFacts<dim> &body)
                     "platen or pressure for a static contact analysis");
   if (!(p.top.pressure.amplitude() > 0.))
     throw UserError("Top/Pressure is " + to_text(p.top.pressure.amplitude()) +
-                    " Pa; a static contact analysis needs a positive one");
+                    " Pa; a static contact analysis needs a positive one, with Top/Kind "
+                    "= platen, pressure, springs or absorbing");
   if (p.contact.gap != 0.)
     throw UserError("Flat/Gap is " + to_text(p.contact.gap) +
                     " m; a static contact analysis starts from a body that touches the "
@@ -130,7 +142,7 @@ StaticLoad<dim>::StaticLoad(const GivenBody<dim> &body,
 {
   const double load            = parameters.top.pressure.amplitude(),
                v               = parameters.contact.flat_velocity.amplitude();
-  problem.constrained          = body.held(parameters.top, false);
+  problem.constrained          = body.held(top_at_rest(parameters), false);
   problem.displacement         = body.compressed(strain / parameters.static_load.steps);
   problem.force                = elastic.zero_field();
   problem.friction_coefficient = friction;
@@ -146,7 +158,13 @@ StaticLoad<dim>::StaticLoad(const GivenBody<dim> &body,
       whole_load(c, {k % n, k / n}) = mass[k] * parameters.step.acceleration[c];
   if (parameters.top.kind == TopSetup::Kind::pressure)
     for (std::size_t k = 0; k < top.nodes.size(); ++k)
-      whole_load(dim - 1, top.nodes[k]) -= load * top.area[k];
+      {
+        whole_load(dim - 1, top.nodes[k]) -= load * top.area[k];
+        const Suspension &suspension = parameters.top.suspension;
+        for (unsigned int c = 0; c < dim; ++c)
+          whole_load(c, top.nodes[k]) +=
+            suspension.stiffness[c] * suspension.motion[c](0.) * top.area[k];
+      }
 }
 
 template <int dim>

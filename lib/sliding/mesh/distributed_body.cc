@@ -71,6 +71,11 @@ public:
     return op.communicator;
   }
 
+  const std::vector<double> &lumped_mass() const override
+  {
+    return op.lumped_mass();
+  }
+
   FrequencyEstimate largest_frequency() const override
   {
     return mesoslip::largest_frequency(op);
@@ -122,6 +127,11 @@ public:
   MPI_Comm communicator() const override
   {
     return op.communicator;
+  }
+
+  const std::vector<double> &lumped_mass() const override
+  {
+    return op.lumped_mass();
   }
 
   FrequencyEstimate largest_frequency() const override

@@ -26,6 +26,9 @@ public:
   /** Of the ranks that share the body. */
   virtual MPI_Comm communicator() const = 0;
 
+  /** Of the points of the part (kg, in 2D kg/m). */
+  virtual const std::vector<double> &lumped_mass() const = 0;
+
   /** Largest frequency of M^-1 K. Collective. */
   virtual FrequencyEstimate largest_frequency() const = 0;
 

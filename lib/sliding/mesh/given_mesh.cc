@@ -1,6 +1,7 @@
 #include "sliding/mesh/given_mesh.h"
 
 #include "base/errors.h"
+#include "base/exchange.h"
 #include "base/object_exchange.h"
 #include "exchange/datasets.h"
 #include "material/plausibility.h"
@@ -54,7 +55,8 @@ GivenMesh<dim>::GivenMesh(const ContactParameters &given,
     {
       distributed = mesh->distribute(body.contact.points, body.probes, phases,
                                      parameters.sweep.isa, MPI_COMM_WORLD);
-      body.scales.highest_frequency = distributed->largest_frequency().upper;
+      body.scales.highest_frequency =
+        std::hypot(distributed->largest_frequency().upper, frequency_of_springs());
       if (parameters.map.interval > 0. || parameters.wants_node_loads())
         require_contact_area(body);
     }
@@ -117,6 +119,24 @@ BodySize GivenMesh<dim>::size() const
   return size;
 }
 
+/** Circular, of a node of the top that moves alone on its springs, the fastest one (1/s). */
+template <int dim>
+double GivenMesh<dim>::frequency_of_springs() const
+{
+  const Suspension &suspension = parameters.top.suspension;
+  if (!suspension.has_springs())
+    return 0.;
+  const PointIndex index(distributed->part(), body.top.points);
+  const std::vector<double> &mass = distributed->lumped_mass();
+  double largest                  = 0.;
+  for (std::size_t k = 0; k < body.top.points.size(); ++k)
+    for (const unsigned int i : index.find(body.top.points[k]))
+      if (body.top.area[k] > 0.)
+        largest =
+          std::max(largest, suspension.squared_frequency(mass[i] / body.top.area[k]));
+  return std::sqrt(mpi::max(largest, distributed->communicator()));
+}
+
 template <int dim>
 unsigned int GivenMesh<dim>::most_ranks() const
 {
@@ -126,9 +146,11 @@ unsigned int GivenMesh<dim>::most_ranks() const
 }
 
 template <int dim>
-BodyInMotion<dim> GivenMesh<dim>::start(const SlidingSetup &setup,
+BodyInMotion<dim> GivenMesh<dim>::start(const SlidingSetup &given,
                                         RunContext &context) const
 {
+  SlidingSetup setup  = given;
+  setup.top.impedance = body.top_impedance;
   auto sliding = std::make_unique<SlidingMesh<dim>>(
     *distributed, body.contact, body.top, body.held, setup,
     context.options().profile ? &context.timer() : nullptr);
@@ -205,6 +227,7 @@ void GivenMesh<dim>::make_elastic(const MPI_Comm communicator, const bool whole)
   of_statics             = mesh->make_elastic(
                 parameters.mesh, has_contact ? parameters.mesh.contact_boundary : "",
     has_top ? parameters.mesh.top_boundary : "", phases, communicator, whole);
+  of_statics->stand_on(foundation_of<dim>(top_nodes(), parameters.top));
   if (body.contact.points.empty())
     return;
   order_contact(body, *of_statics);
@@ -238,6 +261,9 @@ TopNodes GivenMesh<dim>::top_nodes() const
       {
         top.nodes.push_back(*node);
         top.area.push_back(body.top.area[k]);
+        top.impedance.resize(body.top_impedance.size());
+        for (std::size_t m = 0; m < top.impedance.size(); ++m)
+          top.impedance[m].push_back(body.top_impedance[m][k]);
       }
   return top;
 }

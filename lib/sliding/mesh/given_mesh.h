@@ -25,7 +25,7 @@ public:
    */
   GivenMesh(const ContactParameters &given, std::unique_ptr<BodyMesh<dim>> unread);
 
-  BodyInMotion<dim> start(const SlidingSetup &setup, RunContext &context) const override;
+  BodyInMotion<dim> start(const SlidingSetup &given, RunContext &context) const override;
   void write_contact(Hdf5File &file) const override;
 
   void make_elastic(const MPI_Comm communicator, const bool whole) override;
@@ -60,6 +60,7 @@ private:
   std::vector<std::string> lines() const;
   BodySize size() const;
   std::vector<ProbePoint> probe_places() const;
+  double frequency_of_springs() const;
   unsigned int most_ranks() const;
   std::function<FieldRows()> displacement_rows(const SlidingMesh<dim> &moving) const;
   void describe_contact();

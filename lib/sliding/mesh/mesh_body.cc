@@ -68,6 +68,27 @@ shares_of_phases(const BodyMesh<dim> &morphology,
   return shares;
 }
 
+/** TopSetup::impedance of the points of @p top, if it absorbs. */
+template <int dim>
+std::vector<std::vector<double>>
+impedance_of_points(const BodyMesh<dim> &morphology,
+                    const std::vector<BoundaryFace<dim>> &faces,
+                    const MeshBoundary &top)
+{
+  const std::size_t n = morphology.materials().size();
+  std::vector<std::vector<double>> result;
+  for (unsigned int k = 0; k < dim * dim; ++k)
+    {
+      std::vector<double> of_phase;
+      for (const Phase<dim> &phase : morphology.materials())
+        of_phase.push_back(
+          impedance<dim>(phase.stiffness, phase.density)(k / dim, k % dim));
+      result.push_back(mean_of_phases(morphology.mesh, faces, top, of_phase,
+                                      std::vector<double>(n, 1.)));
+    }
+  return result;
+}
+
 /** Whether anything happens at the contact: not to modes with a free bottom. */
 bool needs_contact(const ContactParameters &parameters)
 {
@@ -80,7 +101,7 @@ bool needs_top(const ContactParameters &parameters)
 {
   const TopSetup &top = parameters.top;
   return parameters.analysis != ContactAnalysis::modal || top.holds_tangentially() ||
-         !(top.hold_from > 0.);
+         top.suspension.is_there() || !(top.hold_from > 0.);
 }
 
 /** What platen and contact ask of each other and of held boundaries. */
@@ -111,9 +132,9 @@ void check_supports(const MeshBodyDescription &body,
                       parameters.contact_boundary +
                       "', the Contact boundary, share points; each point may be in one");
   for (const HeldComponent &h : body.held)
-    if (h.component == normal && top.kind == TopSetup::Kind::platen &&
-        top_points.count(h.point) > 0)
-      throw UserError(std::string("Mesh/Held in ") + "xyz"[normal] +
+    if (top.kind == TopSetup::Kind::platen && top_points.count(h.point) > 0 &&
+        (h.component == normal || !top.holds(h.component)))
+      throw UserError(std::string("Mesh/Held in ") + "xyz"[h.component] +
                       ": the platen of Top/Kind moves points that are held; leave the "
                       "boundary out, or set Top/Kind = pressure or held");
 }
@@ -252,7 +273,10 @@ MeshBodyDescription describe_body(const BodyMesh<dim> &morphology,
     }
   if (needs_top(given))
     {
-      body.top = mesh_boundary(mesh, faces_with("Top boundary", parameters.top_boundary));
+      const auto top = faces_with("Top boundary", parameters.top_boundary);
+      body.top       = mesh_boundary(mesh, top);
+      if (given.top.suspension.absorbing)
+        body.top_impedance = impedance_of_points(morphology, top, body.top);
       if (!(sum_of(body.top.area) > 0.))
         throw UserError("Mesh/Top boundary: '" + parameters.top_boundary +
                         "' does not face up, along " + normal);

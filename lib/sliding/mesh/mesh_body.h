@@ -80,6 +80,8 @@ struct MeshBodyDescription
   /** Of each phase its share of the tributary area of the contact nodes. */
   std::vector<std::vector<double>> shares;
 
+  std::vector<std::vector<double>> top_impedance; ///< TopSetup::impedance
+
   std::vector<HeldComponent> held; ///< never moved
   std::uint64_t n_points = 0;      ///< of the mesh
   std::uint64_t n_cells  = 0;      ///< of the mesh
@@ -94,7 +96,7 @@ struct MeshBodyDescription
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    serialize_members<12>(archive, *this);
+    serialize_members<13>(archive, *this);
   }
 };
 

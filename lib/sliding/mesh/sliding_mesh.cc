@@ -43,6 +43,8 @@ SlidingSetup restricted(SlidingSetup setup,
     }
   setup.top.tributary = top_nodes.of(top.area, 0.);
   setup.top.n_owned   = top_nodes.n_owned();
+  for (std::vector<double> &component : setup.top.impedance)
+    component = top_nodes.of(component, 0.);
   setup.ranks         = communicator;
   return setup;
 }
@@ -201,7 +203,7 @@ void SlidingMesh<dim>::set_initial_velocity(const std::array<double, 3> &velocit
     hold(h.point, h.component);
   for (const unsigned int point : top.points)
     for (unsigned int c = 0; c < dim; ++c)
-      if (c < normal ? this->setup.top.holds_tangentially()
+      if (c < normal ? this->setup.top.holds(c)
                      : this->setup.top.holds_normally())
         hold(point, c);
   const StepParameters &step    = this->setup.step;
@@ -220,10 +222,10 @@ void SlidingMesh<dim>::set_initial_velocity(const std::array<double, 3> &velocit
     if (const unsigned int point = top_nodes.point(i);
         point != SharedNodes::none && !rests[point][normal])
       of_top[i] = mass[point];
-  const std::vector<double> pushed = this->top.start_acceleration(of_top);
+  const auto pushed = this->top.start_acceleration(of_top, velocity);
   for (unsigned int i = 0; i < top_nodes.size(); ++i)
-    if (top_nodes.point(i) != SharedNodes::none)
-      a[top_nodes.point(i)][normal] = pushed[i] - step.alpha * velocity[normal];
+    for (unsigned int c = 0; c < dim && top_nodes.point(i) != SharedNodes::none; ++c)
+      a[top_nodes.point(i)][c] = pushed[i][c] - step.alpha * velocity[c];
   const double back = -step.beta2 * step.dt;
   for (unsigned int c = 0; c < dim; ++c)
     for (std::size_t i = 0; i < n; ++i)

@@ -135,7 +135,7 @@ void RunStatistics<dim>::collect(TransientResult &all)
   all.series = record.series();
   // Where the top takes no tangential forces, they are those of the contact.
   const std::vector<double> at_the_top = of_top(record.top_friction());
-  if (parameters.top.holds_tangentially())
+  if (parameters.top.takes_friction())
     all.series.apparent_friction = at_the_top;
   const double given      = parameters.observation.steady_from;
   all.limit_cycle_reached = limit_cycle.reached();

@@ -53,6 +53,7 @@ double nominal_load(const TransientResult &run, const double begin, const double
   const TopSetup &top         = run.parameters.top;
   const LoadHistory &velocity = run.parameters.contact.flat_velocity;
   const bool pressed          = top.kind != TopSetup::Kind::held && top.hold_from > end &&
+                       !top.suspension.resists(run.body.dim - 1) &&
                        run.parameters.step.acceleration[run.body.dim - 1] == 0.;
   return pressed && top.pressure.is_constant_from(begin) &&
              velocity.is_constant_from(begin)
@@ -143,6 +144,8 @@ void TransientResult::evaluate_energy()
     {energy.potential, "the work of the body forces"},
     {energy.external_work, "the work of the loads"},
     {energy.impact, "the impact energy"},
+    {energy.supports, "the energy in the supports"},
+    {energy.dashpots, "the energy lost in dashpots"},
     {energy.damping, "the damped energy"},
     {energy.scheme, "the energy that the scheme dissipates"}};
   for (const auto &[term, name] : others)
@@ -155,7 +158,7 @@ void TransientResult::evaluate_energy()
 
 void TransientResult::evaluate()
 {
-  apparent_friction = parameters.top.holds_tangentially()
+  apparent_friction = parameters.top.takes_friction()
                         ? quotients(top.tangential_force, top.normal_force)
                         : quotients(history.tangential_force, history.normal_force);
   evaluate_reference_node();

@@ -13,8 +13,8 @@ from matplotlib.patheffects import Normal, Stroke
 
 from report.base.data import Missing, thinned
 
-BLUE, ORANGE, GREEN, PINK, SKY, YELLOW, BLACK, GREY = (
-    "#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00", "#000000", "#6b7280")
+BLUE, ORANGE, GREEN, PINK, SKY, YELLOW, BLACK, GREY, VIOLET, BROWN = (
+    "#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00", "#000000", "#6b7280", "#7b3294", "#8c510a")
 RUN_COLOURS = [BLUE, ORANGE, GREEN, PINK, YELLOW, SKY]
 SLIP, STICK, SEPARATED = "#0072B2", "#E69F00", "#e9ecef"
 DASHES = ["-", (0, (3, 1.5)), (0, (1, 1)), (0, (5, 1.5, 1, 1.5))]

@@ -3,7 +3,7 @@
 import numpy as np
 
 from report.base.data import Missing, thinned
-from report.base.figures import BLACK, BLUE, GREEN, GREY, ORANGE, PINK, SKY, YELLOW, above, panels, rescaled, scaled, style
+from report.base.figures import BLACK, BLUE, BROWN, GREEN, GREY, ORANGE, PINK, SKY, VIOLET, YELLOW, above, panels, rescaled, scaled, style
 
 SLOPE = {"color": BLACK, "lw": 2.4, "ls": (0, (1, 2.5)), "zorder": 5}  # dots on top of the curves
 POWERS_OF_J = [(1e-9, "nJ"), (1e-6, "µJ"), (1e-3, "mJ"), (1.0, "J"), (1e3, "kJ")]
@@ -47,7 +47,8 @@ def friction_energy(runs):
 
 ENERGIES = [("external_work", "external work", BLACK), ("friction", "friction", ORANGE),
             ("elastic", "elastic", BLUE), ("kinetic", "kinetic", PINK), ("damping", "damping", GREEN),
-            ("scheme", "time scheme", GREY), ("impact", "impacts", YELLOW), ("contact", "springs of the contact", SKY)]
+            ("scheme", "time scheme", GREY), ("impact", "impacts", YELLOW), ("contact", "springs of the contact", SKY),
+            ("supports", "springs of the supports", VIOLET), ("dashpots", "dashpots", BROWN)]
 
 
 NEGLIGIBLE, SMALL = 1e-4, 0.2  # of the largest term: not drawn; drawn on a scale of its own
