@@ -55,20 +55,20 @@ mesoslip_python_tests(system 2 chains/chain chains/drafts chains/package homogen
                       pages/first_steps pages/paper pages/tomogram programs/files programs/other_processors
                       programs/ranks programs/xdmf sliding/boxes sliding/complex_modes sliding/friction_homogenization sliding/mesh_dynamics
                       sliding/mesh_flat sliding/mesh_modes sliding/mesh_periodic sliding/mesh_static_contact sliding/one_run sliding/oriented_boxes
-                      sliding/resume sliding/start sliding/steady_part)
+                      sliding/contact_stiffness sliding/resume sliding/start sliding/steady_part sliding/supports)
 mesoslip_python_tests(verification 1 stability contact/hertz contact/hertz_sphere contact/incremental_friction contact/incremental_sphere
                       contact/mesh_friction_vector contact/oblique_modes contact/random_resting_solids contact/random_static_contact
                       contact/spence contact/static_localization volumes/hexagonal_cell volumes/independent_finite_elements
                       volumes/mesh_inclusions voxels/voxel_files)
 mesoslip_python_tests(verification 2 contact/large_strains contact/mesh_ranks contact/resting_flat volumes/divided_plane
                       volumes/macroscopic_loads volumes/macroscopic_loads_kinds volumes/mixed_conditions voxels/voxel_extremes voxels/voxel_orientations
-                      voxels/voxel_random voxels/voxels)
+                      voxels/voxel_random voxels/voxels voxels/box_modes)
 mesoslip_python_tests(regression 1 stored_runs)
 set_property(TEST system/chains/chain APPEND PROPERTY LABELS regression) # its numbers are stored, too
 # Above a quarter of a minute each; ./test.sh --quick leaves them out.
 foreach(name chains/chain_validation chains/package chains/python_runs pages/guide pages/tomogram programs/other_processors programs/ranks
-             report/whole_page sliding/boxes sliding/complex_modes sliding/complex_modes_laws sliding/contact_map sliding/mesh_flat sliding/mesh_modes
-             sliding/mesh_periodic sliding/oriented_boxes sliding/resume)
+             report/whole_page sliding/boxes sliding/complex_modes sliding/complex_modes_laws sliding/contact_map sliding/contact_stiffness sliding/mesh_flat sliding/mesh_modes
+             sliding/mesh_periodic sliding/oriented_boxes sliding/resume sliding/supports)
   set_property(TEST system/${name} APPEND PROPERTY LABELS slow)
 endforeach()
 mesoslip_long_test(system/sliding/resume 2 --long)
@@ -80,3 +80,13 @@ if(MESOSLIP_DOXYGEN)
 else()
   message(STATUS "mesoslip: no doxygen; system/pages/doxygen is left out")
 endif()
+# Scripts that nothing runs are no tests; these are parts of others.
+set(parts system/pages/architecture system/programs/xdmf_in_paraview system/report/synthetic_chain verification/mesh_pin verification/problems
+          verification/run)
+file(GLOB_RECURSE scripts CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} system/*.py verification/*.py)
+foreach(script ${scripts})
+  string(REGEX REPLACE "\\.py$" "" name ${script})
+  if(NOT TEST ${name} AND NOT name IN_LIST parts AND NOT name MATCHES "pages/doxygen$")
+    message(FATAL_ERROR "tests/${script} is no test: name it in tests/system/python.cmake")
+  endif()
+endforeach()

@@ -5,39 +5,17 @@ are the rigid flat; runs on other springs are none of one localization."""
 import csv
 import tempfile
 
-import h5py
 import numpy as np
 
-from mesh_files import Box
+from four_bodies import bodies, histories
 from scenes import Folder, prm
 
-MATERIAL = {"Type": "stiffness", "Density": 1770}
-PLANE, SOLID = "36.54e9, 9.1e9, 47.26e9, 13.785e9", "36.54e9, 9e9, 9.1e9, 36.54e9, 9.1e9, 47.26e9, 13.785e9, 13.785e9, 12e9"
 PRESSURE, STIFFNESS = 5e6, 2e13
 STATIC = {"Analysis": "static contact", "Top/Kind": "pressure", "Top/Pressure": PRESSURE, "Flat/Velocity": 0, "Friction/Coefficient": 0,
           "Flat/Normal stiffness": STIFFNESS, "Static contact/Tolerance": 1e-10}
 RUN = {"Flat/Velocity": 2, "Flat/Normal stiffness": STIFFNESS, "Top/Pressure": PRESSURE, "Friction/Coefficient": 0.3, "Time/End time": 2e-5,
        "Time/Rayleigh beta": 4.4e-9, "Body/Rayleigh alpha": 2e3, "Observation/Energy interval": 1, "Observation/History interval": 1,
        "Checkpoints/Keep": "true"}
-
-
-def bodies(folder):
-    """Name, first line, and keys of each kind of body, of which the sides are held along their normals."""
-    yield "grid", "", {"Body/Stiffness": PLANE, "Body/Density": 1770, "Body/Size": "0.006, 0.004", "Body/Cells": "12, 9", "Sides/Left": "u_x",
-                       "Sides/Right": "u_x"}
-    yield "box", "set Dimension = 3\n", {"Body/Stiffness": SOLID, "Body/Density": 1770, "Body/Size": "0.003, 0.002, 0.004", "Body/Cells":
-                                         "5, 4, 8", "Sides/Left": "u_x", "Sides/Right": "u_x", "Sides/Front": "u_y", "Sides/Back": "u_y"}
-    for dim, kind, size, cells in ((2, "simplex", [6, 4], [9, 8]), (3, "cube", [3, 2, 4], [5, 4, 6])):
-        name = f"mesh{dim}"
-        box = Box(size, cells, lambda x: "body", kind)
-        for side, axis, upper in [("Contact", dim - 1, False), ("Top", dim - 1, True), ("Left", 0, False), ("Right", 0, True),
-                                  ("Front", 1, False), ("Back", 1, True)][:2 * dim]:
-            box.name_side(side, axis, upper)
-        box.write(folder(name + ".msh"))
-        held = {"Mesh/Held in x": "Left, Right", **({"Mesh/Held in y": "Front, Back"} if dim == 3 else {})}
-        yield name, f"set Dimension = {dim}\n", {"Mesh/File": name + ".msh", "Mesh/Scale": 0.001, "Phases/Names": "body",
-                                                 "Phases/body/Stiffness": SOLID if dim == 3 else PLANE,
-                                                 **{f"Phases/body/{key}": value for key, value in MATERIAL.items()}, **held}
 
 
 def check_static(folder, name, first, body):
@@ -50,11 +28,6 @@ def check_static(folder, name, first, body):
         for row in rows:
             assert abs(float(row["pressure [Pa]"]) / PRESSURE - 1) < 1e-7, (name, ranks, row)
             assert abs(float(row[normal]) * STIFFNESS / -PRESSURE - 1) < 1e-7, (name, ranks, row)
-
-
-def histories(folder, run):
-    with h5py.File(folder(run, "dynamics.h5")) as file:
-        return {f"{group}/{name}": values[()] for group in ("history", "energy") for name, values in file[group].items()}
 
 
 def check_run(folder, name, first, body):

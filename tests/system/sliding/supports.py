@@ -1,0 +1,123 @@
+"""Springs, dashpots, masses and far ends at the top, in the program, on a plane grid, a box, and meshes in 2D and 3D, on 1, 2 and 3 ranks: modes are
+those of the column on springs, its static contact carries what the springs leave, and runs on springs, under a platen on springs and under a top
+that absorbs are the same on all ranks, close their energy and are continued bit for bit. Modes of static sliding need no support of their own."""
+
+import csv
+import tempfile
+
+import numpy as np
+from scipy.linalg import eigh
+from scipy.optimize import brentq
+
+from four_bodies import bodies, histories
+from scenes import Folder, prm
+
+HEIGHT, DENSITY, D, PRESSURE = 4e-3, 1770.0, 47.26e9, 5e6
+STIFFNESS, MASS = 3e12, 2.0
+TOP = {"Top/Kind": "springs", "Top/Mass": MASS}
+MODAL = {"Analysis": "modal", "Modal/Bottom": "free", "Modal/Number of modes": 4, **TOP}
+STATIC = {"Analysis": "static contact", "Top/Pressure": PRESSURE, "Flat/Velocity": 0, "Friction/Coefficient": 0,
+          "Static contact/Tolerance": 1e-10, **TOP}
+RUN = {"Flat/Velocity": 2, "Top/Pressure": PRESSURE, "Friction/Coefficient": 0.3, "Time/End time": 2e-5, "Time/Rayleigh beta": 4.4e-9,
+       "Observation/Energy interval": 1, "Observation/History interval": 1, "Checkpoints/Keep": "true"}
+TOPS = {"springs": {"Top/Kind": "springs", "Top/Spring stiffness": "1e12, 3e12", "Top/Dashpot": "2e6, 1e6", "Top/Mass": MASS, "Top/Motion":
+                    "1e-7*sin(1e6*t); 1e-3*t"},
+        "platen": {"Top/Kind": "platen", "Top/Dashpot": "2e6", "Top/Platen mass": 1e-3,
+                   "Top/Motion": "1e-2*t"},
+        "absorbing": {"Top/Kind": "absorbing"}}
+
+
+def along_normal(first, value):
+    return f"0, 0, {value}" if "3" in first else f"0, {value}"
+
+
+def chain_frequency(cells):
+    """Lowest (Hz) of the column in so many cells on springs, with lumped masses."""
+    h = HEIGHT / cells
+    K, mass = np.zeros((cells + 1, cells + 1)), np.full(cells + 1, DENSITY * h)
+    for k in range(cells):
+        K[k:k + 2, k:k + 2] += D / h * np.array([[1, -1], [-1, 1]])
+    mass[[0, -1]] /= 2
+    K[-1, -1] += STIFFNESS
+    mass[-1] += MASS
+    return np.sqrt(eigh(K, np.diag(mass), eigvals_only=True)[0]) / (2 * np.pi)
+
+
+def exact_frequency():
+    Z, c = np.sqrt(DENSITY * D), np.sqrt(D / DENSITY)
+    balance = lambda w: w * Z * np.tan(w * HEIGHT / c) - STIFFNESS + MASS * w * w
+    return brentq(balance, 1.0, np.pi / 2 * c / HEIGHT * (1 - 1e-12)) / (2 * np.pi)
+
+
+def check_modes(folder, name, first, body):
+    folder.write("modal.prm", first + prm({**MODAL, **body, "Top/Spring stiffness": along_normal(first, STIFFNESS)}))
+    seen = []
+    for ranks in (1, 2, 3):
+        folder.run(0, "contact_dynamics", "modal.prm", "--output", "modal", ranks=ranks)
+        seen.append(np.array(folder.summary("modal")["frequencies"]["free"]))
+        assert np.allclose(seen[-1], seen[0], rtol=1e-7), (name, ranks, seen)
+    of_column = lambda frequency: np.min(np.abs(seen[0] / frequency - 1))
+    cells = {"grid": 9, "box": 8}.get(name)
+    if cells:
+        assert of_column(chain_frequency(cells)) < 1e-8, (name, seen[0], chain_frequency(cells))
+    assert of_column(exact_frequency()) < 0.01, (name, seen[0], exact_frequency())
+
+
+def check_static(folder, name, first, body):
+    folder.write("static.prm", first + prm({**STATIC, **body, "Top/Spring stiffness": along_normal(first, STIFFNESS)}))
+    carried = PRESSURE / (1 + STIFFNESS * HEIGHT / D)
+    for ranks in (1, 2, 3):
+        folder.run(0, "contact_dynamics", "static.prm", "--output", "static", ranks=ranks)
+        with open(folder("static", "static_contact.csv"), encoding="ascii") as file:
+            pressures = np.array([float(row["pressure [Pa]"]) for row in csv.DictReader(file)])
+        assert np.allclose(pressures, carried, rtol=1e-7), (name, ranks, pressures, carried)
+
+
+def check_run(folder, name, kind, first, body):
+    top = dict(TOPS[kind])
+    if kind == "platen":  # moves the corners of the sides
+        body = {key: value for key, value in body.items() if "Sides/" not in key and "Held" not in key}
+        top["Top/Spring stiffness"] = "1e12, " + along_normal(first, 3e12).partition(", ")[2]
+    folder.write("run.prm", first + prm({**RUN, **top, **body}))
+    folder.run(0, "contact_dynamics", "run.prm", "--output", "run1")
+    one, summary = histories(folder, "run1"), folder.summary("run1")
+    assert summary["energy_balance_residual"] < 1e-11, (name, kind, summary["energy_balance_residual"])
+    scale = np.abs(one["energy/elastic"]).max()
+    assert one["energy/dashpots"].max() > 1e-3 * scale and np.diff(one["energy/dashpots"]).min() > -1e-12 * scale, (name, kind)
+    for ranks in (2, 3):
+        folder.run(0, "contact_dynamics", "run.prm", "--output", "run", ranks=ranks)
+        for key, values in histories(folder, "run").items():
+            size = max(np.abs(one[key]).max(), scale if "energy" in key else 0)
+            assert np.abs(values - one[key]).max() <= 1e-9 * size, (name, kind, ranks, key, np.abs(values - one[key]).max(), size)
+    folder.run(0, "contact_dynamics", "run.prm", "--output", "half", "--set", "Time/End time=1e-5")
+    folder.run(0, "contact_dynamics", "run.prm", "--output", "half", "--resume")
+    for key, values in histories(folder, "half").items():
+        assert np.array_equal(values, one[key]), (name, kind, key)
+
+
+def check_sentences(folder):
+    refused = lambda words, *settings: words in folder.run(2, "contact_dynamics", "run.prm", "--validate",
+                                                           *[arg for text in settings for arg in ("--set", text)])
+    folder.write("run.prm", prm({**RUN, "Body/Stiffness": "36.54e9, 9.1e9, 47.26e9, 13.785e9", "Body/Density": 1770, "Body/Size": "0.006, 0.004",
+                                 "Body/Cells": "12, 9"}))
+    assert refused("Top/Kind: it is springs, but", "Top/Kind=springs")
+    assert refused("Dimension is 2", "Top/Kind=springs", "Top/Spring stiffness=1e12, 1e12, 1e12")
+    assert refused("more than 2 expressions", "Top/Kind=springs", "Top/Spring stiffness=1e12", "Top/Motion=t; t; t")
+    assert refused("Top/Motion", "Top/Kind=springs", "Top/Spring stiffness=1e12", "Top/Motion=t +")
+    assert refused("at t = 0", "Top/Kind=springs", "Top/Spring stiffness=1e12", "Top/Motion=1/t")
+    assert refused("Spring stiffness", "Top/Kind=held", "Top/Spring stiffness=1e12")
+    assert refused("Hold from", "Top/Spring stiffness=1e12", "Top/Hold from=1e-5")
+    assert refused("give a Spring stiffness there", "Top/Dashpot=1e6")
+    assert refused("Mass", "Top/Kind=platen", "Top/Mass=1")
+    assert refused("moves the corner", "Top/Spring stiffness=1e12", "Sides/Left=u_x")
+    assert refused("transient runs alone", "Top/Spring stiffness=1e12", "Analysis=static contact", "Time/End time=0.0005", "Time/Rayleigh beta=0")
+
+
+with tempfile.TemporaryDirectory() as path:
+    here = Folder(path)
+    for what in bodies(here):
+        check_modes(here, *what)
+        check_static(here, *what)
+        for top in TOPS:
+            check_run(here, what[0], top, *what[1:])
+    check_sentences(here)
