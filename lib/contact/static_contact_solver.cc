@@ -94,14 +94,15 @@ void ActiveSetIteration<dim>::hold_contact()
 {
   DofMask constrained         = constrain_contact();
   std::vector<SpringEntry> on = springs(true);
-  bool moves                  = problem.sliding == 0 && can_move(body, constrained, with_foundation(body.foundation(), on));
-  const unsigned int i        = moves && !displaced.empty() ? next_to_stick() : n_nodes;
+  bool moves                  = problem.sliding == 0 &&
+               can_move(body, constrained, with_foundation(body.foundation(), on));
+  const unsigned int i = moves && !displaced.empty() ? next_to_stick() : n_nodes;
   if (i < n_nodes)
     {
       solution.state[i] = ContactState::stick;
       constrained       = constrain_contact();
       on                = springs(true);
-      moves             = can_move(body, constrained, with_foundation(body.foundation(), on));
+      moves = can_move(body, constrained, with_foundation(body.foundation(), on));
       if (moves) // it rolls or tips all the same
         {
           solution.state[i] = ContactState::slip;

@@ -165,7 +165,7 @@ EnergyAudit::Sums EnergyAudit::nodal_sums() const
         const double *w2 = w.row(component, l);
         const auto &top  = stepper.top_node;
         const double m_extra = top && j == top->j ? platen_mass : 0.;
-        const auto squares = [&](const double factor, const auto &value) {
+        const auto squares   = [&](const double factor, const auto &value) {
           const auto square = [&](const unsigned int i) { return value(i) * value(i); };
           const auto term   = [&](const unsigned int i) { return m[i] * square(i); };
           return factor * (sum_of(n_distinct, term) + m_extra * square(top ? top->i : 0));

@@ -3,7 +3,7 @@
 
 #include "base/serialize_members.h"
 #include "dynamics/stepper.h"
-#include "dynamics/suspension.h"
+#include "dynamics/supports/suspension.h"
 #include "grid/row_partition.h"
 
 

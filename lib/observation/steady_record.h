@@ -2,7 +2,7 @@
 #define mesoslip_observation_steady_record_h
 
 #include "contact/contact_recorder.h"
-#include "dynamics/top_surface.h"
+#include "dynamics/supports/top_surface.h"
 
 #include <cstddef>
 #include <vector>

@@ -54,6 +54,7 @@ struct BodySize
 {
   unsigned int dim      = 2;  ///< of the body
   double top_area       = 0.; ///< of the top, along the normal of the flat (m^2, in 2D m)
+  double mass           = 0.; ///< kg, in 2D kg/m
   std::uint64_t n_cells = 0;  ///< of the whole body
   std::vector<double> friction; ///< coefficient of each contact node
   std::vector<double> area;     ///< tributary of each contact node (m^2, in 2D m)

@@ -236,8 +236,7 @@ void ContactParameters::bind(Keys &keys)
   bind_contact_map(keys);
   bind_analyses(keys);
   keys.renamed("Performance/Static solver = assembled", "ml");
-  if (mesh.is_plane_grid() &&
-      (contact.is_compliant() || top.suspension.has_springs()))
+  if (mesh.is_plane_grid() && (contact.is_compliant() || top.suspension.has_springs()))
     {
       keys.only_if(static_solver == StaticSolverKind::ml, {"Performance/Static solver"},
                    std::string(contact.is_compliant() ? "Flat/Normal stiffness"

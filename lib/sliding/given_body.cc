@@ -69,6 +69,34 @@ PlausibleRange plausible_springs(const ContactParameters &parameters, const doub
                  quantity_text(height, "m") + "; 100 MPa per micrometre are 1e14 Pa/m";
   return range;
 }
+
+/** Springs of the top that the pressure does not stretch by a thousand heights, and that are not a million times as stiff
+ * as the body. */
+std::vector<PlausibleRange> plausible_suspension(const ContactParameters &parameters,
+                                                 const BodyScales &scales)
+{
+  const double pressure = std::fabs(parameters.top.pressure.amplitude());
+  std::vector<PlausibleRange> ranges;
+  for (const double stiffness : parameters.top.suspension.stiffness)
+    if (stiffness > 0.)
+      {
+        const double stretched = pressure / stiffness;
+        PlausibleRange &range  = ranges.emplace_back();
+        range.key              = "Top/Spring stiffness";
+        range.value            = stiffness;
+        range.unit             = "Pa/m";
+        range.lowest           = 1e-3 * pressure / scales.height;
+        range.if_low =
+          "so that a traction as large as Top/Pressure stretches the springs by " +
+          quantity_text(stretched, "m") + "; it is for the area, that of N/m over m^2";
+        range.highest = 1e6 * scales.stiffness / scales.height;
+        range.if_high =
+          "a million times as stiff as the body, " +
+          quantity_text(scales.stiffness / scales.height, "Pa/m") +
+          ", and the time step shrinks; it is for the area, that of N/m over m^2";
+      }
+  return ranges;
+}
 } // namespace
 
 template <int dim>
@@ -84,6 +112,8 @@ void GivenBody<dim>::add_implausible(std::vector<std::string> &sentences,
       "Top/Pressure", std::fabs(parameters.top.pressure.amplitude()), scales.stiffness));
   if (parameters.contact.is_compliant())
     ranges.push_back(plausible_springs(parameters, scales.height));
+  for (const PlausibleRange &range : plausible_suspension(parameters, scales))
+    ranges.push_back(range);
   for (const std::string &sentence : implausible(ranges))
     sentences.push_back(sentence);
   for (const std::string &sentence : stiffness_warnings<dim>(known.phases))

@@ -190,11 +190,12 @@ BodyScales GivenGrid::scales() const
   double frequency = 0.;
   on_root(MPI_COMM_WORLD, [&]() { frequency = largest_frequency(material).upper; });
   broadcast_object(MPI_COMM_WORLD, frequency);
-  const double lightest = std::min_element(
-                            material.phases().begin(), material.phases().end(),
-                            [](const ElasticPhase<2> &a, const ElasticPhase<2> &b) {
-                              return a.density < b.density;
-                            })->density;
+  const double lightest =
+    std::min_element(material.phases().begin(), material.phases().end(),
+                     [](const ElasticPhase<2> &a, const ElasticPhase<2> &b) {
+                       return a.density < b.density;
+                     })
+      ->density;
   // That of the sum is at most the sum of both.
   found.highest_frequency =
     std::hypot(frequency, std::sqrt(parameters.top.suspension.squared_frequency(
@@ -209,6 +210,7 @@ BodySize GivenGrid::size() const
   size.top_area = grid.extent(0);
   size.n_cells  = grid.n_cells();
   size.crossing = known.scales.crossing();
+  size.mass     = known.scales.mass;
   size.friction = body.node_friction;
   for (unsigned int i = 0; i <= grid.cells[0]; ++i)
     size.area.push_back(tributary_width(grid, i, parameters.periodic));
@@ -220,8 +222,8 @@ BodySize GivenGrid::size() const
 BodyInMotion<2> GivenGrid::start(const SlidingSetup &given, RunContext &context) const
 {
   const std::vector<ProbePoint> &probes = parameters.observation.probes;
-  SlidingSetup setup = given;
-  setup.top.impedance = top_nodes().impedance;
+  SlidingSetup setup                    = given;
+  setup.top.impedance                   = top_nodes().impedance;
   auto sliding =
     std::make_unique<SlidingGrid>(material, setup, context.communicator(), nullptr,
                                   context.options().profile ? &context.timer() : nullptr);

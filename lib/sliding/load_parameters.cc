@@ -80,10 +80,11 @@ double bind_flat_direction(Keys &keys, ContactParameters &p)
 void bind_motion(Keys &keys, Suspension &suspension, const unsigned int dim)
 {
   std::string motion;
-  keys.bind("Motion", motion,
-            "Displacement of the far end of springs and dashpots along x, y and, in 3D, z "
-            "as expressions in the time t (s), separated by semicolons, e.g. 1e-3*t; 0. "
-            "Components that are left out do not move [m]");
+  keys.bind(
+    "Motion", motion,
+    "Displacement of the far end of springs and dashpots along x, y and, in 3D, z "
+    "as expressions in the time t (s), separated by semicolons, e.g. 1e-3*t; 0. "
+    "Components that are left out do not move [m]");
   std::istringstream text(motion);
   std::string expression;
   for (unsigned int c = 0; std::getline(text, expression, ';'); ++c)
@@ -116,18 +117,17 @@ void bind_suspension(Keys &keys, Suspension &suspension, const unsigned int dim)
                         const std::string &meaning) {
     std::vector<double> values = {0.};
     keys.bind_list(key, values, Range::non_negative(), meaning, 1, 3);
-    keys.require(values.size() <= dim, key,
-                 "it has " + std::to_string(values.size()) + " components, but " +
-                   (dim == 2 ? "Dimension is 2; give those along x and y"
-                             : "there are three"));
+    keys.require(
+      values.size() <= dim, key,
+      "it has " + std::to_string(values.size()) + " components, but " +
+        (dim == 2 ? "Dimension is 2; give those along x and y" : "there are three"));
     std::copy(values.begin(), values.end(), to.begin());
   };
   bind("Spring stiffness", suspension.stiffness,
        "Stiffness for the area along x, y and, in 3D, z of springs from the top to a far "
        "end; 0 where it is left out. A platen moves along the flat only on springs "
        "[Pa/m]");
-  bind("Dashpot", suspension.dashpot,
-       "The same of dashpots beside the springs [Pa s/m]");
+  bind("Dashpot", suspension.dashpot, "The same of dashpots beside the springs [Pa s/m]");
   keys.bind("Mass", suspension.mass, Range::non_negative(),
             "Mass for the area that moves with each node of the top; "
             "Body/Acceleration acts on it [kg/m^2]");

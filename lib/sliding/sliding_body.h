@@ -5,7 +5,7 @@
 #include "contact/contact_recorder.h"
 #include "dynamics/energy_audit.h"
 #include "dynamics/explicit_stepper.h"
-#include "dynamics/top_surface.h"
+#include "dynamics/supports/top_surface.h"
 #include "grid/halo.h"
 #include "grid/row_partition.h"
 #include "sliding/loop_profile.h"

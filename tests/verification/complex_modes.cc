@@ -143,13 +143,15 @@ Complex hanging_layer(const Layer &layer, const Hanger &top, const Complex s)
         const Complex r = shear ? b : a;
         const bool even = n % 2 == 0, other = shear != (n > 1);
         const Complex c = std::cosh(r * y), d = std::sinh(r * y);
-        return std::array<Complex, 2>{{other ? 0. : even ? c : d,
+        return std::array<Complex, 2>{{other  ? 0.
+                                       : even ? c
+                                              : d,
                                        other ? 0. : r * (even ? d : c)}};
       };
       for (const bool top_side : {false, true})
         {
-          const auto phi = of_top(top_side ? H : 0., false),
-                     psi = of_top(top_side ? H : 0., true);
+          const auto phi   = of_top(top_side ? H : 0., false),
+                     psi   = of_top(top_side ? H : 0., true);
           const Complex ux = I * k * phi[0] + psi[1], uy = phi[1] - I * k * psi[0],
                         xy = G * (2. * I * k * phi[1] + q * psi[0]),
                         yy = G * (q * phi[0] - 2. * I * k * psi[1]);
@@ -192,7 +194,8 @@ double distance_to_root(const Relation &relation, const Complex s)
       for (unsigned int k = 0; k < 50; ++k)
         {
           const double step = 1e-6 * std::abs(root);
-          root -= relation(root) * 2. * step / (relation(root + step) - relation(root - step));
+          root -=
+            relation(root) * 2. * step / (relation(root + step) - relation(root - step));
         }
       least = std::min(least, std::abs(root - start) / std::abs(start));
     }
@@ -228,8 +231,8 @@ TEST(ComplexModes, OfTheLayerThatHangsOnSprings)
                       mode.s.real(), 1e-6 * std::abs(mode.s));
           const double error = distance_to_root(
             [&](const Complex s) { return hanging_layer(layer, top, s); }, mode.s);
-          std::printf("hanging layer, H/%u: s = %g + %g i, error %.3g\n", n, mode.s.real(),
-                      mode.s.imag(), error);
+          std::printf("hanging layer, H/%u: s = %g + %g i, error %.3g\n", n,
+                      mode.s.real(), mode.s.imag(), error);
           if (error > 0.02 || seen == 2)
             continue;
           errors[seen++].push_back(error);

@@ -37,6 +37,12 @@ PROBLEMS = [
      [_SERIAL + "Energy." + name for name in ("ClosesUnderEveryTop", "ClosesWhenTheTopIsStopped", "ClosesWithEverythingElse",
                                                 "FreeVibrationLosesNothing", "EveryTermWhereItBelongs",
                                                 "DampingIsBetaTimesTheWorkOfTheOperator", "ClosesWithSparseSamples")]),
+    ("Supports of the top", "column on springs, with mass and under a platen on springs: Z omega tan(omega H/c) = k - m omega^2, order 2; a dashpot z sends back "
+     "((Z - z)/(Z + z))^2 of the energy, the impedances of a turned solid below 1e-3; a driven far end; balance to 1e-12; a block that sticks and slips; growth of a "
+     "layer on springs and dashpots, order 2",
+     [_SERIAL + "Supports." + name for name in ("ColumnOnSpringsHasItsFrequency", "DashpotsReflectByTheirImpedance", "TurnedSolidsAreAbsorbed", "FarEndDrivesTheColumn",
+                                                "MovesWithItsFarEnd", "EnergyCloses", "BlockOnASpringSticksAndSlips")]
+     + [_RANKS + "ComplexModes.OfTheLayerThatHangsOnSprings"]),
     ("Momentum", "its rate is the forces at top and bottom, to 1e-12", [_SERIAL + "Momentum.IsWhatTheForcesAtTopAndBottomSay"]),
     ("Homogenization", "homogeneous volume; laminate and its turned copy; equal shear moduli (order 2 but for a logarithm); Hill-Mandel, symmetry, phase means; Reuss <= SUBC "
      "<= PBC <= KUBC <= Voigt; refinement softens; eq. (10)",

@@ -87,8 +87,8 @@ void MlSolver<dim>::set_constrained_on_springs(const DofMask &mask,
                                                const std::vector<SpringEntry> &on)
 {
   const std::vector<SpringEntry> springs = with_foundation(body.foundation(), on);
-  is_ready         = true;
-  constrained_dofs = mask;
+  is_ready                               = true;
+  constrained_dofs                       = mask;
   // Axis after axis, so that the original of an original is held as well.
   for (const auto &[duplicate, original] : body.duplicate_nodes())
     for (unsigned int c = 0; c < dim; ++c)

@@ -175,7 +175,8 @@ ComplexMatrix SlidingPencil::operator()(const Complex s) const
   for (Eigen::Index k = 0; k < size(); ++k)
     inertia.insert(k, k) = s * s / damped * mass[k];
   return inertia + resistances.cast<Complex>() * (s / damped) +
-         springs.cast<Complex>() * (1. / damped) + stiffness.cast<Complex>() + friction.cast<Complex>() * (-1. / lag) +
+         springs.cast<Complex>() * (1. / damped) + stiffness.cast<Complex>() +
+         friction.cast<Complex>() * (-1. / lag) +
          spring_friction.cast<Complex>() * (-1. / (lag * damped)) +
          resistance.cast<Complex>() * (s / (damped * lag)) +
          late_resistance.cast<Complex>() *
@@ -199,11 +200,11 @@ RealMatrix SlidingPencil::whole_stiffness() const
 
 double SlidingPencil::residual(const Complex s, const ComplexVector &u) const
 {
-  const Complex damped        = 1. + law.beta * s;
-  const ComplexVector inertia = s / damped * (s * mass.cwiseProduct(u) +
-                                              product(resistances, u)),
-                      force   = friction_force(s, u) / damped;
-  ComplexVector elastic       = product(stiffness, u);
+  const Complex damped = 1. + law.beta * s;
+  const ComplexVector inertia =
+                        s / damped * (s * mass.cwiseProduct(u) + product(resistances, u)),
+                      force = friction_force(s, u) / damped;
+  ComplexVector elastic     = product(stiffness, u);
   if (on_springs())
     elastic += product(springs, u) / damped;
   ComplexVector sum = inertia + elastic;

@@ -111,6 +111,7 @@ BodySize GivenMesh<dim>::size() const
   size.top_area        = std::accumulate(body.top.area.begin(), body.top.area.end(), 0.);
   size.n_cells         = body.n_cells;
   size.crossing        = body.scales.crossing();
+  size.mass            = body.scales.mass;
   size.friction        = body.friction;
   size.n_contact_nodes = body.contact.points.size();
   for (const double area : body.contact.area)
@@ -151,7 +152,7 @@ BodyInMotion<dim> GivenMesh<dim>::start(const SlidingSetup &given,
 {
   SlidingSetup setup  = given;
   setup.top.impedance = body.top_impedance;
-  auto sliding = std::make_unique<SlidingMesh<dim>>(
+  auto sliding        = std::make_unique<SlidingMesh<dim>>(
     *distributed, body.contact, body.top, body.held, setup,
     context.options().profile ? &context.timer() : nullptr);
   sliding->set_initial_velocity(parameters.body.initial_velocity, body.held, body.top);

@@ -45,7 +45,7 @@ SlidingSetup restricted(SlidingSetup setup,
   setup.top.n_owned   = top_nodes.n_owned();
   for (std::vector<double> &component : setup.top.impedance)
     component = top_nodes.of(component, 0.);
-  setup.ranks         = communicator;
+  setup.ranks = communicator;
   return setup;
 }
 } // namespace
@@ -203,8 +203,7 @@ void SlidingMesh<dim>::set_initial_velocity(const std::array<double, 3> &velocit
     hold(h.point, h.component);
   for (const unsigned int point : top.points)
     for (unsigned int c = 0; c < dim; ++c)
-      if (c < normal ? this->setup.top.holds(c)
-                     : this->setup.top.holds_normally())
+      if (c < normal ? this->setup.top.holds(c) : this->setup.top.holds_normally())
         hold(point, c);
   const StepParameters &step    = this->setup.step;
   std::array<double, 3> of_mass = step.acceleration;

@@ -47,8 +47,8 @@ void write_energy(Hdf5File &file, const TransientResult &run, const RunContext &
   if (run.parameters.contact.is_compliant())
     columns.insert(columns.end() - 1, {"contact", unit, &e.contact});
   if (run.parameters.top.suspension.is_there())
-    columns.insert(columns.end() - 1, {{"supports", unit, &e.supports},
-                                       {"dashpots", unit, &e.dashpots}});
+    columns.insert(columns.end() - 1,
+                   {{"supports", unit, &e.supports}, {"dashpots", unit, &e.dashpots}});
   write_series(file, "/energy", columns);
   file.write_attribute("/energy", "initial", e.initial);
   file.write_attribute("/energy", "unit", unit);

@@ -16,7 +16,11 @@ LimitCycleCriterion limit_cycle_criterion(const ContactParameters &parameters,
 {
   LimitCycleCriterion criterion = parameters.observation.limit_cycle;
   criterion.reference_speed     = std::fabs(parameters.contact.flat_velocity.amplitude());
-  criterion.expected_period     = crossings_of_a_period * size.crossing;
+  const TopSetup &top           = parameters.top;
+  // Until a vibration is seen: that of the body, or of all of it on its springs.
+  criterion.expected_period =
+    std::max(crossings_of_a_period * size.crossing,
+             top.suspension.period((size.mass + top.platen_mass) / size.top_area));
   return criterion;
 }
 } // namespace

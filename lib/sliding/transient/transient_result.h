@@ -3,7 +3,7 @@
 
 #include "contact/contact_recorder.h"
 #include "dynamics/energy_audit.h"
-#include "dynamics/top_surface.h"
+#include "dynamics/supports/top_surface.h"
 #include "exchange/run_description.h"
 #include "observation/contact_statistics.h"
 #include "observation/probe_recorder.h"

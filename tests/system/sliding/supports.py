@@ -63,6 +63,21 @@ def check_modes(folder, name, first, body):
     assert of_column(exact_frequency()) < 0.01, (name, seen[0], exact_frequency())
 
 
+def check_complex(folder, name, first, body):
+    """Without friction they vibrate as the modes do whose bottom is held along the normal."""
+    springs = {**TOP, "Top/Spring stiffness": "1e12, 2e12, 3e12" if "3" in first else "1e12, 3e12"}
+    folder.write("modal.prm", first + prm({**MODAL, **springs, **body, "Modal/Bottom": "held in z" if "3" in first else "held in y"}))
+    folder.run(0, "contact_dynamics", "modal.prm", "--output", "still")
+    still = np.array(folder.summary("still")["frequencies"]["held"])[:3]
+    folder.write("complex.prm", first + prm({**springs, **body, "Analysis": "complex modes", "Top/Pressure": PRESSURE, "Friction/Coefficient": 0, "Time/Rayleigh beta": 0,
+                                             "Complex modes/Highest frequency": 1.05 * still[-1], "Complex modes/Fastest decay": 1}))
+    folder.run(0, "contact_dynamics", "complex.prm", "--output", "complex")
+    with open(folder("complex", "complex_modes.csv"), encoding="ascii") as file:
+        found = np.array([float(row["frequency [Hz]"]) for row in csv.DictReader(file)])
+    for frequency in still:
+        assert np.min(np.abs(found / frequency - 1)) < 1e-6, (name, still, found)
+
+
 def check_static(folder, name, first, body):
     folder.write("static.prm", first + prm({**STATIC, **body, "Top/Spring stiffness": along_normal(first, STIFFNESS)}))
     carried = PRESSURE / (1 + STIFFNESS * HEIGHT / D)
@@ -96,10 +111,13 @@ def check_run(folder, name, kind, first, body):
 
 
 def check_sentences(folder):
+    warned = lambda words, value: words in "".join(folder.run(0, "contact_dynamics", "run.prm", "--validate", "--set", "Top/Kind=springs", "--set",
+                                                              f"Top/Spring stiffness={value}"))
     refused = lambda words, *settings: words in folder.run(2, "contact_dynamics", "run.prm", "--validate",
                                                            *[arg for text in settings for arg in ("--set", text)])
     folder.write("run.prm", prm({**RUN, "Body/Stiffness": "36.54e9, 9.1e9, 47.26e9, 13.785e9", "Body/Density": 1770, "Body/Size": "0.006, 0.004",
                                  "Body/Cells": "12, 9"}))
+    assert warned("stretches the springs by 50 m", "1e5") and warned("a million times as stiff", "2e19") and not warned("Spring stiffness", "1e9")
     assert refused("Top/Kind: it is springs, but", "Top/Kind=springs")
     assert refused("Dimension is 2", "Top/Kind=springs", "Top/Spring stiffness=1e12, 1e12, 1e12")
     assert refused("more than 2 expressions", "Top/Kind=springs", "Top/Spring stiffness=1e12", "Top/Motion=t; t; t")
@@ -118,6 +136,7 @@ with tempfile.TemporaryDirectory() as path:
     for what in bodies(here):
         check_modes(here, *what)
         check_static(here, *what)
+        check_complex(here, *what)
         for top in TOPS:
             check_run(here, what[0], top, *what[1:])
     check_sentences(here)

@@ -57,7 +57,8 @@ double frequency_on_springs(const unsigned int component, const double k, const 
   for (unsigned int n = 0; n < 200; ++n)
     {
       const double omega = 0.5 * (low + high);
-      (rho * c * omega * std::tan(omega * H / c) < k - m * omega * omega ? low : high) = omega;
+      (rho * c * omega * std::tan(omega * H / c) < k - m * omega * omega ? low : high) =
+        omega;
     }
   return low;
 }
@@ -119,9 +120,9 @@ TEST(Supports, ColumnOnSpringsHasItsFrequency)
         {
           const double omega = frequency_on_springs(component, stiffness, mass);
           const auto setup   = [&](const unsigned int n, const TopSetup::Kind kind,
-                                   const unsigned int dim) {
-            BodySetup s = column(n);
-            s.top.kind  = kind;
+                                 const unsigned int dim) {
+            BodySetup s    = column(n);
+            s.top.kind     = kind;
             Suspension &on = s.top.suspension;
             if (component == 0)
               on.stiffness[0] = on.stiffness[dim - 2] = stiffness;
@@ -133,8 +134,8 @@ TEST(Supports, ColumnOnSpringsHasItsFrequency)
               s.top.platen_mass = mass * s.spacing[0] * (dim == 3 ? s.spacing[0] : 1.);
             return s;
           };
-          const std::string what = brief_text(3, component == 0 ? "S" : "P", " on ", stiffness,
-                                              " Pa/m with ", mass, " kg/m^2");
+          const std::string what = brief_text(3, component == 0 ? "S" : "P", " on ",
+                                              stiffness, " Pa/m with ", mass, " kg/m^2");
           for (const auto kind : {TopSetup::Kind::pressure, TopSetup::Kind::platen})
             {
               const std::string top = kind == TopSetup::Kind::platen ? ", platen" : "";
@@ -208,7 +209,7 @@ TEST(Supports, DashpotsReflectByTheirImpedance)
       {
         const double c = component == 0 ? c_s : c_p, R = (1. - share) / (1. + share);
         const auto setup = [&](const unsigned int n, const unsigned int dim) {
-          BodySetup s = column(n * 10, 10. * wave);
+          BodySetup s    = column(n * 10, 10. * wave);
           Suspension &on = s.top.suspension;
           if (component == 0)
             on.dashpot[0] = on.dashpot[dim - 2] = share * Z_s;
@@ -216,16 +217,18 @@ TEST(Supports, DashpotsReflectByTheirImpedance)
             on.dashpot[dim - 1] = share * Z_p;
           return s;
         };
-        const std::array<double, 2> direction = {{component == 0 ? 1. : 0., 1. * component}};
-        const auto error                      = [&](const unsigned int n) {
-          return std::fabs(reflected<2>(setup(n, 2), column_material<3>(), direction, c, wave) -
-                           R * R);
+        const std::array<double, 2> direction = {
+          {component == 0 ? 1. : 0., 1. * component}};
+        const auto error = [&](const unsigned int n) {
+          return std::fabs(
+            reflected<2>(setup(n, 2), column_material<3>(), direction, c, wave) - R * R);
         };
         EXPECT_LT(error(30), share == 1. ? 1e-3 : 3e-3) << share << component;
         EXPECT_LT(error(60), 0.3 * error(30) + 1e-12) << share << component;
-        EXPECT_LT(std::fabs(reflected<3>(setup(30, 3), column_material<3>(), direction, c, wave) -
-                            R * R),
-                  share == 1. ? 1e-3 : 3e-3)
+        EXPECT_LT(
+          std::fabs(reflected<3>(setup(30, 3), column_material<3>(), direction, c, wave) -
+                    R * R),
+          share == 1. ? 1e-3 : 3e-3)
           << share << component;
         measured::number(brief_text(3, "energy from a dashpot of ", share, " Z, ",
                                     component == 0 ? "S" : "P"),
@@ -239,7 +242,7 @@ TEST(Supports, TurnedSolidsAreAbsorbed)
   constexpr double wave = 2e-3;
   VoigtMatrix<2> D;
   D << 60e9, 10e9, 12e9, 10e9, 20e9, 6e9, 12e9, 6e9, 14e9;
-  const auto Z  = impedance<2>(D, rho);
+  const auto Z = impedance<2>(D, rho);
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> waves(Z);
   for (const int w : {0, 1})
     {
@@ -264,14 +267,14 @@ TEST(Supports, TurnedSolidsAreAbsorbed)
 // Far end and body move alike: nothing is stretched, nothing slides, from the first step on.
 TEST(Supports, MovesWithItsFarEnd)
 {
-  BodySetup s                = column(8);
-  Suspension &on             = s.top.suspension;
-  on.stiffness               = {{1e12, 1e12, 0.}};
-  on.dashpot                 = {{1e6, 1e6, 0.}};
-  on.mass                    = 3.;
-  on.motion[0]               = LoadHistory(1., "3*t");
-  on.motion[1]               = LoadHistory(1., "-0.5*t");
-  s.step.dt                  = 0.5 * s.spacing[0] / c_p;
+  BodySetup s    = column(8);
+  Suspension &on = s.top.suspension;
+  on.stiffness   = {{1e12, 1e12, 0.}};
+  on.dashpot     = {{1e6, 1e6, 0.}};
+  on.mass        = 3.;
+  on.motion[0]   = LoadHistory(1., "3*t");
+  on.motion[1]   = LoadHistory(1., "-0.5*t");
+  s.step.dt      = 0.5 * s.spacing[0] / c_p;
   for (const auto kind : {TopSetup::Kind::pressure, TopSetup::Kind::platen})
     {
       s.top.kind = kind;
@@ -294,15 +297,16 @@ TEST(Supports, FarEndDrivesTheColumn)
   for (const unsigned int component : {0U, 1U})
     {
       const double c = component == 0 ? c_s : c_p, angle = omega * H / c,
-                   X = a * (std::cos(angle) - rho * c * omega * std::sin(angle) / k);
+                   X   = a * (std::cos(angle) - rho * c * omega * std::sin(angle) / k);
       const auto error = [&](const unsigned int n) {
-        BodySetup s = column(n);
+        BodySetup s                           = column(n);
         s.top.suspension.stiffness[component] = k;
-        s.top.suspension.motion[component] =
-          LoadHistory(1., std::to_string(1e6 * X) + "e-6*cos(" + std::to_string(omega) + "*t)");
+        s.top.suspension.motion[component]    = LoadHistory(
+             1., std::to_string(1e6 * X) + "e-6*cos(" + std::to_string(omega) + "*t)");
         return error_of<2>(s, {component, omega, a});
       };
-      expect_order_two(error, 5e-3, component == 0 ? "driven column, S" : "driven column, P");
+      expect_order_two(error, 5e-3,
+                       component == 0 ? "driven column, S" : "driven column, P");
     }
 }
 
@@ -333,7 +337,8 @@ void expect_closed(BodySetup s, const std::string &what)
       });
       // A platen moves as one from the start.
       if (s.top.kind == TopSetup::Kind::platen)
-        body.set_w([](double, double, const unsigned int c) { return c == 1 ? -1.5 : 0.; });
+        body.set_w(
+          [](double, double, const unsigned int c) { return c == 1 ? -1.5 : 0.; });
       body.run(3000);
       const EnergyHistory e = body.energy->reduce();
       double scale          = 0.;
@@ -343,7 +348,8 @@ void expect_closed(BodySetup s, const std::string &what)
       EXPECT_GT(e.dashpots.back(), 1e-4 * scale) << what << beta2;
       EXPECT_GT(e.friction.back(), 1e-4 * scale) << what << beta2;
       for (std::size_t k = 1; k < e.dashpots.size(); ++k)
-        ASSERT_GE(e.dashpots[k] - e.dashpots[k - 1], -1e-13 * scale) << what << " at " << k;
+        ASSERT_GE(e.dashpots[k] - e.dashpots[k - 1], -1e-13 * scale)
+          << what << " at " << k;
     }
 }
 
@@ -392,19 +398,19 @@ struct StickSlip
 StickSlip pulled(const double critical_slip, const double kinetic, const bool far_end)
 {
   constexpr double speed = 0.05, height = 4e-3, mass = 100.;
-  BodySetup s            = column(8, height);
-  s.energy_interval      = 0;
-  s.history_interval     = 20;
-  s.contact.gap          = 0.;
-  s.friction             = 0.3;
-  s.contact.law.time     = 0.;
-  s.contact.law.slip_law = std::make_shared<SlipWeakening>(SlipWeakening::Constants{
+  BodySetup s                = column(8, height);
+  s.energy_interval          = 0;
+  s.history_interval         = 20;
+  s.contact.gap              = 0.;
+  s.friction                 = 0.3;
+  s.contact.law.time         = 0.;
+  s.contact.law.slip_law     = std::make_shared<SlipWeakening>(SlipWeakening::Constants{
     0.3, kinetic, critical_slip, false, {Healing::Kind::sticking, 0.}});
-  s.contact.law.reference     = 0.3;
-  s.top.kind                  = TopSetup::Kind::platen;
-  s.top.platen_mass           = mass * s.spacing[0];
-  s.top.pressure              = LoadHistory(1e6, Ramp::smooth, 1e-4);
-  s.top.suspension.stiffness  = {{1e9, 0., 0.}};
+  s.contact.law.reference    = 0.3;
+  s.top.kind                 = TopSetup::Kind::platen;
+  s.top.platen_mass          = mass * s.spacing[0];
+  s.top.pressure             = LoadHistory(1e6, Ramp::smooth, 1e-4);
+  s.top.suspension.stiffness = {{1e9, 0., 0.}};
   if (far_end)
     s.top.suspension.motion[0] = LoadHistory(1., "0.05*t");
   else
@@ -417,7 +423,8 @@ StickSlip pulled(const double critical_slip, const double kinetic, const bool fa
   const double sign     = far_end ? -1. : 1.;
   StickSlip found;
   double before = 0., passed = 0.;
-  for (std::size_t k = top.tangential_force.size() * 2 / 5; k < top.tangential_force.size(); ++k)
+  for (std::size_t k = top.tangential_force.size() * 2 / 5;
+       k < top.tangential_force.size(); ++k)
     {
       const double traction = sign * top.tangential_force[k] / s.spacing[0],
                    t        = k * s.history_interval * s.step.dt;
@@ -441,7 +448,8 @@ TEST(Supports, BlockOnASpringSticksAndSlips)
   constexpr double k = 1e9, p = 1e6, V = 0.05, drop = 0.1 * p;
   const double mass = 100. + rho * 4e-3, omega = std::sqrt(k / mass),
                amplitude = std::hypot(drop, k * V / omega),
-               period    = 2. * drop / (k * V) + 2. / omega * (M_PI - std::atan(drop * omega / (k * V)));
+               period    = 2. * drop / (k * V) +
+                        2. / omega * (M_PI - std::atan(drop * omega / (k * V)));
   std::vector<double> errors;
   for (const double critical_slip : {1e-6, 1e-7, 1e-8})
     {

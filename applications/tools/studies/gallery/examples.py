@@ -45,6 +45,8 @@ EXAMPLES = (
     Example("Waves in the contact", "Pressure, traction, slip velocity and state of every contact node over time ([maps of the contact](contact_maps.md)).",
             ("contact_map.prm",), "The last periods of the map", CONTACT),
     Example("How sliding begins", "Slip grows from the edges of the contact until all of it slides.", ("contact_map_onset.prm",), "Map of the contact", CONTACT),
+    Example("Stick and slip of a tribometer", "A pin on a spring, with the mass of its holder, is pulled over the flat ([theory](theory.md), section 4).",
+            ("tribometer.prm",), "Apparent friction", CONTACT),
     Example("Ruptures under slip weakening", "A pad is sheared by the flat; ruptures run through its contact and heal. Every contact node over time.",
             ("friction_laws/rupture.prm",), "Contact states", CONTACT),
     Example("A step of velocity under rate-and-state friction", "The friction of a block in 3D jumps and falls as the velocity of the flat rises tenfold.",

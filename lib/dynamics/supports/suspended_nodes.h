@@ -1,8 +1,8 @@
 #ifndef mesoslip_dynamics_suspended_nodes_h
 #define mesoslip_dynamics_suspended_nodes_h
 
+#include "dynamics/supports/suspension.h"
 #include "dynamics/surface_condition.h"
-#include "dynamics/suspension.h"
 
 #include <Eigen/Core>
 
@@ -15,8 +15,9 @@ namespace mesoslip
 template <int dim>
 struct SuspensionStep
 {
-  std::array<double, dim> force = {}; ///< of springs and dashpots on the side (N, in 2D N/m)
-  double work                   = 0.; ///< by far end, pressure and weight of the mass (J, J/m)
+  std::array<double, dim> force =
+    {};             ///< of springs and dashpots on the side (N, in 2D N/m)
+  double work = 0.; ///< by far end, pressure and weight of the mass (J, J/m)
 };
 
 /**
@@ -83,8 +84,8 @@ private:
   const StepParameters step;
   const std::vector<double> area;
   const std::vector<std::vector<double>> impedance;
-  Vector stiffness;                ///< Pa/m
-  std::vector<Matrix> mobilities;  ///< of each node, a of a force (m/kg)
+  Vector stiffness;               ///< Pa/m
+  std::vector<Matrix> mobilities; ///< of each node, a of a force (m/kg)
   SuspensionEnergies energy;
   double kinetic = 0.; ///< of the masses now (J, J/m)
 };

@@ -2,7 +2,7 @@
 #define mesoslip_dynamics_top_surface_h
 
 #include "base/serialize_members.h"
-#include "dynamics/suspended_nodes.h"
+#include "dynamics/supports/suspended_nodes.h"
 
 #include <array>
 #include <cstdint>
@@ -99,8 +99,9 @@ struct TopSetup
 /** Forces on the body during one step, per unit thickness. */
 struct TopLoad
 {
-  double normal     = 0.; ///< N/m, positive when it presses
-  double tangential = 0.; ///< N/m, as transmitted from the contact, along direction; of springs
+  double normal = 0.; ///< N/m, positive when it presses
+  double tangential =
+    0.; ///< N/m, as transmitted from the contact, along direction; of springs
 };
 
 /** Sampled resultants at the top, per unit thickness. */
@@ -252,19 +253,19 @@ private:
   double top_area = 0.;          ///< of the whole top (m^2, m)
   double n_in_top = 0.;          ///< nodes of the whole top
 
-  const bool on_nodes;      ///< there is a suspension of each node
+  const bool on_nodes;       ///< there is a suspension of each node
   SuspendedNodes<dim> nodes; ///< if so
   SuspensionEnergies of_platen;
 
   /** What this rank counts of TopSetup::platen_mass: its share of the area. */
   double platen_mass = 0.;
   std::array<std::vector<double>, dim> increment; ///< of the step before (m)
-  bool started = false;
-  bool holding = false;
+  bool started                        = false;
+  bool holding                        = false;
   std::array<double, dim> moving_mass = {}; ///< of platen and surface (kg/m)
   std::array<double, dim> platen_w    = {};
-  double total_work     = 0.;
-  double work_this_step = 0.;
+  double total_work                   = 0.;
+  double work_this_step               = 0.;
   std::vector<TopRecorder *> recorders;
 };
 } // namespace mesoslip

@@ -1,4 +1,4 @@
-#include "dynamics/top_surface.h"
+#include "dynamics/supports/top_surface.h"
 
 #include "base/exchange.h"
 
@@ -57,7 +57,7 @@ TopSurface<dim>::TopSurface(const TopSetup &setup,
 {
   for (std::vector<double> &component : increment)
     component.assign(n_nodes, 0.);
-  area = std::accumulate(tributary.begin(), tributary.begin() + n_distinct, 0.);
+  area     = std::accumulate(tributary.begin(), tributary.begin() + n_distinct, 0.);
   top_area = mpi::sum(area, ranks);
   n_in_top = mpi::sum(static_cast<double>(n_distinct), ranks);
   if (top_area > 0.)
@@ -234,9 +234,8 @@ double TopSurface<dim>::move_platen(const SurfaceView<dim> &surface,
                                     const unsigned int c,
                                     const FarEnd<dim> &far)
 {
-  const bool is_normal  = c + 1 == dim;
-  const double k        = setup.suspension.stiffness[c],
-               z        = setup.suspension.dashpot[c],
+  const bool is_normal = c + 1 == dim;
+  const double k = setup.suspension.stiffness[c], z = setup.suspension.dashpot[c],
                pressure = is_normal ? setup.pressure(surface.time) : 0.,
                force    = surface.total_force != nullptr
                             ? surface.total_force[c]

@@ -1,4 +1,4 @@
-#include "dynamics/suspended_nodes.h"
+#include "dynamics/supports/suspended_nodes.h"
 
 #include <Eigen/LU>
 
@@ -78,7 +78,7 @@ SuspendedNodes<dim>::advance(const SurfaceView<dim> &surface,
   const double dt = step.dt, c_a = (step.beta2 - 0.5) * dt * dt;
   SuspensionStep<dim> done;
   double stored = 0., kinetic_before = kinetic, of_inertia = 0.;
-  kinetic       = 0.;
+  kinetic = 0.;
   for (unsigned int i = 0; i < surface.n; ++i)
     {
       const double A = area[i], m = suspension.mass * A;
@@ -103,9 +103,8 @@ SuspendedNodes<dim>::advance(const SurfaceView<dim> &surface,
           const double w_mean = w + 0.5 * dt * a[c], u_before = u;
           w += dt * a[c];
           u += dt * w + c_a * a[c];
-          const double moved   = u - u_before,
-                       central = 0.5 * (moved + increment[c][i]);
-          increment[c][i]      = moved;
+          const double moved = u - u_before, central = 0.5 * (moved + increment[c][i]);
+          increment[c][i] = moved;
           if (i >= n_owned)
             continue;
           const double f = pull[c] + drag[c], load = c + 1 == dim ? pressure * A : 0.;
@@ -124,11 +123,11 @@ SuspendedNodes<dim>::advance(const SurfaceView<dim> &surface,
 }
 
 template <int dim>
-std::array<double, dim> SuspendedNodes<dim>::start_acceleration(
-  const unsigned int i,
-  const double mass,
-  const double pressure,
-  const std::array<double, 3> &velocity) const
+std::array<double, dim>
+SuspendedNodes<dim>::start_acceleration(const unsigned int i,
+                                        const double mass,
+                                        const double pressure,
+                                        const std::array<double, 3> &velocity) const
 {
   const FarEnd<dim> far(suspension, 0., step.dt);
   Vector slid, force;

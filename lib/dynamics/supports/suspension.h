@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace mesoslip
 {
@@ -14,10 +15,10 @@ namespace mesoslip
  */
 struct Suspension
 {
-  std::array<double, 3> stiffness = {};  ///< of the springs (Pa/m)
-  std::array<double, 3> dashpot   = {};  ///< Pa s/m
-  double mass                     = 0.;  ///< kg/m^2
-  std::array<LoadHistory, 3> motion;     ///< displacement of the far end (m)
+  std::array<double, 3> stiffness = {}; ///< of the springs (Pa/m)
+  std::array<double, 3> dashpot   = {}; ///< Pa s/m
+  double mass                     = 0.; ///< kg/m^2
+  std::array<LoadHistory, 3> motion;    ///< displacement of the far end (m)
   bool absorbing = false; ///< dashpots have the impedances of the phases behind the side
 
   /** Whether there are springs. */
@@ -39,6 +40,17 @@ struct Suspension
     return *std::max_element(stiffness.begin(), stiffness.end()) / (mass_of_area + mass);
   }
 
+  /** Time in which a rigid body of this mass for the area (kg/m^2) swings on the softest of the springs (s);
+   * 0 without springs. */
+  double period(const double mass_of_area) const
+  {
+    double softest = 0.;
+    for (const double k : stiffness)
+      if (k > 0. && (softest == 0. || k < softest))
+        softest = k;
+    return softest > 0. ? 2. * M_PI * std::sqrt((mass_of_area + mass) / softest) : 0.;
+  }
+
   /** Whether there is anything. */
   bool is_there() const
   {
@@ -50,10 +62,11 @@ struct Suspension
 template <int dim>
 struct FarEnd
 {
-  std::array<double, dim> before   = {}; ///< its displacement at step n - 1 (m)
-  std::array<double, dim> now      = {}; ///< at step n
-  std::array<double, dim> after    = {}; ///< at step n + 1
-  std::array<double, dim> velocity = {}; ///< half of what it moves from before to after, over dt
+  std::array<double, dim> before = {}; ///< its displacement at step n - 1 (m)
+  std::array<double, dim> now    = {}; ///< at step n
+  std::array<double, dim> after  = {}; ///< at step n + 1
+  std::array<double, dim> velocity =
+    {}; ///< half of what it moves from before to after, over dt
 
   /** Of the motion of @p suspension; before the start it moves as in the first step. */
   FarEnd(const Suspension &suspension, const double time, const double dt)
@@ -61,9 +74,11 @@ struct FarEnd
     for (unsigned int c = 0; c < dim; ++c)
       {
         const LoadHistory &motion = suspension.motion[c];
-        now[c]                    = motion(time);
-        after[c]                  = motion(time + dt);
-        before[c]   = time > 0. ? motion(std::max(0., time - dt)) : 2. * now[c] - after[c];
+        if (!motion.is_expression()) // at rest
+          continue;
+        now[c]    = motion(time);
+        after[c]  = motion(time + dt);
+        before[c] = time > 0. ? motion(std::max(0., time - dt)) : 2. * now[c] - after[c];
         velocity[c] = (after[c] - before[c]) / (2. * dt);
       }
   }

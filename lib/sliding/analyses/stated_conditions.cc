@@ -1,0 +1,142 @@
+#include "base/text.h"
+#include "sliding/contact_parameters.h"
+
+#include <array>
+#include <cmath>
+
+namespace mesoslip
+{
+namespace
+{
+const char *yes_or_no(const bool value)
+{
+  return value ? "yes" : "no";
+}
+
+/** As in the parameters. */
+const char *side_text(const std::array<bool, 2> &held)
+{
+  const char *const names[] = {"free", "u_x", "u_y", "both"};
+  return names[(held[0] ? 1 : 0) + (held[1] ? 2 : 0)];
+}
+
+void add_load(RunConditions &conditions, const std::string &name, const LoadHistory &load)
+{
+  conditions[name + "_history"] = load.shape();
+  if (!load.is_expression())
+    conditions[name] = load.amplitude();
+  if (load.duration() > 0.)
+    conditions[name + "_ramp_time"] = load.duration();
+}
+
+void add_friction(RunConditions &conditions, const ContactParameters &parameters)
+{
+  const FrictionParameters &friction = parameters.friction;
+  conditions["gap"]                  = parameters.contact.gap;
+  conditions["coefficient_from"] = friction.coefficient_by_phase ? "phases" : "constant";
+  if (friction.coefficient_by_phase)
+    conditions["node_rule"] = friction.node_rule;
+  else if (friction.has_constant_coefficient() || !parameters.contact.law.slip_law)
+    conditions["friction_coefficient"] = friction.coefficient;
+  if (parameters.contact.law.slip_law)
+    conditions["coefficient_law"] =
+      friction.slip_law.text() +
+      (friction.coefficient_by_phase && friction.slip_law.has_reference()
+         ? ", reference = " + to_text(friction.coefficient)
+         : "");
+  if (parameters.contact.law.normal_stress.is_given())
+    conditions["normal_stress"] =
+      FrictionParameters::memory_text(parameters.contact.law.normal_stress);
+  conditions["friction_law"] = friction.law_name;
+  if (friction.law_name == "slip rate")
+    {
+      conditions["slip_length"]        = friction.slip_length;
+      conditions["reference_velocity"] = friction.reference_velocity;
+    }
+  else if (!parameters.contact.law.node_law)
+    conditions["regularization_time"] = parameters.contact.law.time;
+}
+
+/** What a body on a mesh or a box in 3D has, whose sides are free but for the groups that are
+ * held. */
+void add_mesh(RunConditions &conditions, const ContactParameters &p, const bool transient)
+{
+  if (p.mesh.phases.size() > 1)
+    conditions["material"] = "heterogeneous";
+  for (unsigned int c = 0; c < p.mesh.mesh.dim; ++c)
+    if (!p.mesh.held[c].empty())
+      conditions[std::string("held_in_") + "xyz"[c]] = to_text(p.mesh.held[c]);
+  if (!p.mesh.periodic[0].empty())
+    conditions["periodic"] = "yes";
+  if (!p.mesh.periodic[1].empty())
+    conditions["periodic_in_y"] = "yes";
+  if (p.mesh.mesh.dim == 3)
+    {
+      conditions["acceleration_z"] = p.step.acceleration[2];
+      if (transient)
+        conditions["initial_velocity_z"] = p.body.initial_velocity[2];
+    }
+}
+
+void add_suspension(RunConditions &conditions,
+                    const Suspension &suspension,
+                    const unsigned int dim)
+{
+  for (unsigned int c = 0; c < dim; ++c)
+    {
+      const std::string axis(1, "xyz"[c]);
+      if (suspension.stiffness[c] > 0.)
+        conditions["spring_stiffness_" + axis] = suspension.stiffness[c];
+      if (suspension.dashpot[c] > 0.)
+        conditions["dashpot_" + axis] = suspension.dashpot[c];
+      if (suspension.motion[c].is_expression())
+        conditions["motion_" + axis] = suspension.motion[c].shape();
+    }
+  if (suspension.mass > 0.)
+    conditions["top_mass"] = suspension.mass;
+}
+} // namespace
+
+RunConditions ContactParameters::stated_conditions() const
+{
+  const std::array<const char *, 3> kinds = {{"pressure", "platen", "held"}};
+  const bool on_nodes = top.kind == TopSetup::Kind::pressure && top.suspension.is_there();
+  const bool transient     = analysis == ContactAnalysis::transient;
+  RunConditions conditions = {
+    {"analysis", transient ? "transient" : "static contact"},
+    {"material", body.heterogeneous ? "heterogeneous" : "homogeneous"},
+    {"top", top.suspension.absorbing ? "absorbing"
+            : on_nodes               ? "springs"
+                                     : kinds.at(static_cast<std::size_t>(top.kind))},
+    {"lateral_held", yes_or_no(top.holds_tangentially())},
+    {"left_side", side_text(sides.left_held)},
+    {"right_side", side_text(sides.right_held)},
+    {"periodic", yes_or_no(periodic)},
+    {"acceleration_x", step.acceleration[0]},
+    {"acceleration_y", step.acceleration[1]}};
+  add_load(conditions, "pressure", top.pressure);
+  add_load(conditions, "velocity", contact.flat_velocity);
+  if (const auto &along = contact.flat_direction; along[1] != 0.)
+    conditions.insert({{"flat_direction_x", along[0]}, {"flat_direction_y", along[1]}});
+  add_friction(conditions, *this);
+  if (top.kind == TopSetup::Kind::platen)
+    conditions["platen_mass"] = top.platen_mass;
+  add_suspension(conditions, top.suspension, mesh.mesh.dim);
+  if (contact.is_compliant())
+    conditions["normal_stiffness"] = contact.normal_stiffness;
+  if (std::isfinite(top.hold_from))
+    conditions["hold_from"] = top.hold_from;
+  if (transient)
+    {
+      conditions["initial_velocity_x"] = body.initial_velocity[0];
+      conditions["initial_velocity_y"] = body.initial_velocity[1];
+      conditions["beta2"]              = step.beta2;
+      conditions["rayleigh_beta"]      = step.beta;
+      if (step.alpha > 0.)
+        conditions["rayleigh_alpha"] = step.alpha;
+    }
+  if (!mesh.is_plane_grid())
+    add_mesh(conditions, *this, transient);
+  return conditions;
+}
+} // namespace mesoslip
