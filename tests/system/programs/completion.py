@@ -20,7 +20,7 @@ CASES = [
     (["--val"], ["--validate"]),
     (["--set", "Flat/V"], ["'Flat/Velocity="]),
     (["--set", "'Time/End"], ["Time/End time="]),
-    (["--set", "'Top/Kind="], ["Top/Kind=pressure", "Top/Kind=platen", "Top/Kind=held"]),
+    (["--set", "'Top/Kind="], [f"Top/Kind={kind}" for kind in ("free", "pressure", "platen", "held", "springs", "absorbing")]),
     (["--set", "'Analysis=s"], ["Analysis=static contact"]),
     (["--set", "'Top/Lateral held="], ["Top/Lateral held=true", "Top/Lateral held=false"]),
     (["--set", "'Top/Pressure="], [""]),

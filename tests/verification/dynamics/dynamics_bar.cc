@@ -188,3 +188,68 @@ TEST(Bar, BouncingUnderGravityGainsNoEnergy)
       EXPECT_GT(body.node_statistics.blocks()[0].landings[0], 4.f);
     }
 }
+
+namespace
+{
+/** Largest error of the pressure of a bar that is thrown on a wall of this stiffness (Pa/m) over rho c v, until the wave
+ * is back: p = rho c v (1 - exp(-k t / (rho c))). */
+template <int dim>
+double error_on_soft_wall(const unsigned int n_cells, const double stiffness)
+{
+  constexpr double Z = 1. * c, start = 0.5;
+  BodySetup setup                = bar(n_cells, 0.5, 0.95);
+  setup.contact.normal_stiffness = stiffness;
+  auto body                      = bar_in<dim>(setup);
+  throw_down(body);
+  body.run(std::lround((start + 0.9 * exact_duration) / setup.step.dt));
+  const ContactHistory &h = body.contact_recorder.history();
+  double worst            = 0.;
+  for (std::size_t k = 0; k < h.time.size(); ++k)
+    {
+      const double since = std::max(0., h.time[k] - start),
+                   exact = 1. - std::exp(-stiffness * since / Z),
+                   found = h.normal_force[k] / (setup.spacing[0] * body.depth * Z * v);
+      worst              = std::max(worst, std::fabs(found - exact));
+    }
+  return worst;
+}
+
+// The pressure begins with a kink, so that the order is one.
+template <int dim>
+void expect_soft_impact()
+{
+  const double coarse = error_on_soft_wall<dim>(100, 300.),
+               fine   = error_on_soft_wall<dim>(200, 300.);
+  EXPECT_LT(fine, 0.02);
+  EXPECT_GT(std::log2(coarse / fine), 0.9);
+  measured::error(dim == 2 ? "bar on a soft wall" : "bar on a soft wall, box", 100,
+                  coarse);
+  measured::error(dim == 2 ? "bar on a soft wall" : "bar on a soft wall, box", 200, fine);
+}
+} // namespace
+
+TEST(Bar, HitsASoftWall)
+{
+  expect_soft_impact<2>();
+  expect_soft_impact<3>();
+}
+
+// Stiffer and stiffer walls are the rigid one: the energy that the impact keeps differs by a share that falls with 1/k.
+TEST(Bar, HitsAWallThatIsAsGoodAsRigid)
+{
+  const auto kept = [](const double stiffness) {
+    BodySetup setup                = bar(100, 0.5, 0.95);
+    setup.contact.normal_stiffness = stiffness;
+    Body body(setup);
+    throw_down(body);
+    body.run(std::lround(1.5 / setup.step.dt));
+    const EnergyHistory e = body.energy->reduce();
+    EXPECT_LT(largest(e.residual()), 1e-12 * e.initial);
+    return mechanical(e, e.time.size() - 1) / e.initial;
+  };
+  const double rigid   = kept(std::numeric_limits<double>::infinity()),
+               stiff   = std::fabs(kept(1e7) - rigid),
+               stiffer = std::fabs(kept(1e8) - rigid);
+  EXPECT_LT(stiff, 1e-3);
+  EXPECT_LT(stiffer, 0.2 * stiff);
+}
