@@ -197,6 +197,8 @@ void check_analysis(const Keys &keys)
             {"Friction/Coefficient law"});
   only_with({"transient", "modal", "complex modes"},
             {"Top/Platen mass", "Top/Hold from"});
+  only_with({"transient", "complex modes"}, {"Top/Dashpot"});
+  only_with({"transient", "static contact", "complex modes"}, {"Top/Motion"});
   only_with({"transient", "static contact", "complex modes"},
             {"Body/Acceleration", "Flat/", "Top/Pressure", "Friction/"});
   only_with({"transient", "modal", "static contact", "complex modes"},

@@ -8,6 +8,7 @@
 #include "sliding/mesh/given_mesh.h"
 
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
@@ -71,31 +72,43 @@ PlausibleRange plausible_springs(const ContactParameters &parameters, const doub
 }
 
 /** Springs of the top that the pressure does not stretch by a thousand heights, and that are not a million times as stiff
- * as the body. */
+ * as the body; dashpots of a thousand times its impedance at most. */
 std::vector<PlausibleRange> plausible_suspension(const ContactParameters &parameters,
                                                  const BodyScales &scales)
 {
-  const double pressure = std::fabs(parameters.top.pressure.amplitude());
-  std::vector<PlausibleRange> ranges;
-  for (const double stiffness : parameters.top.suspension.stiffness)
-    if (stiffness > 0.)
-      {
-        const double stretched = pressure / stiffness;
-        PlausibleRange &range  = ranges.emplace_back();
-        range.key              = "Top/Spring stiffness";
-        range.value            = stiffness;
-        range.unit             = "Pa/m";
-        range.lowest           = 1e-3 * pressure / scales.height;
-        range.if_low =
-          "so that a traction as large as Top/Pressure stretches the springs by " +
-          quantity_text(stretched, "m") + "; it is for the area, that of N/m over m^2";
-        range.highest = 1e6 * scales.stiffness / scales.height;
-        range.if_high =
-          "a million times as stiff as the body, " +
-          quantity_text(scales.stiffness / scales.height, "Pa/m") +
-          ", and the time step shrinks; it is for the area, that of N/m over m^2";
-      }
-  return ranges;
+  const Suspension &suspension = parameters.top.suspension;
+  const double pressure        = std::fabs(parameters.top.pressure.amplitude()),
+               body            = scales.stiffness / scales.height,
+               impedance       = scales.stiffness / scales.wave_speed;
+  double softest = std::numeric_limits<double>::infinity(), stiffest = 0., thickest = 0.;
+  for (unsigned int c = 0; c < scales.dim; ++c)
+    {
+      if (suspension.stiffness[c] > 0.)
+        softest = std::min(softest, suspension.stiffness[c]);
+      stiffest = std::max(stiffest, suspension.stiffness[c]);
+      thickest = std::max(thickest, suspension.dashpot[c]);
+    }
+  const std::string of_area = "; it is for the area, that of N/m over m^2";
+  PlausibleRange soft{"Top/Spring stiffness", softest, "Pa/m"}, stiff = soft,
+                                                                thick = soft;
+  soft.lowest = parameters.analysis == ContactAnalysis::modal || std::isinf(softest)
+                  ? 0.
+                  : 1e-3 * pressure / scales.height;
+  soft.if_low = "so that a traction as large as Top/Pressure stretches the springs by " +
+                quantity_text(pressure / softest, "m") + of_area;
+  stiff.value   = stiffest;
+  stiff.highest = 1e6 * body;
+  stiff.if_high = "a million times as stiff as the body, " + quantity_text(body, "Pa/m") +
+                  ", and the time step shrinks" + of_area;
+  thick.key     = "Top/Dashpot";
+  thick.value   = thickest;
+  thick.unit    = "Pa s/m";
+  thick.highest = 1e3 * impedance;
+  thick.if_high =
+    "a thousand times the impedance of the body, " + quantity_text(impedance, "Pa s/m") +
+    ", so that the top follows its far end; it is for the area, that of N s/m "
+    "over m^2";
+  return {soft, stiff, thick};
 }
 } // namespace
 

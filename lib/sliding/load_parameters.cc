@@ -84,7 +84,8 @@ void bind_motion(Keys &keys, Suspension &suspension, const unsigned int dim)
     "Motion", motion,
     "Displacement of the far end of springs and dashpots along x, y and, in 3D, z "
     "as expressions in the time t (s), separated by semicolons, e.g. 1e-3*t; 0. "
-    "Components that are left out do not move [m]");
+    "Components that are left out do not move; static contact takes the values at t = 0 "
+    "[m]");
   std::istringstream text(motion);
   std::string expression;
   for (unsigned int c = 0; std::getline(text, expression, ';'); ++c)
@@ -238,6 +239,13 @@ void ContactParameters::set_top(const Keys &keys, const std::string &kind)
                "Kind",
                "it is a platen on springs, which transient runs alone know; set it to "
                "springs, which hold each node by itself");
+  for (unsigned int c = 0; c < mesh.mesh.dim; ++c)
+    keys.require(!suspension.motion[c].is_expression() || suspension.stiffness[c] > 0. ||
+                   suspension.dashpot[c] > 0.,
+                 "Motion",
+                 std::string("along ") + "xyz"[c] +
+                   " it has no effect, as there is neither Spring stiffness nor Dashpot; "
+                   "give one of them, or leave the expression empty");
   for (unsigned int c = 0; c + 1 < mesh.mesh.dim; ++c)
     keys.require(kind != "platen" || suspension.stiffness[c] > 0. ||
                    suspension.dashpot[c] == 0.,
@@ -275,13 +283,13 @@ void ContactParameters::bind_sides(Keys &keys)
                    side < 2 ? "it is true, so Left and Right have to be free"
                             : "it is true, so Front and Back have to be free");
       for (unsigned int c = 0; c < mesh.mesh.dim; ++c)
-        keys.require(top.kind != TopSetup::Kind::platen || !h[c] ||
-                       (c != normal && top.holds(c)),
-                     names[side],
-                     std::string("u_") + "xyz"[c] +
-                       " is held, but the platen of Top/Kind moves the corner; hold " +
-                       (c == normal ? "u_x only" : "nothing there") +
-                       ", or set Top/Kind = pressure or held");
+        keys.require(
+          top.kind != TopSetup::Kind::platen || !h[c] || (c != normal && top.holds(c)),
+          names[side],
+          std::string("u_") + "xyz"[c] +
+            " is held, but the platen of Top/Kind moves the corner; hold " +
+            (c == normal ? "u_x only" : "nothing there") + ", or set Top/Kind = " +
+            (top.suspension.is_there() ? "springs" : "pressure or held"));
     }
   if (!mesh.is_given())
     use_sides_of_grid(mesh, held, {{periodic, periodic_in_y}});

@@ -75,7 +75,7 @@ public:
         sentences.push_back(load->section + "/Expression is not finite at all times of " +
                             run_text + ", which will stop it");
     if (parameters.top.kind != TopSetup::Kind::held && pressures.largest_size() == 0. &&
-        parameters.body.initial_velocity == std::array<double, 3>{} &&
+        !is_pushed() && parameters.body.initial_velocity == std::array<double, 3>{} &&
         !parameters.step.is_heavy())
       sentences.push_back("Top/Pressure is 0 in " + run_text +
                           " and Body/Initial velocity and Acceleration are 0: nothing "
@@ -103,6 +103,12 @@ public:
   }
 
 private:
+  /** Whether a far end moves the top along the normal. */
+  bool is_pushed() const
+  {
+    return parameters.top.suspension.motion[scales.dim - 1].is_expression();
+  }
+
   using Ranges = std::vector<PlausibleRange>;
 
   /** A duration that has to act within the run. */
@@ -235,7 +241,7 @@ private:
       within_run("Friction/Normal stress time", parameters.contact.law.normal_stress.time,
                  longest, useless),
       at_most(
-        "Flat/Gap", parameters.contact.gap, "m", furthest,
+        "Flat/Gap", is_pushed() ? 0. : parameters.contact.gap, "m", furthest,
         "but pressure, initial velocity and acceleration move the body by " +
           quantity_text(furthest, "m") +
           " at most before Time/End time: it never touches the flat; lengths are in m")};

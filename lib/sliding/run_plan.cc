@@ -240,9 +240,19 @@ std::string likely_cause(const ContactParameters &parameters, const BodyScales &
   const bool pressed = parameters.top.kind != TopSetup::Kind::held;
   const double pressure =
     load_range(parameters.top.pressure, parameters.time.end_time).largest_size();
-  const double velocity      = size_of(parameters.body.initial_velocity);
-  const double acceleration  = size_of(parameters.step.acceleration);
+  const double velocity     = size_of(parameters.body.initial_velocity);
+  const double acceleration = size_of(parameters.step.acceleration);
+  double moved = 0., pulled = 0.; // by the far end
+  for (unsigned int c = 0; c < 3; ++c)
+    {
+      const Suspension &suspension = parameters.top.suspension;
+      const double by =
+        load_range(suspension.motion[c], parameters.time.end_time).largest_size();
+      moved  = std::max(moved, by);
+      pulled = std::max(pulled, suspension.stiffness[c] * by);
+    }
   const LoadEstimate loads[] = {
+    {"Top/Motion", moved, "m", pulled / body.stiffness},
     {"Top/Pressure", pressure, "Pa", pressed ? pressure / body.stiffness : 0.},
     {"Body/Initial velocity", velocity, "m/s", velocity / body.wave_speed},
     {"Body/Acceleration", acceleration, "m/s^2",
@@ -308,6 +318,8 @@ void report_runaway(const Runaway &found,
 {
   require_finite(parameters.contact.flat_velocity, "Flat/Expression", time.step.dt, n);
   require_finite(parameters.top.pressure, "Top/Expression", time.step.dt, n);
+  for (const LoadHistory &motion : parameters.top.suspension.motion)
+    require_finite(motion, "Top/Motion", time.step.dt, n);
   const std::string joule = parameters.mesh.mesh.dim == 2 ? " J/m" : " J";
   throw NumericalFailure(
     brief_text(

@@ -130,11 +130,10 @@ void SlidingGrid::set_initial_velocity(const std::array<double, 3> &v)
     {
       std::vector<double> mass(n);
       stepper.mass_row(last, mass.data());
-      if (left[1])
-        mass.front() = 0.;
-      if (right[1])
-        mass.back() = 0.;
-      const auto a = top.start_acceleration(mass, v);
+      std::vector<std::array<bool, 2>> held(n);
+      held.front() = left;
+      held.back()  = right;
+      const auto a = top.start_acceleration(mass, held, v);
       for (unsigned int c = 0; c < 2; ++c)
         for (unsigned int i = 0; i < n; ++i)
           w.row(c, rows.local(last))[i] =

@@ -17,6 +17,7 @@ SuspendedNodes<dim>::SuspendedNodes(const Suspension &suspension,
   , impedance(impedance)
   , stiffness(Vector::Map(suspension.stiffness.data()))
   , mobilities(area.size(), Matrix::Zero())
+  , theta(area.size(), Vector::Constant(0.5))
 {
   assert(!suspension.absorbing || impedance.size() == std::size_t{dim} * dim);
 }
@@ -33,6 +34,15 @@ SuspendedNodes<dim>::dashpots_of(const unsigned int i) const
   return Z;
 }
 
+/** z of component @p c of a node of this @p mass with that of the suspension (kg, in 2D kg/m). */
+template <int dim>
+double SuspendedNodes<dim>::stiffness_of_dashpot(const unsigned int i,
+                                                 const unsigned int c,
+                                                 const double mass) const
+{
+  return step.dt * area[i] * dashpots_of(i)(c, c) / mass;
+}
+
 template <int dim>
 void SuspendedNodes<dim>::start(const SurfaceView<dim> &surface,
                                 const unsigned int n_owned)
@@ -42,7 +52,10 @@ void SuspendedNodes<dim>::start(const SurfaceView<dim> &surface,
     {
       // Held components move neither by themselves nor by the dashpots of others.
       const double more = suspension.mass * area[i] * step.inertia();
-      Matrix inertia    = 0.5 * step.dt * area[i] * dashpots_of(i);
+      for (unsigned int c = 0; c < dim; ++c)
+        if (const double inverse = surface.inverse_mass[c][i]; inverse > 0.)
+          theta[i][c] = dashpot_theta(stiffness_of_dashpot(i, c, 1. / inverse + more));
+      Matrix inertia = step.dt * area[i] * dashpots_of(i) * theta[i].asDiagonal();
       for (unsigned int c = 0; c < dim; ++c)
         if (const double inverse = surface.inverse_mass[c][i]; inverse > 0.)
           inertia(c, c) += 1. / inverse + more;
@@ -95,7 +108,7 @@ SuspendedNodes<dim>::advance(const SurfaceView<dim> &surface,
       force[dim - 1] -= pressure * A;
       const Vector pull = A * stiffness.cwiseProduct(stretched);
       const Vector a    = mobilities[i] * (force - pull - Z * slid);
-      slid += 0.5 * dt * a;
+      slid += dt * theta[i].cwiseProduct(a);
       const Vector drag = Z * slid;
       for (unsigned int c = 0; c < dim; ++c)
         {
@@ -127,14 +140,15 @@ std::array<double, dim>
 SuspendedNodes<dim>::start_acceleration(const unsigned int i,
                                         const double mass,
                                         const double pressure,
-                                        const std::array<double, 3> &velocity) const
+                                        const std::array<double, dim> &velocity) const
 {
   const FarEnd<dim> far(suspension, 0., step.dt);
   Vector slid, force;
   const double m = mass + suspension.mass * area[i];
   for (unsigned int c = 0; c < dim; ++c)
     {
-      slid[c]  = velocity[c] - far.velocity[c];
+      slid[c] =
+        (velocity[c] - far.velocity[c]) * dashpot_at_start(stiffness_of_dashpot(i, c, m));
       force[c] = m * step.acceleration[c] + area[i] * stiffness[c] * far.now[c];
     }
   force[dim - 1] -= pressure * area[i];

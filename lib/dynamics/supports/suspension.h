@@ -58,6 +58,19 @@ struct Suspension
   }
 };
 
+/** Share of the acceleration of a step in the velocity w_n + theta dt a_n that a dashpot acts on; see SuspendedNodes,
+ * @p z is its damping constant times dt over the mass. */
+inline double dashpot_theta(const double z)
+{
+  return z > 2. ? 1. - 1. / z : 0.5;
+}
+
+/** Share of a dashpot that counts in the acceleration at the start: none of those that stop the mass within a step. */
+inline double dashpot_at_start(const double z)
+{
+  return z > 2. ? 4. / (z * z) : 1.;
+}
+
 /** The far end at the time of step n. */
 template <int dim>
 struct FarEnd

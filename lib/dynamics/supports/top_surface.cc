@@ -116,19 +116,25 @@ void TopSurface<dim>::initialize(const SurfaceView<dim> &surface)
 template <int dim>
 std::vector<std::array<double, dim>>
 TopSurface<dim>::start_acceleration(const std::vector<double> &mass,
+                                    const std::vector<std::array<bool, dim>> &held,
                                     const std::array<double, 3> &velocity) const
 {
   AssertDimension(mass.size(), tributary.size());
+  AssertDimension(held.size(), tributary.size());
   constexpr unsigned int y = dim - 1;
   const double pressure = setup.pressure(0.), g = step.acceleration[y];
-  const double moved =
-    mpi::sum(std::accumulate(mass.begin(), mass.begin() + n_distinct, 0.), ranks);
+  double moved = 0.;
+  for (unsigned int i = 0; i < n_distinct; ++i)
+    moved += held[i][y] ? 0. : mass[i];
+  moved = mpi::sum(moved, ranks);
   std::array<double, dim> rigid;
   const FarEnd<dim> far(setup.suspension, 0., step.dt);
   for (unsigned int c = 0; c < dim; ++c)
     {
       const double k = setup.suspension.stiffness[c], z = setup.suspension.dashpot[c],
-                   load = k * far.now[c] - z * (velocity[c] - far.velocity[c]) -
+                   share = dashpot_at_start(step.dt * z * top_area /
+                                            (moved + setup.platen_mass)),
+                   load  = k * far.now[c] - share * z * (velocity[c] - far.velocity[c]) -
                           (c == y ? pressure : 0.);
       rigid[c] =
         (step.acceleration[c] * moved + load * top_area) / (moved + setup.platen_mass);
@@ -140,8 +146,13 @@ TopSurface<dim>::start_acceleration(const std::vector<double> &mass,
     if (setup.kind == TopSetup::Kind::platen)
       result[i] = rigid;
     else if (on_nodes && mass[i] > 0.)
-      result[i] = nodes.start_acceleration(i, mass[i], pressure, velocity);
-    else if (mass[i] > 0.)
+      {
+        std::array<double, dim> starts_with;
+        for (unsigned int c = 0; c < dim; ++c)
+          starts_with[c] = held[i][c] ? 0. : velocity[c];
+        result[i] = nodes.start_acceleration(i, mass[i], pressure, starts_with);
+      }
+    else if (mass[i] > 0. && !held[i][y])
       result[i][y] = g - pressure * tributary[i] / mass[i];
   return result;
 }
@@ -242,12 +253,15 @@ double TopSurface<dim>::move_platen(const SurfaceView<dim> &surface,
                             : sum_of(surface.force[c], n_distinct);
   double u = surface.u[c][0], w = surface.w[c][0];
   const double before = u, w_before = w, stretched = u - far.now[c];
-  const double acceleration =
-    -((pressure + k * stretched + z * (w - far.velocity[c])) * top_area + force) /
-    (moving_mass[c] + 0.5 * step.dt * z * top_area);
+  const double theta = dashpot_theta(step.dt * z * top_area / moving_mass[c]),
+               acceleration =
+                 -((pressure + k * stretched + z * (w - far.velocity[c])) * top_area +
+                   force) /
+                 (moving_mass[c] + theta * step.dt * z * top_area);
   move_node(u, w, acceleration);
   const double moved = u - before, central = 0.5 * (moved + increment[c][0]),
-               drag = z * area * (0.5 * (w_before + w) - far.velocity[c]),
+               drag =
+                 z * area * (w_before + theta * step.dt * acceleration - far.velocity[c]),
                pull = k * area * stretched + drag;
   work_this_step -= pressure * area * central + pull * far.moved(c);
   of_platen.stored += 0.5 * k * area * stretched * (u - far.after[c]);

@@ -60,7 +60,10 @@ struct TopSetup
   /** Whether it takes the friction: it holds the body along the flat, or its suspension does. */
   bool takes_friction() const
   {
-    return holds_tangentially() || suspension.resists(0);
+    bool takes = true;
+    for (unsigned int c = 0; c < 2; ++c)
+      takes = takes && (direction[c] == 0. || holds(c) || suspension.resists(c));
+    return takes;
   }
 
   /** Whether it keeps the body from moving along the normal from the start. */
@@ -198,10 +201,11 @@ public:
   /** One step of the surface under its load. */
   void advance(const SurfaceView<dim> &surface) override;
 
-  /** Accelerations (m/s^2) of the nodes by load, weight and suspension when they start with @p velocity
-   * (m/s): of these masses (kg, in 2D kg/m), 0 where the normal component is held. Collective. */
+  /** Accelerations (m/s^2) of the nodes of these masses (kg, in 2D kg/m) by load, weight and suspension when they
+   * start with @p velocity (m/s), but for what is @p held. Collective. */
   std::vector<std::array<double, dim>>
   start_acceleration(const std::vector<double> &mass,
+                     const std::vector<std::array<bool, dim>> &held,
                      const std::array<double, 3> &velocity) const;
 
   /** Work done on the body since the start (J/m), by load and far end on the nodes of this rank. */

@@ -39,8 +39,8 @@ std::string top_text(const TopSetup &top)
       return "held: u = 0";
     default:
       if (top.suspension.is_there())
-        return top.suspension.has_springs() ? "on springs, without dashpots"
-                                            : "free, without dashpots";
+        return std::string(top.suspension.has_springs() ? "on springs" : "free") +
+               (top.suspension.mass > 0. ? " with its mass" : "");
       return top.lateral_held ? lateral + ", free in " + along_normal<dim>() : "free";
     }
 }

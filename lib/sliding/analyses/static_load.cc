@@ -44,16 +44,18 @@ void check_lateral_support(const ContactParameters &p, const bool rubs)
           p.top.suspension.absorbing || // see top_at_rest()
           !p.mesh.held[c].empty())
         continue;
+      const std::string remedy =
+        p.top.suspension.is_there()
+          ? std::string("give a Top/Spring stiffness along ") + "xy"[c] + ", hold " + side
+          : "set Top/Lateral held, hold " + side + ", use a platen";
       if (rubs && speed * p.contact.flat_direction[c] != 0.)
         throw UserError(
-          "Nothing holds the body against the friction of the sliding flat: set "
-          "Top/Lateral held, hold " +
-          side + ", use a platen, Friction/Coefficient = 0 or Flat/Velocity = 0");
+          "Nothing holds the body against the friction of the sliding flat: " + remedy +
+          ", or set Friction/Coefficient = 0 or Flat/Velocity = 0");
       if (c < of_flat.size() && of_flat[c] != 0.)
         throw UserError(
-          "Static contact/Flat displacement: nothing holds the body against the "
-          "flat; set Top/Lateral held, use a platen or hold " +
-          side);
+          "Static contact/Flat displacement: nothing holds the body against the flat; " +
+          remedy);
     }
 }
 
@@ -66,7 +68,8 @@ void check_tipping(const ContactParameters &p,
 {
   const double height = body.scales.height, half = 0.5 * body.scales.area;
   const bool held    = !p.mesh.held[0].empty() || !p.mesh.held[1].empty(),
-             may_tip = p.top.kind != TopSetup::Kind::platen && p.top.lateral_held &&
+             may_tip = p.top.kind != TopSetup::Kind::platen &&
+                       (p.top.lateral_held || p.top.suspension.absorbing) &&
                        !p.periodic && !held && !p.step.is_heavy() &&
                        p.contact.flat_velocity.amplitude() != 0.;
   if (may_tip && least_friction * height > half)

@@ -136,7 +136,8 @@ void check_supports(const MeshBodyDescription &body,
         (h.component == normal || !top.holds(h.component)))
       throw UserError(std::string("Mesh/Held in ") + "xyz"[h.component] +
                       ": the platen of Top/Kind moves points that are held; leave the "
-                      "boundary out, or set Top/Kind = pressure or held");
+                      "boundary out, or set Top/Kind = " +
+                      (top.suspension.is_there() ? "springs" : "pressure or held"));
 }
 
 /** The contact node nearest to Reference x, or to the middle of the contact, in 3D halfway

@@ -217,11 +217,14 @@ void SlidingMesh<dim>::set_initial_velocity(const std::array<double, 3> &velocit
   const SharedNodes top_nodes(top.points, part);
   std::vector<double> mass(n), of_top(top_nodes.size(), 0.);
   stepper.mass_row(0, mass.data());
+  std::vector<std::array<bool, dim>> held_on_top(top_nodes.size());
   for (unsigned int i = 0; i < top_nodes.size(); ++i)
-    if (const unsigned int point = top_nodes.point(i);
-        point != SharedNodes::none && !rests[point][normal])
-      of_top[i] = mass[point];
-  const auto pushed = this->top.start_acceleration(of_top, velocity);
+    if (const unsigned int point = top_nodes.point(i); point != SharedNodes::none)
+      {
+        of_top[i]      = mass[point];
+        held_on_top[i] = rests[point];
+      }
+  const auto pushed = this->top.start_acceleration(of_top, held_on_top, velocity);
   for (unsigned int i = 0; i < top_nodes.size(); ++i)
     for (unsigned int c = 0; c < dim && top_nodes.point(i) != SharedNodes::none; ++c)
       a[top_nodes.point(i)][c] = pushed[i][c] - step.alpha * velocity[c];

@@ -86,6 +86,8 @@ def check_static(folder, name, first, body):
         with open(folder("static", "static_contact.csv"), encoding="ascii") as file:
             pressures = np.array([float(row["pressure [Pa]"]) for row in csv.DictReader(file)])
         assert np.allclose(pressures, carried, rtol=1e-7), (name, ranks, pressures, carried)
+        of_phases = folder.summary("static")["phase_pressures_eq_19"].values()
+        assert np.allclose(list(of_phases), carried, rtol=1e-7), (name, ranks, of_phases, carried)
 
 
 def check_run(folder, name, kind, first, body):

@@ -290,6 +290,37 @@ TEST(Supports, MovesWithItsFarEnd)
     }
 }
 
+// A body that is thrown on dashpots far beyond its impedance: they stop its top within a step, whatever they are, and the
+// energy of the throw is all that there is.
+TEST(Supports, StiffDashpotsAreHolds)
+{
+  for (const auto kind : {TopSetup::Kind::pressure, TopSetup::Kind::platen})
+    for (const double dashpot : {1e12, 1e14})
+      {
+        BodySetup s                = column(20);
+        s.top.kind                 = kind;
+        s.top.suspension.dashpot   = {{dashpot, dashpot, 0.}};
+        s.top.suspension.stiffness = {{1e9, 0., 0.}};
+        s.step.dt                  = 0.5 * s.spacing[0] / c_p;
+        Body body(s), held([&]() {
+          BodySetup of_held      = s;
+          of_held.top.kind       = TopSetup::Kind::held;
+          of_held.top.suspension = {};
+          return of_held;
+        }());
+        for (Body *some : {&body, &held})
+          {
+            some->set_initial_velocity({{0.3, -1., 0.}});
+            some->run(500);
+          }
+        const EnergyHistory e = body.energy->reduce();
+        const double thrown   = 0.5 * rho * H * s.spacing[0] * 1.09;
+        EXPECT_NEAR(e.initial, thrown, 0.1 * thrown) << dashpot;
+        EXPECT_LT(largest(e.residual()), 1e-24 * dashpot * thrown) << dashpot;
+        EXPECT_LT(relative_difference(held.u, body.u), 1e-3) << dashpot;
+      }
+}
+
 // u = a cos(omega y / c) cos(omega t) with a (k cos(omega H / c) - Z omega sin(omega H / c)) = k X.
 TEST(Supports, FarEndDrivesTheColumn)
 {
