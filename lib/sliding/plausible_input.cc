@@ -59,6 +59,7 @@ public:
     , velocity{p.contact.flat_velocity, "Flat", "Velocity"}
     , pressures(load_range(p.top.pressure, end))
     , flat_speed(load_range(p.contact.flat_velocity, end).largest_size())
+    , is_pushed(p.top.suspension.motion[scales.dim - 1].is_expression())
   {
   }
 
@@ -75,7 +76,7 @@ public:
         sentences.push_back(load->section + "/Expression is not finite at all times of " +
                             run_text + ", which will stop it");
     if (parameters.top.kind != TopSetup::Kind::held && pressures.largest_size() == 0. &&
-        !is_pushed() && parameters.body.initial_velocity == std::array<double, 3>{} &&
+        !is_pushed && parameters.body.initial_velocity == std::array<double, 3>{} &&
         !parameters.step.is_heavy())
       sentences.push_back("Top/Pressure is 0 in " + run_text +
                           " and Body/Initial velocity and Acceleration are 0: nothing "
@@ -103,12 +104,6 @@ public:
   }
 
 private:
-  /** Whether a far end moves the top along the normal. */
-  bool is_pushed() const
-  {
-    return parameters.top.suspension.motion[scales.dim - 1].is_expression();
-  }
-
   using Ranges = std::vector<PlausibleRange>;
 
   /** A duration that has to act within the run. */
@@ -241,7 +236,7 @@ private:
       within_run("Friction/Normal stress time", parameters.contact.law.normal_stress.time,
                  longest, useless),
       at_most(
-        "Flat/Gap", is_pushed() ? 0. : parameters.contact.gap, "m", furthest,
+        "Flat/Gap", is_pushed ? 0. : parameters.contact.gap, "m", furthest,
         "but pressure, initial velocity and acceleration move the body by " +
           quantity_text(furthest, "m") +
           " at most before Time/End time: it never touches the flat; lengths are in m")};
@@ -342,6 +337,7 @@ private:
   const Load pressure, velocity;
   const LoadRange pressures;
   const double flat_speed; ///< largest (m/s)
+  const bool is_pushed;    ///< a far end moves the top along the normal
 };
 } // namespace
 

@@ -89,8 +89,7 @@ unsigned int statistics_interval(const double crossing, const double dt)
   return static_cast<unsigned int>(std::clamp(crossing / (6. * dt), 1., 10.));
 }
 
-/** @p x to ten digits, not more than x, so that a bound which ranks know up to round-off is the same
- * on all numbers of them. */
+/** @p x to ten digits, not more than x: the same on any number of ranks, which know it up to round-off. */
 static double rounded_down(const double x)
 {
   const double unit = std::pow(10., std::floor(std::log10(x)) - 9.);
@@ -236,24 +235,20 @@ double field_memory(const ContactParameters &parameters, const UniformGrid<2> &g
 
 std::string likely_cause(const ContactParameters &parameters, const BodyScales &body)
 {
-  const auto size_of = [](const auto &v) { return std::hypot(v[0], v[1], v[2]); };
-  const bool pressed = parameters.top.kind != TopSetup::Kind::held;
-  const double pressure =
-    load_range(parameters.top.pressure, parameters.time.end_time).largest_size();
-  const double velocity     = size_of(parameters.body.initial_velocity);
-  const double acceleration = size_of(parameters.step.acceleration);
-  double moved = 0., pulled = 0.; // by the far end
+  const auto size_of        = [](const auto &v) { return std::hypot(v[0], v[1], v[2]); };
+  const double end          = parameters.time.end_time,
+               pressure     = load_range(parameters.top.pressure, end).largest_size(),
+               velocity     = size_of(parameters.body.initial_velocity),
+               acceleration = size_of(parameters.step.acceleration);
+  const Suspension &on      = parameters.top.suspension;
+  LoadEstimate motion       = {"Top/Motion", 0., "m", 0.};
   for (unsigned int c = 0; c < 3; ++c)
-    {
-      const Suspension &suspension = parameters.top.suspension;
-      const double by =
-        load_range(suspension.motion[c], parameters.time.end_time).largest_size();
-      moved  = std::max(moved, by);
-      pulled = std::max(pulled, suspension.stiffness[c] * by);
-    }
+    if (const double by = load_range(on.motion[c], end).largest_size(); by > motion.value)
+      motion = {"Top/Motion", by, "m", on.stiffness[c] * by / body.stiffness};
   const LoadEstimate loads[] = {
-    {"Top/Motion", moved, "m", pulled / body.stiffness},
-    {"Top/Pressure", pressure, "Pa", pressed ? pressure / body.stiffness : 0.},
+    motion,
+    {"Top/Pressure", pressure, "Pa",
+     parameters.top.kind != TopSetup::Kind::held ? pressure / body.stiffness : 0.},
     {"Body/Initial velocity", velocity, "m/s", velocity / body.wave_speed},
     {"Body/Acceleration", acceleration, "m/s^2",
      body.density * acceleration * body.height / body.stiffness}};
