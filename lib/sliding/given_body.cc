@@ -1,12 +1,14 @@
 #include "sliding/given_body.h"
 
 #include "base/exchange.h"
+#include "base/text.h"
 #include "material/plausibility.h"
 #include "program/run_context.h"
 #include "sliding/given_grid.h"
 #include "sliding/mesh/box_body.h"
 #include "sliding/mesh/given_mesh.h"
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -20,11 +22,46 @@ GivenBody<dim>::GivenBody(const ContactParameters &parameters)
 {
 }
 
+namespace
+{
+/** "1e+12, 0 Pa/m", or nothing if all are 0. */
+std::string components_text(const char *what,
+                            const std::array<double, 3> &values,
+                            const unsigned int dim,
+                            const char *unit)
+{
+  std::string text;
+  if (values == std::array<double, 3>{})
+    return text;
+  for (unsigned int c = 0; c < dim; ++c)
+    text += (c > 0 ? ", " : std::string(what) + " of ") + to_text(values[c]);
+  return text + " " + unit;
+}
+
+/** What the top stands on; empty without springs, dashpots and mass. */
+std::string suspension_line(const Suspension &suspension, const unsigned int dim)
+{
+  std::string text;
+  for (const std::string &part :
+       {components_text("springs", suspension.stiffness, dim, "Pa/m"),
+        components_text("dashpots", suspension.dashpot, dim, "Pa s/m"),
+        std::string(suspension.absorbing ? "dashpots of the impedances behind it" : ""),
+        suspension.mass > 0. ? "a mass of " + to_text(suspension.mass) + " kg/m^2"
+                             : std::string()})
+    if (!part.empty())
+      text += (text.empty() ? "Top: " : "; ") + part;
+  return text;
+}
+} // namespace
+
 template <int dim>
 void GivenBody<dim>::describe(std::ostream &out, const double more_memory) const
 {
   for (const std::string &line : known.lines)
     out << line << '\n';
+  if (const std::string top = suspension_line(parameters.top.suspension, dim);
+      !top.empty())
+    out << top << '\n';
   BodyMemory memory = known.memory;
   memory.on_rank_0 += more_memory;
   out << dim * known.n_points << " degrees of freedom\n"
@@ -38,6 +75,9 @@ void GivenBody<dim>::log(RunContext &context) const
 {
   for (const std::string &line : known.lines)
     context.log(line);
+  if (const std::string top = suspension_line(parameters.top.suspension, dim);
+      !top.empty())
+    context.log(top);
   for (const std::string &warning : known.warnings)
     context.warn(warning);
 }

@@ -121,6 +121,11 @@ void TransientResult::write_summary(RunContext &context) const
      {"steady_from", steady_from},
      {"limit_cycle_reached", limit_cycle_reached},
      {"limit_cycle", limit_cycle}});
+  if (const Suspension &on = parameters.top.suspension; on.is_there())
+    summary["supports"] = {{"spring_stiffness", on.stiffness},
+                           {"dashpot", on.dashpot},
+                           {"mass", on.mass},
+                           {"absorbing", on.absorbing}};
   if (body.dim == 3)
     summary["flat_direction"] = parameters.contact.flat_direction;
   if (!regime.empty())
