@@ -231,26 +231,28 @@ TopLoad TopSurface<dim>::push_platen(const SurfaceView<dim> &surface)
   std::array<double, dim> pull = {};
   if (surface.n == 0)
     return {};
-  of_platen.stored = 0.;
+  constexpr unsigned int y = dim - 1;
+  const double pressure    = setup.pressure(surface.time);
   const FarEnd<dim> far(setup.suspension, surface.time, step.dt);
-  for (unsigned int c = 0; c < dim; ++c)
-    pull[c] = c + 1 == dim || !setup.holds(c) ? move_platen(surface, c, far)
-                                              : -sum_of(surface.force[c], n_distinct);
-  return {setup.pressure(surface.time) * area + pull[dim - 1], along_flat(pull)};
+  of_platen.stored = 0.;
+  for (unsigned int c = 0; c < y; ++c)
+    pull[c] = setup.holds(c) ? -sum_of(surface.force[c], n_distinct)
+                             : move_platen(surface, c, 0., far);
+  pull[y] = move_platen(surface, y, pressure, far);
+  return {pressure * area + pull[y], along_flat(pull)};
 }
 
-/** Component @p c, under the pressure along the normal; returns the force of springs and dashpots against it. */
+/** Component @p c under this @p pressure; returns the force of springs and dashpots against it. */
 template <int dim>
 double TopSurface<dim>::move_platen(const SurfaceView<dim> &surface,
                                     const unsigned int c,
+                                    const double pressure,
                                     const FarEnd<dim> &far)
 {
-  const bool is_normal = c + 1 == dim;
   const double k = setup.suspension.stiffness[c], z = setup.suspension.dashpot[c],
-               pressure = is_normal ? setup.pressure(surface.time) : 0.,
-               force    = surface.total_force != nullptr
-                            ? surface.total_force[c]
-                            : sum_of(surface.force[c], n_distinct);
+               force = surface.total_force != nullptr
+                         ? surface.total_force[c]
+                         : sum_of(surface.force[c], n_distinct);
   double u = surface.u[c][0], w = surface.w[c][0];
   const double before = u, w_before = w, stretched = u - far.now[c];
   const double theta = dashpot_theta(step.dt * z * top_area / moving_mass[c]),

@@ -239,6 +239,7 @@ private:
   TopLoad push_platen(const SurfaceView<dim> &surface);
   double move_platen(const SurfaceView<dim> &surface,
                      const unsigned int c,
+                     const double pressure,
                      const FarEnd<dim> &far);
   TopLoad hold(const SurfaceView<dim> &surface);
   double transmitted(const SurfaceView<dim> &surface) const;
