@@ -22,7 +22,8 @@ struct BoundaryWork
   double load     = 0.; ///< integral of F_N |V|, of normal force and speed of the flat
   double stored   = 0.; ///< now, in springs between surface and flat
   double pressed  = 0.; ///< stored in them at the start
-  SuspensionEnergies supports; ///< of the top
+  SuspensionEnergies
+    supports; ///< of springs, dashpots and masses at the top (J, in 2D J/m)
 };
 
 /** Sampled energies (J/m); on the ranks the local shares until reduce() is called. */

@@ -63,7 +63,7 @@ public:
                      const double pressure,
                      const std::array<double, dim> &velocity) const;
 
-  /** See SuspensionEnergies. */
+  /** What the nodes that this rank owns have stored and lost (J, in 2D J/m). */
   const SuspensionEnergies &energies() const
   {
     return energy;

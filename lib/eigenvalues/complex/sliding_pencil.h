@@ -51,7 +51,8 @@ struct SlidingLaw
  *
  * N moves mu + p dmu/dp times the normal reaction of each contact node to its rows along the
  * motion of the flat. Springs below contact nodes and of the foundation, which are not damped, are K_s,
- * dashpots of the foundation C_d. Where contact nodes stand on springs, N_s moves their reactions; N is zero then. C is the drag of each node, whose static normal force is f:
+ * dashpots of the foundation C_d. Where contact nodes stand on springs, N_s moves their reactions; N is
+ * zero then. C is the drag of each node, whose static normal force is f:
  * along the motion f dmu/dV, of which a law with a state has a part C_1 that follows within tau; across
  * it, in 3D only, mu f over the speed of the flat, as friction turns against the velocity of
  * the node. Linear in s with v = s u, the friction forces q, and their parts z by the state:

@@ -30,6 +30,14 @@ double total_tangential_force(const StaticContactSolution &solution,
 
 namespace
 {
+/** The body beyond a top that absorbs carries the friction, so that nothing moves along the flat there. */
+TopSetup top_at_rest(const ContactParameters &parameters)
+{
+  TopSetup top     = parameters.top;
+  top.lateral_held = top.lateral_held || top.suspension.absorbing;
+  return top;
+}
+
 /** That something holds the body along the flat. */
 void check_lateral_support(const ContactParameters &p, const bool rubs)
 {
@@ -40,8 +48,7 @@ void check_lateral_support(const ContactParameters &p, const bool rubs)
       const std::string side = p.mesh.is_given()
                                  ? std::string("a group in Mesh/Held in ") + "xy"[c]
                                  : std::string("a side in u_") + "xy"[c] + " (Sides)";
-      if (p.top.holds(c) || p.top.suspension.stiffness[c] > 0. ||
-          p.top.suspension.absorbing || // see top_at_rest()
+      if (top_at_rest(p).holds(c) || p.top.suspension.stiffness[c] > 0. ||
           !p.mesh.held[c].empty())
         continue;
       const std::string remedy =
@@ -69,9 +76,8 @@ void check_tipping(const ContactParameters &p,
   const double height = body.scales.height, half = 0.5 * body.scales.area;
   const bool held    = !p.mesh.held[0].empty() || !p.mesh.held[1].empty(),
              may_tip = p.top.kind != TopSetup::Kind::platen &&
-                       (p.top.lateral_held || p.top.suspension.absorbing) &&
-                       !p.periodic && !held && !p.step.is_heavy() &&
-                       p.contact.flat_velocity.amplitude() != 0.;
+                       top_at_rest(p).lateral_held && !p.periodic && !held &&
+                       !p.step.is_heavy() && p.contact.flat_velocity.amplitude() != 0.;
   if (may_tip && least_friction * height > half)
     throw UserError(
       "Friction/Coefficient: the friction of the sliding flat tips the body, as a "
@@ -79,14 +85,6 @@ void check_tipping(const ContactParameters &p,
       to_text(least_friction) + " times the height of " + to_text(height) +
       " m is more than half the width, " + to_text(half) +
       " m: there is no equilibrium; reduce it, or set Top/Kind = platen");
-}
-
-/** The body beyond a top that absorbs carries the friction, so that nothing moves along the flat there. */
-TopSetup top_at_rest(const ContactParameters &parameters)
-{
-  TopSetup top     = parameters.top;
-  top.lateral_held = top.lateral_held || top.suspension.absorbing;
-  return top;
 }
 
 /** Stiffness (N/m, in 2D Pa) of the springs of contact nodes with these areas; nodes without area have
