@@ -61,7 +61,7 @@ void serialize_each(Archive &archive, T &...members)
 template <int n, class Archive, class T>
 void serialize_members(Archive &ar, T &object)
 {
-  static_assert(1 <= n && n <= 13, "add a line below");
+  static_assert(1 <= n && n <= 14, "add a line below");
   // A structured binding names every member, or it does not compile.
 #define MESOSLIP_MEMBERS(number, ...)            \
   if constexpr (n == number)                     \
@@ -82,6 +82,7 @@ void serialize_members(Archive &ar, T &object)
   MESOSLIP_MEMBERS(11, a, b, c, d, e, f, g, h, i, j, k)
   MESOSLIP_MEMBERS(12, a, b, c, d, e, f, g, h, i, j, k, l)
   MESOSLIP_MEMBERS(13, a, b, c, d, e, f, g, h, i, j, k, l, m)
+  MESOSLIP_MEMBERS(14, a, b, c, d, e, f, g, h, i, j, k, l, m, o)
 #undef MESOSLIP_MEMBERS
 }
 

@@ -86,7 +86,8 @@ bool BrickStepper::is_held(const unsigned int point, const unsigned int componen
                      });
 }
 
-void BrickStepper::add_surface(const SharedNodes &nodes, SurfaceCondition<3> &condition)
+MeshSurface<3> &BrickStepper::add_surface(const SharedNodes &nodes,
+                                          SurfaceCondition<3> &condition)
 {
   const BrickSlab &slab   = op.slab();
   const unsigned int last = slab.n_nodes[1] - 1;
@@ -100,14 +101,8 @@ void BrickStepper::add_surface(const SharedNodes &nodes, SurfaceCondition<3> &co
           throw std::invalid_argument("surfaces of a box are at its bottom and top");
         is_top = row == last;
       }
-  Side &side   = sides[is_top ? 1 : 0];
-  side.surface = std::make_unique<MeshSurface<3>>(
-    nodes,
-    [this](const unsigned int point, const unsigned int c) {
-      return is_held(point, c) ? 0.
-                               : 1. / (op.lumped_mass()[point] * parameters.inertia());
-    },
-    condition, communicator);
+  Side &side          = sides[is_top ? 1 : 0];
+  side.surface        = make_surface(nodes, condition);
   const std::size_t n = slab.n_nodes[0];
   side.force.resize(3 * n * slab.n_planes);
   for (const unsigned int point : side.surface->points())
@@ -117,6 +112,26 @@ void BrickStepper::add_surface(const SharedNodes &nodes, SurfaceCondition<3> &co
     }
   if (side.force_place.size() < std::size_t{slab.box.grid.cells[0] + 1} * slab.n_planes)
     throw std::invalid_argument("a surface of a box has to be the whole bottom or top");
+  return *side.surface;
+}
+
+MeshSurface<3> &BrickStepper::add_side(const SharedNodes &nodes,
+                                       SurfaceCondition<3> &condition)
+{
+  lateral.push_back(make_surface(nodes, condition));
+  return *lateral.back();
+}
+
+std::unique_ptr<MeshSurface<3>>
+BrickStepper::make_surface(const SharedNodes &nodes, SurfaceCondition<3> &condition) const
+{
+  return std::make_unique<MeshSurface<3>>(
+    nodes,
+    [this](const unsigned int point, const unsigned int c) {
+      return is_held(point, c) ? 0.
+                               : 1. / (op.lumped_mass()[point] * parameters.inertia());
+    },
+    condition, communicator);
 }
 
 kernels::BrickStep BrickStepper::brick_step()
@@ -148,23 +163,34 @@ void BrickStepper::advance(const std::uint64_t n_steps)
   for (const Side &side : sides)
     if (side.surface)
       side.surface->load(u, w);
+  for (const auto &side : lateral)
+    side->load(u, w);
   const kernels::BrickStep step = brick_step();
   const std::size_t n           = op.slab().n_nodes[0];
   for (std::uint64_t k = 0; k < n_steps; ++k, ++n_done)
     {
+      const double time = static_cast<double>(n_done) * parameters.dt;
       op.advance(step);
       for (const Side &side : sides)
         if (side.surface)
-          side.surface->start([&](const std::size_t i, const unsigned int c) {
-            const std::size_t place  = side.force_place[i];
-            const unsigned int point = side.surface->points()[i];
-            return side.force[place + n * in_sweep(c)] +
-                   (parameters.alpha * w.row(c, 0)[point] - parameters.acceleration[c]) *
-                     op.lumped_mass()[point];
-          });
+          side.surface->start(n_done, time,
+                              [&](const std::size_t i, const unsigned int c) {
+                                const std::size_t place  = side.force_place[i];
+                                const unsigned int point = side.surface->points()[i];
+                                return side.force[place + n * in_sweep(c)] +
+                                       (parameters.alpha * w.row(c, 0)[point] -
+                                        parameters.acceleration[c]) *
+                                         op.lumped_mass()[point];
+                              });
       for (const Side &side : sides)
         if (side.surface)
-          side.surface->finish(n_done, static_cast<double>(n_done) * parameters.dt, u, w);
+          side.surface->finish(u, w);
+      for (const auto &side : lateral)
+        {
+          // The sweep has moved their nodes as if nothing acted on the side.
+          side->start_from_motion(n_done, time, w, parameters.dt);
+          side->finish(u, w);
+        }
     }
   op.set_copies(u);
   op.set_copies(w);

@@ -12,8 +12,8 @@ namespace mesoslip
 {
 /**
  * Explicit time integration of a box of equal bricks by the beta2 scheme, see MeshStepper.
- * Force and update of a row of nodes are one sweep, in place; the surfaces, which have to be
- * parts of bottom and top, are advanced after it. Any number of ranks computes the same bits.
+ * Force and update of a row of nodes are one sweep, in place; bottom, top and other sides with a load are
+ * advanced after it. Any number of ranks computes the same bits.
  */
 class BrickStepper : public SurfaceStepper<3>
 {
@@ -27,7 +27,10 @@ public:
                const std::optional<unsigned int> top_point = {});
 
   /** The nodes have to be the whole bottom or the whole top. @throws std::invalid_argument */
-  void add_surface(const SharedNodes &nodes, SurfaceCondition<3> &condition) override;
+  MeshSurface<3> &add_surface(const SharedNodes &nodes,
+                              SurfaceCondition<3> &condition) override;
+  MeshSurface<3> &add_side(const SharedNodes &nodes,
+                           SurfaceCondition<3> &condition) override;
   void advance(const std::uint64_t n_steps) override;
   void multiply(NodalField<double> &Kx, NodalField<double> &x) const override;
   double elastic_energy() const override;
@@ -44,17 +47,20 @@ private:
     std::vector<std::size_t> force_place; ///< of the first component, for each point
   };
 
+  std::unique_ptr<MeshSurface<3>> make_surface(const SharedNodes &nodes,
+                                               SurfaceCondition<3> &condition) const;
   void set_inverse_mass();
   void set_held(const std::vector<HeldComponent> &components);
   kernels::BrickStep brick_step();
   bool is_held(const unsigned int point, const unsigned int component) const;
 
   const BrickOperator &op;
-  std::vector<double> mass_rows;            ///< one over mass, distinct rows
-  std::vector<const double *> inverse_mass; ///< of each row of nodes
-  std::vector<std::uint32_t> held_begin;    ///< of each row, and the end
-  std::vector<kernels::HeldNode> held;      ///< row by row
-  Side sides[2];                            ///< bottom and top
+  std::vector<double> mass_rows;                        ///< one over mass, distinct rows
+  std::vector<const double *> inverse_mass;             ///< of each row of nodes
+  std::vector<std::uint32_t> held_begin;                ///< of each row, and the end
+  std::vector<kernels::HeldNode> held;                  ///< row by row
+  Side sides[2];                                        ///< bottom and top
+  std::vector<std::unique_ptr<MeshSurface<3>>> lateral; ///< besides
 };
 } // namespace mesoslip
 

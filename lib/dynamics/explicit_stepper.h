@@ -2,6 +2,7 @@
 #define mesoslip_dynamics_explicit_stepper_h
 
 #include "dynamics/stepper.h"
+#include "dynamics/supports/side_column.h"
 #include "dynamics/surface_condition.h"
 #include "elasticity/row_sweep.h"
 #include "elasticity/uniform_grid_operator.h"
@@ -34,6 +35,9 @@ public:
 
   /** Factors (and masses) of the stepping kernel for local node row @p l and above. */
   void set_inner(kernels::Rows<double> &r, const unsigned int l) const;
+
+  /** Adds the inertia of nodes at the ends of the bottom or @p top row. */
+  void add_guests(const bool top, const std::vector<SideColumn *> &columns);
 
   /** Masses and inverse masses of the bottom or top row. */
   void set_boundary(kernels::Rows<double> &r, SurfaceView<2> &view, const bool top) const;
@@ -76,6 +80,8 @@ struct SteppedBody
 
   Halo *halo            = nullptr;       ///< needed where a rank has neighbours
   MPI_Comm communicator = MPI_COMM_SELF; ///< of the ranks that share the grid
+
+  std::vector<SideColumn *> columns = {}; ///< left or right, where these are loaded
 };
 
 /**
@@ -179,12 +185,17 @@ public:
               body.communicator)
     , material(body.material)
     , isa(resolve(options.isa))
+    , columns(body.columns)
     , free_surface(body.parameters)
     , kernels(make_kernels(material, body.parameters, isa))
     , masses(material, body.rows, body.parameters, sides)
     , op(material, body.rows)
     , sweeps(with_free_surfaces(body), kernels, masses, max_steps(body, options))
   {
+    if (rows.begin == 0)
+      masses.add_guests(false, columns);
+    if (rows.end == rows.n_global)
+      masses.add_guests(true, columns);
   }
 
   void advance(const std::uint64_t n_steps) override
@@ -197,6 +208,8 @@ public:
     };
 
     unsigned int n = steps_of_sweep(n_done);
+    for (SideColumn *column : columns)
+      column->start(n_done);
     if (n > 0)
       sweeps.send(n);
     while (n > 0)
@@ -315,9 +328,10 @@ private:
 
   const UniformMaterial &material;
   const InstructionSet isa;
+  const std::vector<SideColumn *> columns;
   FreeSurface<2> free_surface;
   const RowKernels<double> kernels;
-  const StepMasses masses;
+  StepMasses masses;
   const UniformGridOperator op;
   TemporalBlocking sweeps;
 };

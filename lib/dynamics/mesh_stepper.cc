@@ -67,8 +67,8 @@ MeshStepper<dim>::MeshStepper(const MeshOperator<dim> &op,
 }
 
 template <int dim>
-void MeshStepper<dim>::add_surface(const SharedNodes &nodes,
-                                   SurfaceCondition<dim> &condition)
+MeshSurface<dim> &MeshStepper<dim>::add_surface(const SharedNodes &nodes,
+                                                SurfaceCondition<dim> &condition)
 {
   surfaces.push_back(std::make_unique<MeshSurface<dim>>(
     nodes,
@@ -76,6 +76,7 @@ void MeshStepper<dim>::add_surface(const SharedNodes &nodes,
       return inverse_mass.row(c, 0)[i];
     },
     condition, communicator));
+  return *surfaces.back();
 }
 
 template <int dim>
@@ -107,19 +108,20 @@ MeshStepper<dim>::node_step(const double dt, const double c_new, const double c_
 template <int dim>
 void MeshStepper<dim>::step_once()
 {
+  const double dt = parameters.dt, beta2 = parameters.beta2,
+               time = static_cast<double>(n_done) * dt;
   op.add_product(force.data(), z.data());
   for (const auto &surface : surfaces)
     {
       const std::vector<unsigned int> &points = surface->points();
-      surface->start([&](const std::size_t k, const unsigned int c) {
+      surface->start(n_done, time, [&](const std::size_t k, const unsigned int c) {
         return force[std::size_t{points[k]} * stride<dim> + c];
       });
     }
-  const double dt = parameters.dt, beta2 = parameters.beta2;
   op.advance(arrays, node_step(dt, dt * (beta2 + 0.5), -dt * (beta2 - 0.5)));
   for (const auto &surface : surfaces)
     {
-      surface->finish(n_done, static_cast<double>(n_done) * dt, u, w);
+      surface->finish(u, w);
       for (const unsigned int i : surface->points())
         for (unsigned int c = 0; c < dim; ++c)
           {

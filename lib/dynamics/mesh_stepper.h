@@ -33,7 +33,8 @@ public:
               NodalField<double> &w,
               const std::optional<unsigned int> top_point = {});
 
-  void add_surface(const SharedNodes &nodes, SurfaceCondition<dim> &condition) override;
+  MeshSurface<dim> &add_surface(const SharedNodes &nodes,
+                                SurfaceCondition<dim> &condition) override;
 
   void advance(const std::uint64_t n_steps) override;
   void multiply(NodalField<double> &Kx, NodalField<double> &x) const override;

@@ -23,6 +23,15 @@ MeshSurface<dim>::MeshSurface(
         for (unsigned int c = 0; c < dim; ++c)
           inverse_mass.row(c, 0)[i] = inverse_mass_of(nodes.point(i), c);
       }
+  own_inverse_mass = inverse_mass;
+  view.n           = u.n_columns();
+  for (unsigned int c = 0; c < dim; ++c)
+    {
+      view.u[c]            = u.row(c, 0);
+      view.w[c]            = w.row(c, 0);
+      view.force[c]        = force.row(c, 0);
+      view.inverse_mass[c] = inverse_mass.row(c, 0);
+    }
   if (!condition.wants_total_force())
     return;
   MPI_Comm_split(communicator, point.empty() ? MPI_UNDEFINED : 0, 0, &ranks);
@@ -54,6 +63,49 @@ void MeshSurface<dim>::load(const NodalField<double> &u_of_part,
       }
 }
 
+template <int dim>
+void MeshSurface<dim>::add_guest(const unsigned int i,
+                                 SideSurface<dim> &side,
+                                 const unsigned int k)
+{
+  guests.push_back({&side, k, i});
+  for (unsigned int c = 0; c < dim; ++c)
+    if (double &inverse = inverse_mass.row(c, 0)[i]; inverse > 0.)
+      inverse = 1. / (1. / inverse + side.guest_mass(k, c, 1. / inverse));
+}
+
+template <int dim>
+void MeshSurface<dim>::start_loads(const std::uint64_t step, const double time)
+{
+  view.step = step;
+  view.time = time;
+  std::array<double *, dim> forces;
+  for (unsigned int c = 0; c < dim; ++c)
+    forces[c] = force.row(c, 0);
+  for (const Guest &guest : guests)
+    guest.side->add_force(guest.k, view, guest.i, forces);
+  if (ranks != MPI_COMM_NULL)
+    start_sum();
+}
+
+template <int dim>
+void MeshSurface<dim>::start_from_motion(const std::uint64_t step,
+                                         const double time,
+                                         const NodalField<double> &w_of_part,
+                                         const double dt)
+{
+  for (unsigned int c = 0; c < dim; ++c)
+    for (std::size_t k = 0; k < point.size(); ++k)
+      {
+        const double inverse = own_inverse_mass.row(c, 0)[place[k]];
+        force.row(c, 0)[place[k]] =
+          inverse > 0.
+            ? (w.row(c, 0)[place[k]] - w_of_part.row(c, 0)[point[k]]) / (dt * inverse)
+            : 0.;
+      }
+  start_loads(step, time);
+}
+
 // Of each rank to all, so that all add up the same numbers in the same order.
 template <int dim>
 void MeshSurface<dim>::start_sum()
@@ -65,13 +117,9 @@ void MeshSurface<dim>::start_sum()
 }
 
 template <int dim>
-void MeshSurface<dim>::finish(const std::uint64_t step,
-                              const double time,
-                              NodalField<double> &u_of_part,
+void MeshSurface<dim>::finish(NodalField<double> &u_of_part,
                               NodalField<double> &w_of_part)
 {
-  SurfaceView<dim> view;
-  view.n = u.n_columns();
   if (ranks != MPI_COMM_NULL)
     {
       MPI_Wait(&request, MPI_STATUS_IGNORE);
@@ -80,16 +128,9 @@ void MeshSurface<dim>::finish(const std::uint64_t step,
         total_force[k % dim] += of_ranks[k];
       view.total_force = total_force.data();
     }
-  for (unsigned int c = 0; c < dim; ++c)
-    {
-      view.u[c]            = u.row(c, 0);
-      view.w[c]            = w.row(c, 0);
-      view.force[c]        = force.row(c, 0);
-      view.inverse_mass[c] = inverse_mass.row(c, 0);
-    }
-  view.step = step;
-  view.time = time;
   condition.advance(view);
+  for (const Guest &guest : guests)
+    guest.side->account(guest.k, view, guest.i);
   for (unsigned int c = 0; c < dim; ++c)
     for (std::size_t k = 0; k < point.size(); ++k)
       {

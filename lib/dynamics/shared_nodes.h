@@ -44,6 +44,12 @@ public:
     return local[i];
   }
 
+  /** Its number in the whole surface; none where there is no node. */
+  unsigned int number(const unsigned int i) const
+  {
+    return place[i];
+  }
+
   /** What @p whole, one value a node of the whole surface, is of these; @p otherwise where
    * there is no node. */
   std::vector<double> of(const std::vector<double> &whole, const double otherwise) const;

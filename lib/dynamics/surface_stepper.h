@@ -1,6 +1,7 @@
 #ifndef mesoslip_dynamics_surface_stepper_h
 #define mesoslip_dynamics_surface_stepper_h
 
+#include "dynamics/mesh_surface.h"
 #include "dynamics/shared_nodes.h"
 #include "dynamics/stepper.h"
 #include "dynamics/surface_condition.h"
@@ -41,8 +42,15 @@ class SurfaceStepper : public Stepper
 public:
   /** From now on @p condition moves these nodes and must outlive the last step. No point
    * may be in two surfaces. Collective. */
-  virtual void add_surface(const SharedNodes &nodes,
-                           SurfaceCondition<dim> &condition) = 0;
+  virtual MeshSurface<dim> &add_surface(const SharedNodes &nodes,
+                                        SurfaceCondition<dim> &condition) = 0;
+
+  /** The same of a side besides bottom and top, after these. */
+  virtual MeshSurface<dim> &add_side(const SharedNodes &nodes,
+                                     SurfaceCondition<dim> &condition)
+  {
+    return add_surface(nodes, condition);
+  }
 
 protected:
   /** @p top_point of the whole mesh carries the platen. */

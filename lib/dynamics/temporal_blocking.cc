@@ -64,6 +64,14 @@ void StepMasses::inverse_mass_row(const UniformMaterial &material,
     }
 }
 
+void StepMasses::add_guests(const bool top, const std::vector<SideColumn *> &columns)
+{
+  for (SideColumn *column : columns)
+    for (unsigned int c = 0; c < 2; ++c)
+      if (double &inverse = inverse_boundary[top].row(c, 0)[column->column]; inverse > 0.)
+        inverse = 1. / (1. / inverse + column->guest_mass(top, c));
+}
+
 void StepMasses::set_inner(kernels::Rows<double> &r, const unsigned int l) const
 {
   const unsigned int row = one_row ? 0 : l;
@@ -225,7 +233,11 @@ void TemporalBlocking::advance_rows(Stage &stage, const unsigned int n)
       body.halo->receive(Halo::upper, block(body.rows.end, missing_above));
       missing_above = 0;
     }
+  for (SideColumn *column : body.columns)
+    column->save(stage.next, n);
   stage.sweep.step(kernel_rows(stage, stage.next), stage.next, n > 1);
+  for (SideColumn *column : body.columns)
+    column->advance(stage.next, n, stage.step);
   stage.next += n;
 }
 
@@ -248,7 +260,11 @@ void TemporalBlocking::advance_boundary(Stage &stage)
   view.force = {{r.fx, r.fy}};
   view.step  = stage.step;
   view.time  = stage.step * body.parameters.dt;
+  for (SideColumn *column : body.columns)
+    column->add_force(view, {{r.fx, r.fy}}, is_top);
   (is_top ? body.top : body.bottom)->advance(view);
+  for (SideColumn *column : body.columns)
+    column->account(view, is_top);
   ++stage.next;
 }
 } // namespace mesoslip

@@ -8,13 +8,17 @@ namespace mesoslip
 {
 template <int dim>
 Eigen::Matrix<double, dim, dim> impedance(const VoigtMatrix<dim> &stiffness,
-                                          const double density)
+                                          const double density,
+                                          const Eigen::Matrix<double, dim, 1> &normal)
 {
   using Tensor = Eigen::Matrix<double, dim, dim>;
-  Tensor gamma;
+  Tensor gamma = Tensor::Zero();
   for (unsigned int i = 0; i < dim; ++i)
     for (unsigned int k = 0; k < dim; ++k)
-      gamma(i, k) = stiffness(voigt_index<dim>(i, dim - 1), voigt_index<dim>(k, dim - 1));
+      for (unsigned int j = 0; j < dim; ++j)
+        for (unsigned int l = 0; l < dim; ++l)
+          gamma(i, k) += normal[j] * normal[l] *
+                         stiffness(voigt_index<dim>(i, j), voigt_index<dim>(k, l));
   const Tensor symmetric = 0.5 * (gamma + gamma.transpose());
   return std::sqrt(density) *
          Eigen::SelfAdjointEigenSolver<Tensor>(symmetric).operatorSqrt();
@@ -33,8 +37,10 @@ double shear_impedance(const VoigtMatrix<dim> &stiffness,
   return 1. / unit.dot(along.inverse() * unit);
 }
 
-template Eigen::Matrix2d impedance<2>(const VoigtMatrix<2> &, const double);
-template Eigen::Matrix3d impedance<3>(const VoigtMatrix<3> &, const double);
+template Eigen::Matrix2d
+impedance<2>(const VoigtMatrix<2> &, const double, const Eigen::Vector2d &);
+template Eigen::Matrix3d
+impedance<3>(const VoigtMatrix<3> &, const double, const Eigen::Vector3d &);
 template double
 shear_impedance<2>(const VoigtMatrix<2> &, const double, const std::array<double, 2> &);
 template double

@@ -9,12 +9,14 @@
 
 namespace mesoslip
 {
-/** The tractions on the flat side of a half-space, with the last axis as its normal, over the velocities
- * that they drive (Pa s/m): sqrt(rho) Gamma^(1/2), see shear_impedance(); an isotropic solid has rho c_T
- * along the side and rho c_L along the normal. */
+/** The tractions on the flat side of a half-space over the velocities that they drive (Pa s/m): sqrt(rho)
+ * Gamma^(1/2), see shear_impedance(); an isotropic solid has rho c_T along the side and rho c_L along the
+ * @p normal, of length one, by default the last axis. */
 template <int dim>
 Eigen::Matrix<double, dim, dim> impedance(const VoigtMatrix<dim> &stiffness,
-                                          const double density);
+                                          const double density,
+                                          const Eigen::Matrix<double, dim, 1> &normal =
+                                            Eigen::Matrix<double, dim, 1>::Unit(dim - 1));
 
 /**
  * Shear traction that moves the flat side of a half-space along @p direction at one speed, over

@@ -283,6 +283,28 @@ void Keys::bind_names(const std::string &key,
     }
 }
 
+std::vector<std::string> Keys::typed_sections() const
+{
+  const std::string start = current_section + "/";
+  std::vector<std::string> names;
+  const auto add = [&](const std::string &path, const bool is_key) {
+    if (path.rfind(start, 0) != 0)
+      return;
+    const std::string rest = path.substr(start.size());
+    const auto end         = rest.find('/');
+    const std::string name = rest.substr(0, end);
+    if ((is_key && end == std::string::npos) ||
+        std::find(names.begin(), names.end(), name) != names.end())
+      return;
+    names.push_back(name);
+  };
+  for (const RawParameters::Entry &section : raw.subsections())
+    add(section.path, false);
+  for (const RawParameters::Entry &entry : raw.entries())
+    add(entry.path, true);
+  return names;
+}
+
 void Keys::bind_input(const std::string &key,
                       std::string &path,
                       const std::string &meaning)

@@ -193,6 +193,10 @@ public:
                   const std::string &meaning,
                   const std::size_t most = 10000);
 
+  /** Names of subsections of the current section that the .prm or --set has, in their order; the caller
+   * binds those that it knows nothing about. */
+  std::vector<std::string> typed_sections() const;
+
   /**
    * The path of a file or folder to read; may be empty. A relative path in a .prm is
    * relative to the folder of that .prm, one given by --set to the current folder; the
@@ -246,7 +250,8 @@ public:
 
   /**
    * The key @p old of the current section is called @p now; with "Key = value" for @p old
-   * one of its values is. Whoever uses the old name is told so.
+   * one of its values is; with "Section/" for both of them the whole subsection is. Whoever uses the old
+   * name is told so.
    */
   void renamed(const std::string &old, const std::string &now)
   {
@@ -313,6 +318,7 @@ private:
                    std::string &value,
                    const std::vector<std::string> &choices,
                    const std::string &meaning);
+  std::string new_name(const std::string &path) const;
   std::vector<const RawParameters::Entry *>
   set_entries(const std::vector<std::string> &paths) const;
 

@@ -116,11 +116,27 @@ std::vector<std::string> Key::inputs() const
   return paths;
 }
 
+/** What @p path is called now, with "Section/" for a subsection; empty if it was not renamed. */
+std::string Keys::new_name(const std::string &path) const
+{
+  const auto found = renames.find(path);
+  if (found != renames.end())
+    return found->second;
+  for (const auto &[old, now] : renames)
+    if (old.back() == '/' && path.rfind(old, 0) == 0)
+      return now + path.substr(old.size());
+  return "";
+}
+
 void Keys::apply()
 {
   const Declarations declared(keys);
   for (const RawParameters::Entry &section : raw.subsections())
-    if (!declared.has_section(section.path))
+    if (const std::string now = new_name(section.path + "/"); !now.empty())
+      throw UserError(RawParameters::origin(section) + ": the subsection " +
+                      section.path + " is called " +
+                      in_quotes(now.substr(0, now.size() - 1)) + " now; rename it");
+    else if (!declared.has_section(section.path))
       throw UserError(RawParameters::origin(section) + ": " +
                       declared.unknown("subsection", section.path));
 
@@ -128,11 +144,10 @@ void Keys::apply()
     {
       const std::string where  = RawParameters::origin(entry) + ": ";
       const auto found         = index.find(entry.path);
-      const auto renamed_key   = renames.find(entry.path);
       const auto renamed_value = renames.find(entry.path + " = " + entry.value);
-      if (renamed_key != renames.end())
-        throw UserError(where + "the key " + entry.path + " is called " +
-                        in_quotes(renamed_key->second) + " now; rename it");
+      if (const std::string now = new_name(entry.path); !now.empty())
+        throw UserError(where + "the key " + entry.path + " is called " + in_quotes(now) +
+                        " now; rename it");
       if (renamed_value != renames.end())
         throw UserError(where + entry.path + " = " + entry.value + " is called " +
                         in_quotes(renamed_value->second) + " now; set " + entry.path +

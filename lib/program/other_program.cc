@@ -23,8 +23,8 @@ const std::vector<OwnSections> &own_sections()
     {"rve_homogenization",
      {"Grid", "Microstructure", "Homogenization", "Loads", "Ensemble"}},
     {"contact_dynamics",
-     {"Body", "Time", "Flat", "Top", "Sides", "Friction", "Observation", "Contact map",
-      "Snapshots", "Checkpoints", "Performance", "Modal", "Static contact",
+     {"Body", "Time", "Flat", "Supports", "Sides", "Friction", "Observation",
+      "Contact map", "Snapshots", "Checkpoints", "Performance", "Modal", "Static contact",
       "Complex modes", "Friction homogenization"}},
     {"stress_localization",
      {"Input", "Localization", "Window", "Probes", "Volume element", "Comparison"}}};

@@ -173,6 +173,18 @@ void check_mesh(const Keys &keys, const ContactParameters &p)
       " as Dimension is " + std::to_string(p.mesh.mesh.dim) + "; use '" + held + "'");
 }
 
+/** The keys of these names in the sections of all supports. */
+std::vector<std::string> of_supports(const Keys &keys,
+                                     const std::vector<std::string> &names)
+{
+  std::vector<std::string> paths;
+  for (const Key &key : keys.all())
+    if (key.section.rfind("Supports/", 0) == 0 &&
+        std::count(names.begin(), names.end(), key.name) > 0)
+      paths.push_back(key.path());
+  return paths;
+}
+
 /** What each analysis makes use of. */
 void check_analysis(const Keys &keys)
 {
@@ -183,9 +195,8 @@ void check_analysis(const Keys &keys)
   only_with({"transient"},
             {"Body/Initial velocity", "Time/End time", "Time/Time step",
              "Time/Safety factor", "Time/Beta2", "Time/Check time step", "Flat/Ramp",
-             "Flat/Ramp time", "Flat/Expression", "Top/Ramp", "Top/Ramp time",
-             "Top/Expression", "Observation/", "Snapshots/", "Contact map/",
-             "Checkpoints/", "Performance/Temporal blocking",
+             "Flat/Ramp time", "Flat/Expression", "Observation/", "Snapshots/",
+             "Contact map/", "Checkpoints/", "Performance/Temporal blocking",
              "Performance/Instruction set"});
   only_with({"transient", "complex modes"},
             {"Body/Rayleigh alpha", "Time/Rayleigh beta", "Friction/Law",
@@ -196,14 +207,16 @@ void check_analysis(const Keys &keys)
   only_with({"transient", "static contact", "complex modes"},
             {"Friction/Coefficient law"});
   only_with({"transient", "modal", "complex modes"},
-            {"Top/Platen mass", "Top/Hold from"});
-  only_with({"transient", "complex modes"}, {"Top/Dashpot"});
-  only_with({"transient", "static contact", "complex modes"}, {"Top/Motion"});
+            {"Supports/Top/Platen mass", "Supports/Top/Hold from"});
+  only_with({"transient"}, of_supports(keys, {"Ramp", "Ramp time", "Expression"}));
+  only_with({"transient", "complex modes"}, of_supports(keys, {"Dashpot"}));
   only_with({"transient", "static contact", "complex modes"},
-            {"Body/Acceleration", "Flat/", "Top/Pressure", "Friction/"});
+            of_supports(keys, {"Motion", "Pressure"}));
+  only_with({"transient", "static contact", "complex modes"},
+            {"Body/Acceleration", "Flat/", "Friction/"});
   only_with({"transient", "modal", "static contact", "complex modes"},
             {"Body/RVE file", "Body/Material", "Body/Stiffness from", "Body/Stiffness",
-             "Body/Density", "Body/Size", "Body/Cells", "Top/", "Sides/"});
+             "Body/Density", "Body/Size", "Body/Cells", "Supports/", "Sides/"});
   only_with({"modal", "static contact"}, {"Performance/Static solver"});
   only_with({"modal"}, {"Modal/"});
   only_with({"static contact", "complex modes"}, {"Static contact/"});
@@ -232,19 +245,24 @@ void ContactParameters::bind(Keys &keys)
   bind_body(keys, *this);
   bind_time(keys, *this);
   bind_loads(keys);
+  bind_top(keys);
   bind_sides(keys);
+  bind_periodicity(keys);
+  keys.renamed("Top/", "Supports/Top/");
+  keys.renamed("Top/Lateral held", "Supports/Top/Held = u_x");
   bind_friction(keys, friction, contact.law);
   bind_observation(keys);
   bind_contact_map(keys);
   bind_analyses(keys);
   keys.renamed("Performance/Static solver = assembled", "ml");
-  if (mesh.is_plane_grid() && (contact.is_compliant() || top.suspension.has_springs()))
+  std::string on_springs = contact.is_compliant() ? "Flat/Normal stiffness" : "";
+  for (const auto &[section, suspension, pressure] : suspended())
+    if (suspension->has_springs() && on_springs.empty())
+      on_springs = section + "/Spring stiffness";
+  if (mesh.is_plane_grid() && !on_springs.empty())
     {
       keys.only_if(static_solver == StaticSolverKind::ml, {"Performance/Static solver"},
-                   std::string(contact.is_compliant() ? "Flat/Normal stiffness"
-                                                      : "Top/Spring stiffness") +
-                     " is set, and ml alone knows springs",
-                   "set it to ml");
+                   on_springs + " is set, and ml alone knows springs", "set it to ml");
       static_solver = StaticSolverKind::ml;
     }
   check_analysis(keys);

@@ -150,6 +150,26 @@ struct ContactParameters : SlidingSetup
    */
   void bind(Keys &keys);
 
+  std::vector<SideSupport>
+    supports; ///< sides besides contact and top that are held or loaded
+
+  /** Those that are loaded. */
+  std::vector<SideSupport> loaded_sides() const;
+
+  /** What stands on something: a section, its suspension and pressure. */
+  struct Suspended
+  {
+    std::string section;          ///< Supports/Top
+    const Suspension *suspension; ///< of these parameters
+    const LoadHistory *pressure;  ///< likewise
+  };
+
+  /** The top, and the loaded sides. */
+  std::vector<Suspended> suspended() const;
+
+  /** Whether anything stands on springs, dashpots or masses. */
+  bool has_suspensions() const;
+
   /** Whether the loads of the contact nodes are summed up in every step. */
   bool wants_node_loads() const;
 
@@ -164,6 +184,9 @@ private:
   void bind_top(Keys &keys);
   void set_top(const Keys &keys, const std::string &kind);
   void bind_sides(Keys &keys);
+  void hold_sides();
+  void check_platen(const Keys &keys) const;
+  void bind_periodicity(Keys &keys);
   void make_slip_law(const Keys &keys);
   void bind_observation(Keys &keys);
   void bind_contact_map(Keys &keys);

@@ -38,9 +38,11 @@ std::string components_text(const char *what,
   return text + " " + unit;
 }
 
-/** What the top stands on; empty without springs, dashpots and mass. */
-std::string suspension_line(const Suspension &suspension, const unsigned int dim)
+/** What a side stands on; empty without springs, dashpots and mass. */
+std::string suspension_line(const ContactParameters::Suspended &side,
+                            const unsigned int dim)
 {
+  const Suspension &suspension = *side.suspension;
   std::string text;
   for (const std::string &part :
        {components_text("springs", suspension.stiffness, dim, "Pa/m"),
@@ -49,7 +51,7 @@ std::string suspension_line(const Suspension &suspension, const unsigned int dim
         suspension.mass > 0. ? "a mass of " + to_text(suspension.mass) + " kg/m^2"
                              : std::string()})
     if (!part.empty())
-      text += (text.empty() ? "Top: " : "; ") + part;
+      text += (text.empty() ? side.section.substr(9) + ": " : "; ") + part;
   return text;
 }
 } // namespace
@@ -59,9 +61,9 @@ void GivenBody<dim>::describe(std::ostream &out, const double more_memory) const
 {
   for (const std::string &line : known.lines)
     out << line << '\n';
-  if (const std::string top = suspension_line(parameters.top.suspension, dim);
-      !top.empty())
-    out << top << '\n';
+  for (const auto &side : parameters.suspended())
+    if (const std::string line = suspension_line(side, dim); !line.empty())
+      out << line << '\n';
   BodyMemory memory = known.memory;
   memory.on_rank_0 += more_memory;
   out << dim * known.n_points << " degrees of freedom\n"
@@ -75,9 +77,9 @@ void GivenBody<dim>::log(RunContext &context) const
 {
   for (const std::string &line : known.lines)
     context.log(line);
-  if (const std::string top = suspension_line(parameters.top.suspension, dim);
-      !top.empty())
-    context.log(top);
+  for (const auto &side : parameters.suspended())
+    if (const std::string line = suspension_line(side, dim); !line.empty())
+      context.log(line);
   for (const std::string &warning : known.warnings)
     context.warn(warning);
 }
@@ -105,18 +107,19 @@ PlausibleRange plausible_springs(const ContactParameters &parameters, const doub
   range.value  = stiffness;
   range.unit   = "Pa/m";
   range.lowest = 100. * pressure / height;
-  range.if_low = "so that Top/Pressure presses the springs in by " +
+  range.if_low = "so that Supports/Top/Pressure presses the springs in by " +
                  quantity_text(pressure / stiffness, "m") + " under a body of " +
                  quantity_text(height, "m") + "; 100 MPa per micrometre are 1e14 Pa/m";
   return range;
 }
 
-/** Springs of the top that the pressure does not stretch by a thousand heights, and that are not a million times as stiff
+/** Springs that the pressure on the top does not stretch by a thousand heights, and that are not a million times as stiff
  * as the body; dashpots of a thousand times its impedance at most. */
 std::vector<PlausibleRange> plausible_suspension(const ContactParameters &parameters,
+                                                 const ContactParameters::Suspended &side,
                                                  const BodyScales &scales)
 {
-  const Suspension &suspension = parameters.top.suspension;
+  const Suspension &suspension = *side.suspension;
   const double pressure        = std::fabs(parameters.top.pressure.amplitude()),
                body            = scales.stiffness / scales.height,
                impedance       = scales.stiffness / scales.wave_speed;
@@ -129,24 +132,25 @@ std::vector<PlausibleRange> plausible_suspension(const ContactParameters &parame
       thickest = std::max(thickest, suspension.dashpot[c]);
     }
   const std::string of_area = "; it is for the area, that of N/m over m^2";
-  PlausibleRange soft{"Top/Spring stiffness", softest, "Pa/m"}, stiff = soft,
-                                                                thick = soft;
+  PlausibleRange soft{side.section + "/Spring stiffness", softest, "Pa/m"}, stiff = soft,
+                                                                            thick = soft;
   soft.lowest = parameters.analysis == ContactAnalysis::modal || std::isinf(softest)
                   ? 0.
                   : 1e-3 * pressure / scales.height;
-  soft.if_low = "so that a traction as large as Top/Pressure stretches the springs by " +
-                quantity_text(pressure / softest, "m") + of_area;
+  soft.if_low =
+    "so that a traction as large as Supports/Top/Pressure stretches the springs by " +
+    quantity_text(pressure / softest, "m") + of_area;
   stiff.value   = stiffest;
   stiff.highest = 1e6 * body;
   stiff.if_high = "a million times as stiff as the body, " + quantity_text(body, "Pa/m") +
                   ", and the time step shrinks" + of_area;
-  thick.key     = "Top/Dashpot";
+  thick.key     = side.section + "/Dashpot";
   thick.value   = thickest;
   thick.unit    = "Pa s/m";
   thick.highest = 1e3 * impedance;
   thick.if_high =
     "a thousand times the impedance of the body, " + quantity_text(impedance, "Pa s/m") +
-    ", so that the top follows its far end; it is for the area, that of N s/m "
+    ", so that the side follows its far end; it is for the area, that of N s/m "
     "over m^2";
   return {soft, stiff, thick};
 }
@@ -161,29 +165,33 @@ void GivenBody<dim>::add_implausible(std::vector<std::string> &sentences,
   if (friction.has_constant_coefficient())
     ranges.push_back(plausible_friction("Friction/Coefficient", friction.coefficient));
   if (parameters.analysis == ContactAnalysis::static_contact)
-    ranges.push_back(plausible_pressure(
-      "Top/Pressure", std::fabs(parameters.top.pressure.amplitude()), scales.stiffness));
+    ranges.push_back(plausible_pressure("Supports/Top/Pressure",
+                                        std::fabs(parameters.top.pressure.amplitude()),
+                                        scales.stiffness));
   if (parameters.contact.is_compliant())
     ranges.push_back(plausible_springs(parameters, scales.height));
-  for (const PlausibleRange &range : plausible_suspension(parameters, scales))
-    ranges.push_back(range);
+  for (const auto &side : parameters.suspended())
+    for (const PlausibleRange &range : plausible_suspension(parameters, side, scales))
+      ranges.push_back(range);
   for (const std::string &sentence : implausible(ranges))
     sentences.push_back(sentence);
   for (const std::string &sentence : stiffness_warnings<dim>(known.phases))
     sentences.push_back(sentence);
 }
 
-template <int dim>
-Foundation foundation_of(const TopNodes &nodes, const TopSetup &setup)
+namespace
 {
-  const Suspension &suspension = setup.suspension;
-  Foundation foundation;
-  if (setup.kind != TopSetup::Kind::pressure || !suspension.is_there())
-    return foundation;
-  for (std::size_t k = 0; k < nodes.nodes.size(); ++k)
+template <int dim>
+void add_to(Foundation &foundation,
+            const SupportNodes &support,
+            const Suspension &suspension)
+{
+  for (std::size_t k = 0; k < support.nodes.size(); ++k)
     {
-      const NodeIndex &node = nodes.nodes[k];
-      const double area     = nodes.area[k];
+      const NodeIndex &node = support.nodes[k];
+      const double area     = support.carried.area[k];
+      if (!(area > 0.))
+        continue;
       for (unsigned int c = 0; c < dim; ++c)
         {
           if (suspension.stiffness[c] > 0.)
@@ -192,11 +200,25 @@ Foundation foundation_of(const TopNodes &nodes, const TopSetup &setup)
             foundation.dashpots.push_back({node, c, c, area * suspension.dashpot[c]});
           for (unsigned int d = 0; d < dim && suspension.absorbing; ++d)
             foundation.dashpots.push_back(
-              {node, c, d, area * nodes.impedance[dim * c + d][k]});
+              {node, c, d, area * support.carried.impedance[dim * c + d][k]});
         }
       if (suspension.mass > 0.)
         foundation.masses.emplace_back(node, area * suspension.mass);
     }
+}
+} // namespace
+
+template <int dim>
+Foundation GivenBody<dim>::foundation() const
+{
+  Foundation foundation;
+  // A platen on springs is for transient runs alone.
+  if (parameters.top.kind == TopSetup::Kind::pressure)
+    add_to<dim>(foundation, top_nodes(), parameters.top.suspension);
+  const std::vector<SideSupport> sides  = parameters.loaded_sides();
+  const std::vector<SupportNodes> nodes = side_nodes();
+  for (std::size_t k = 0; k < sides.size(); ++k)
+    add_to<dim>(foundation, nodes[k], sides[k].suspension);
   return foundation;
 }
 
@@ -217,8 +239,6 @@ std::unique_ptr<GivenBody<dim>> make_given_body(const ContactParameters &paramet
 
 template class GivenBody<2>;
 template class GivenBody<3>;
-template Foundation foundation_of<2>(const TopNodes &, const TopSetup &);
-template Foundation foundation_of<3>(const TopNodes &, const TopSetup &);
 template std::unique_ptr<GivenBody<2>> make_given_body(const ContactParameters &);
 template std::unique_ptr<GivenBody<3>> make_given_body(const ContactParameters &);
 } // namespace mesoslip

@@ -64,14 +64,11 @@ struct BodyFacts
   unsigned int most_ranks = 1; ///< by which a longer run ends sooner, on idle cores
 };
 
-/** Nodes of the top that a rank has. */
-struct TopNodes
+/** Nodes of the top or of a loaded side that a rank has. */
+struct SupportNodes
 {
   std::vector<NodeIndex> nodes; ///< of ElasticBody fields
-  std::vector<double> area;     ///< tributary of each (m^2, in 2D m)
-
-  /** Of each, if the top absorbs: TopSetup::impedance. */
-  std::vector<std::vector<double>> impedance;
+  SideNodes carried;            ///< what each stands for
 };
 
 /** What a face of the contact carries. */
@@ -151,7 +148,10 @@ public:
   virtual DofMask held(const TopSetup &top, const bool contact_held) const = 0;
 
   /** The nodes of the top that this rank has. */
-  virtual TopNodes top_nodes() const = 0;
+  virtual SupportNodes top_nodes() const = 0;
+
+  /** Those of each of ContactParameters::loaded_sides(). */
+  virtual std::vector<SupportNodes> side_nodes() const = 0;
 
   /** A first guess of the displacement (m) under a uniform strain along the normal of the flat, where
    * all of the contact touches; else zero. */
@@ -210,12 +210,11 @@ protected:
                        std::vector<PlausibleRange> ranges,
                        const BodyScales &scales) const;
 
+  /** What nodes of top and sides stand on in statics and modes. */
+  Foundation foundation() const;
+
   BodyFacts<dim> known; ///< see facts(); for derived classes to set
 };
-
-/** What nodes of the top stand on in statics and modes: springs, dashpots and masses of @p setup. */
-template <int dim>
-Foundation foundation_of(const TopNodes &nodes, const TopSetup &setup);
 
 /** The body that @p parameters and their files give. Collective. @throws UserError for input that no
  * analysis can work with, or without the memory for it */

@@ -196,10 +196,15 @@ BodyScales GivenGrid::scales() const
                        return a.density < b.density;
                      })
       ->density;
-  // That of the sum is at most the sum of both.
+  const auto of_springs = [&](const Suspension &suspension, const unsigned int axis) {
+    return suspension.squared_frequency(0.5 * lightest * body.grid.spacing[axis]);
+  };
+  double of_sides = 0.;
+  for (const SideSupport &side : parameters.loaded_sides())
+    of_sides = std::max(of_sides, of_springs(side.suspension, 0));
+  // That of a sum is at most the sum; a corner has the springs of top and side.
   found.highest_frequency =
-    std::hypot(frequency, std::sqrt(parameters.top.suspension.squared_frequency(
-                            0.5 * lightest * body.grid.spacing[1])));
+    std::hypot(frequency, std::sqrt(of_springs(parameters.top.suspension, 1) + of_sides));
   return found;
 }
 
@@ -223,7 +228,9 @@ BodyInMotion<2> GivenGrid::start(const SlidingSetup &given, RunContext &context)
 {
   const std::vector<ProbePoint> &probes = parameters.observation.probes;
   SlidingSetup setup                    = given;
-  setup.top.impedance                   = top_nodes().impedance;
+  setup.top.impedance                   = top_nodes().carried.impedance;
+  for (const SideSupport &side : parameters.loaded_sides())
+    setup.loaded.push_back({side, column_of(side), {}, {}});
   auto sliding =
     std::make_unique<SlidingGrid>(material, setup, context.communicator(), nullptr,
                                   context.options().profile ? &context.timer() : nullptr);

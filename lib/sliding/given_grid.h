@@ -50,7 +50,8 @@ public:
   const ElasticBody<2> &elastic() const override;
   DofMask held(const TopSetup &top, const bool contact_held) const override;
   std::size_t n_free(const TopSetup &top, const bool contact_held) const override;
-  TopNodes top_nodes() const override;
+  SupportNodes top_nodes() const override;
+  std::vector<SupportNodes> side_nodes() const override;
   NodalField<double> compressed(const double strain) const override;
   std::vector<ContactCell> contact_cells(const NodalField<double> &u) const override;
   std::vector<std::vector<double>> contact_places() const override;
@@ -77,6 +78,7 @@ private:
   BodyScales scales() const;
   BodySize size() const;
   std::vector<std::vector<double>> top_impedance() const;
+  SideNodes column_of(const SideSupport &side) const;
 
   std::unique_ptr<ElasticBody<2>> of_statics; ///< see make_elastic()
 };

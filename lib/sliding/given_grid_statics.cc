@@ -3,16 +3,28 @@
 #include "material/shear_impedance.h"
 #include "sliding/given_grid.h"
 
+#include <algorithm>
+
 namespace mesoslip
 {
 // Its fields are whole in any case.
 void GivenGrid::make_elastic(const MPI_Comm communicator, const bool /*whole*/)
 {
   of_statics = mesoslip::make_body(material, parameters.static_solver, communicator);
-  TopNodes originals = top_nodes();
-  if (parameters.periodic)
-    originals.nodes.pop_back();
-  of_statics->stand_on(foundation_of<2>(originals, parameters.top));
+  Foundation under = foundation();
+  // Of duplicates it has the originals.
+  const auto is_duplicate = [&](const NodeIndex &node) {
+    return parameters.periodic && node.i + 1 == material.n_columns();
+  };
+  const auto without = [](auto &entries, const auto &is_left_out) {
+    entries.erase(std::remove_if(entries.begin(), entries.end(), is_left_out),
+                  entries.end());
+  };
+  for (auto *entries : {&under.springs, &under.dashpots})
+    without(*entries,
+            [&](const SpringEntry &spring) { return is_duplicate(spring.node); });
+  without(under.masses, [&](const auto &mass) { return is_duplicate(mass.first); });
+  of_statics->stand_on(under);
 }
 
 const ElasticBody<2> &GivenGrid::elastic() const
@@ -30,17 +42,61 @@ std::size_t GivenGrid::n_free(const TopSetup &top, const bool contact_held) cons
   return FreeDofs<2>(GridBody<2>(material), held(top, contact_held), std::nullopt).size();
 }
 
-TopNodes GivenGrid::top_nodes() const
+SupportNodes GivenGrid::top_nodes() const
 {
-  TopNodes top;
+  SupportNodes top;
   for (unsigned int i = 0; i < material.n_columns(); ++i)
     {
       top.nodes.push_back({i, body.grid.cells[1]});
-      top.area.push_back(tributary_width(body.grid, i, parameters.periodic));
+      top.carried.area.push_back(tributary_width(body.grid, i, parameters.periodic));
     }
   if (parameters.top.suspension.absorbing)
-    top.impedance = top_impedance();
+    top.carried.impedance = top_impedance();
   return top;
+}
+
+std::vector<SupportNodes> GivenGrid::side_nodes() const
+{
+  std::vector<SupportNodes> sides;
+  for (const SideSupport &side : parameters.loaded_sides())
+    {
+      const SideNodes column = column_of(side);
+      const unsigned int i   = side.name == "Left" ? 0 : material.n_columns() - 1;
+      SupportNodes &found    = sides.emplace_back();
+      found.carried          = column;
+      for (unsigned int j = 0; j < material.n_rows(); ++j)
+        found.nodes.push_back({i, j});
+    }
+  return sides;
+}
+
+/** Of each row of nodes. */
+SideNodes GivenGrid::column_of(const SideSupport &side) const
+{
+  const unsigned int n = body.grid.cells[1], m = body.grid.cells[0];
+  const double half = 0.5 * body.grid.spacing[1];
+  const bool left   = side.name == "Left";
+  SideNodes nodes;
+  nodes.impedance.resize(side.suspension.absorbing ? 4 : 0);
+  std::vector<Eigen::Matrix2d> of_phase;
+  for (const Phase<2> &phase : body.phases)
+    of_phase.push_back(
+      impedance<2>(phase.stiffness, phase.density, Eigen::Vector2d::UnitX()));
+  for (unsigned int j = 0; j <= n; ++j)
+    {
+      const double below = j > 0 ? half : 0., above = j < n ? half : 0.,
+                   area = below + above;
+      nodes.area.push_back(area);
+      nodes.push[0].push_back(left ? area : -area);
+      const auto behind = [&](const unsigned int row) {
+        return of_phase[body.phase_of(std::size_t{m} * row + (left ? 0 : m - 1))];
+      };
+      const Eigen::Matrix2d Z =
+        (below * behind(j > 0 ? j - 1 : 0) + above * behind(j < n ? j : n - 1)) / area;
+      for (unsigned int k = 0; k < nodes.impedance.size(); ++k)
+        nodes.impedance[k].push_back(Z(k / 2, k % 2));
+    }
+  return nodes;
 }
 
 /** Nodes have the mean of the cells on either side, as these have the same area. */

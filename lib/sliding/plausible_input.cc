@@ -55,7 +55,7 @@ public:
     , end(p.time.end_time)
     , crossing(scales.crossing())
     , run_text("the whole run (" + quantity_text(end, "s") + ")")
-    , pressure{p.top.pressure, "Top", "Pressure"}
+    , pressure{p.top.pressure, "Supports/Top", "Pressure"}
     , velocity{p.contact.flat_velocity, "Flat", "Velocity"}
     , pressures(load_range(p.top.pressure, end))
     , flat_speed(load_range(p.contact.flat_velocity, end).largest_size())
@@ -78,7 +78,7 @@ public:
     if (parameters.top.kind != TopSetup::Kind::held && pressures.largest_size() == 0. &&
         !is_pushed && parameters.body.initial_velocity == std::array<double, 3>{} &&
         !parameters.step.is_heavy())
-      sentences.push_back("Top/Pressure is 0 in " + run_text +
+      sentences.push_back("Supports/Top/Pressure is 0 in " + run_text +
                           " and Body/Initial velocity and Acceleration are 0: nothing "
                           "presses the body on the flat");
     if (!(end >= 2. * crossing))
@@ -158,12 +158,12 @@ private:
     const TopSetup &top = parameters.top;
     if (top.kind == TopSetup::Kind::held)
       return {};
-    PlausibleRange hold =
-      within_run("Top/Hold from", std::isfinite(top.hold_from) ? top.hold_from : end, end,
-                 "the top is never held");
-    hold.lowest      = std::numeric_limits<double>::min();
-    hold.if_low      = "so that Top/Pressure never acts";
-    const bool plane = scales.dim == 2;
+    PlausibleRange hold = within_run("Supports/Top/Hold from",
+                                     std::isfinite(top.hold_from) ? top.hold_from : end,
+                                     end, "the top is never held");
+    hold.lowest         = std::numeric_limits<double>::min();
+    hold.if_low         = "so that Supports/Top/Pressure never acts";
+    const bool plane    = scales.dim == 2;
     // What a ramp leaves of it in the run has a sentence of its own.
     const LoadRange all =
       load_range(top.pressure, std::max(end, top.pressure.duration()));
@@ -173,7 +173,7 @@ private:
       {pressure.name("smallest"), pressures.smallest, "Pa", 0.,
        "which pulls the body off the flat; a positive pressure presses it on"},
       hold,
-      at_most("Top/Platen mass", top.platen_mass, plane ? "kg/m" : "kg",
+      at_most("Supports/Top/Platen mass", top.platen_mass, plane ? "kg/m" : "kg",
               1e4 * scales.mass,
               "more than 10000 times the body's " +
                 quantity_text(scales.mass, plane ? "kg/m" : "kg") + "; it is in kg" +

@@ -25,7 +25,7 @@ double lower_bound(const BodyScales &scales, const StepParameters &step)
 /** A load, and the strain that it alone causes in a body of that stiffness. */
 struct LoadEstimate
 {
-  const char *key;  ///< that gives it
+  std::string key;  ///< that gives it
   double value;     ///< its largest size, in its unit
   const char *unit; ///< Pa, m/s or m/s^2
   double strain;    ///< P / D22, v / c, or rho a H / D22 [-]
@@ -53,7 +53,8 @@ std::string likely_instability(const double energy, const TimeStepChoice &time)
   if (share > 100.)
     return step + "; use Time/Time step = auto or a smaller one";
   if (!std::isfinite(energy))
-    return "loads that overflow (Top/Pressure, Flat/Velocity, Body/Initial velocity, "
+    return "loads that overflow (Supports/Top/Pressure, Flat/Velocity, Body/Initial "
+           "velocity, "
            "Acceleration), as " +
            step;
   return step + ", too close to it; reduce Time/Safety factor or Time step";
@@ -240,26 +241,30 @@ std::string likely_cause(const ContactParameters &parameters, const BodyScales &
                pressure     = load_range(parameters.top.pressure, end).largest_size(),
                velocity     = size_of(parameters.body.initial_velocity),
                acceleration = size_of(parameters.step.acceleration);
-  const Suspension &on      = parameters.top.suspension;
-  LoadEstimate motion       = {"Top/Motion", 0., "m", 0.};
-  for (unsigned int c = 0; c < 3; ++c)
-    if (const double by = load_range(on.motion[c], end).largest_size(); by > motion.value)
-      motion = {"Top/Motion", by, "m", on.stiffness[c] * by / body.stiffness};
-  const LoadEstimate loads[] = {
-    motion,
-    {"Top/Pressure", pressure, "Pa",
+  std::vector<LoadEstimate> loads = {
+    {"Supports/Top/Pressure", pressure, "Pa",
      parameters.top.kind != TopSetup::Kind::held ? pressure / body.stiffness : 0.},
     {"Body/Initial velocity", velocity, "m/s", velocity / body.wave_speed},
     {"Body/Acceleration", acceleration, "m/s^2",
      body.density * acceleration * body.height / body.stiffness}};
+  for (const auto &[section, on, of_side] : parameters.suspended())
+    {
+      for (unsigned int c = 0; c < 3; ++c)
+        if (const double by = load_range(on->motion[c], end).largest_size(); by > 0.)
+          loads.push_back(
+            {section + "/Motion", by, "m", on->stiffness[c] * by / body.stiffness});
+      const double p = load_range(*of_side, end).largest_size();
+      if (of_side != &parameters.top.pressure)
+        loads.push_back({section + "/Pressure", p, "Pa", p / body.stiffness});
+    }
   const LoadEstimate &worst = *std::max_element(
-    std::begin(loads), std::end(loads),
+    loads.begin(), loads.end(),
     [](const LoadEstimate &a, const LoadEstimate &b) { return a.strain < b.strain; });
   if (!(worst.strain > 0.1 * largest_small_strain))
     return "the motion of the body, as its loads alone strain it little: it is thrown, "
            "turns freely, or is dragged along by the flat; hold it, lower the friction, "
            "or shorten the run";
-  return std::string(worst.key) + " = " + quantity_text(worst.value, worst.unit) +
+  return worst.key + " = " + quantity_text(worst.value, worst.unit) +
          ", which alone strains the body by about " +
          quantity_text(100. * worst.strain, "%") + "; reduce it, or check its unit";
 }
@@ -312,9 +317,12 @@ void report_runaway(const Runaway &found,
                     const bool has_rows)
 {
   require_finite(parameters.contact.flat_velocity, "Flat/Expression", time.step.dt, n);
-  require_finite(parameters.top.pressure, "Top/Expression", time.step.dt, n);
-  for (const LoadHistory &motion : parameters.top.suspension.motion)
-    require_finite(motion, "Top/Motion", time.step.dt, n);
+  for (const auto &[section, suspension, pressure] : parameters.suspended())
+    {
+      require_finite(*pressure, section + "/Expression", time.step.dt, n);
+      for (const LoadHistory &motion : suspension->motion)
+        require_finite(motion, section + "/Motion", time.step.dt, n);
+    }
   const std::string joule = parameters.mesh.mesh.dim == 2 ? " J/m" : " J";
   throw NumericalFailure(
     brief_text(

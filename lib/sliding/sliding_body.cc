@@ -11,9 +11,28 @@ namespace mesoslip
 {
 namespace
 {
-SlidingSetup
-completed(SlidingSetup setup, const UniformMaterial &material, const bool has_contact)
+/** Of a whole column what concerns the rows of this rank, ghost rows as well. */
+void restrict_side(LoadedSide &side, const NodeRows &rows)
 {
+  const auto here = [&](std::vector<double> &values) {
+    if (!values.empty())
+      values = {values.begin() + rows.first(),
+                values.begin() + rows.first() + rows.n_local()};
+  };
+  here(side.nodes.area);
+  for (std::vector<double> &component : side.nodes.push)
+    here(component);
+  for (std::vector<double> &component : side.nodes.impedance)
+    here(component);
+  for (unsigned int l = 0; l < rows.n_local(); ++l)
+    side.counted.push_back(rows.first() + l >= rows.begin && rows.first() + l < rows.end);
+}
+
+SlidingSetup completed(SlidingSetup setup,
+                       const UniformMaterial &material,
+                       const MPI_Comm communicator)
+{
+  const bool has_contact = mpi::this_mpi_process(communicator) == 0;
   setup.contact.periodic = setup.top.periodic = setup.periodic;
   setup.top.cell_width                        = material.grid().spacing[0];
   // With periodic sides the last node is the first one again.
@@ -26,7 +45,38 @@ completed(SlidingSetup setup, const UniformMaterial &material, const bool has_co
         setup.contact.area.push_back(tributary_width(material.grid(), i, setup.periodic));
         setup.contact.position[0].push_back(i * material.grid().spacing[0]);
       }
+  const NodeRows rows =
+    partition_rows(material.n_columns(), material.n_rows(), communicator, setup.sweep);
+  for (LoadedSide &side : setup.loaded)
+    restrict_side(side, rows);
   return setup;
+}
+
+/** The columns of the loaded sides. */
+std::deque<SideColumn> make_columns(std::deque<SideSurface<2>> &sides,
+                                    const SlidingSetup &setup,
+                                    const UniformMaterial &material,
+                                    const NodeRows &rows,
+                                    NodalField<double> &u,
+                                    NodalField<double> &w)
+{
+  std::deque<SideColumn> columns;
+  for (std::size_t k = 0; k < sides.size(); ++k)
+    {
+      const bool left = setup.loaded[k].support.name == "Left";
+      columns.emplace_back(sides[k], left ? 0 : material.n_columns() - 1, material, rows,
+                           setup.step,
+                           left ? setup.sides.left_held : setup.sides.right_held, u, w);
+    }
+  return columns;
+}
+
+std::vector<SideColumn *> pointers_to(std::deque<SideColumn> &columns)
+{
+  std::vector<SideColumn *> pointers;
+  for (SideColumn &column : columns)
+    pointers.push_back(&column);
+  return pointers;
 }
 } // namespace
 
@@ -48,6 +98,8 @@ SlidingBody<dim>::SlidingBody(const SlidingSetup &setup,
     contact.observe(node_loads);
   contact.observe(node_statistics);
   contact.observe(contact_recorder);
+  for (const LoadedSide &side : setup.loaded)
+    sides.emplace_back(side.support, setup.step, side.nodes, side.counted);
   if (setup.contact_map.interval > 0)
     contact.observe(contact_map);
   top.observe(top_recorder);
@@ -59,6 +111,11 @@ BoundaryWork SlidingBody<dim>::boundary_work() const
   BoundaryWork work = contact.work();
   work.external     = top.work() + work.external;
   work.supports     = top.suspended();
+  for (const SideSurface<dim> &side : sides)
+    {
+      work.external += side.work();
+      work.supports += side.suspended();
+    }
   return work;
 }
 
@@ -86,9 +143,7 @@ SlidingGrid::SlidingGrid(const UniformMaterial &material,
                          const MPI_Comm communicator,
                          SurfaceCondition<2> *bottom,
                          Timer *timer)
-  : SlidingBody<2>(completed(given, material, mpi::this_mpi_process(communicator) == 0),
-                   material.n_columns(),
-                   timer)
+  : SlidingBody<2>(completed(given, material, communicator), material.n_columns(), timer)
   , material(material)
   , communicator(communicator)
   , rows(
@@ -96,6 +151,7 @@ SlidingGrid::SlidingGrid(const UniformMaterial &material,
   , u(material.n_columns(), rows.n_local())
   , w(material.n_columns(), rows.n_local())
   , halo(material.n_columns(), rows.ghosts, communicator)
+  , columns(make_columns(sides, setup, material, rows, u, w))
   , stepper({material, given.step, u, w,
              bottom != nullptr
                ? bottom
@@ -104,7 +160,7 @@ SlidingGrid::SlidingGrid(const UniformMaterial &material,
              rows.end - rows.begin < rows.n_global
                ? profile.timed<TimedHalo>(halo, "Exchange between ranks")
                : nullptr,
-             communicator},
+             communicator, pointers_to(columns)},
             given.sides,
             given.sweep)
 {
@@ -139,6 +195,7 @@ void SlidingGrid::set_initial_velocity(const std::array<double, 3> &v)
           w.row(c, rows.local(last))[i] =
             v[c] + back * (a[i][c] - setup.step.alpha * v[c]);
     }
+  start_sides(v);
   for (unsigned int c = 0; c < 2; ++c)
     for (unsigned int j = 0; j < rows.n_local(); ++j)
       {
@@ -151,6 +208,38 @@ void SlidingGrid::set_initial_velocity(const std::array<double, 3> &v)
   for (unsigned int c = 0; c < 2 && rows.end == rows.n_global; ++c)
     if (c == 0 ? setup.top.holds(0) : setup.top.holds_normally())
       std::fill_n(w.row(c, rows.local(last)), n, 0.);
+}
+
+/** The velocities of the scheme of nodes of loaded sides, which have those of free ones, and of contact and top. */
+void SlidingGrid::start_sides(const std::array<double, 3> &v)
+{
+  const double back = -setup.step.beta2 * setup.step.dt, alpha = setup.step.alpha;
+  const bool platen = setup.top.kind == TopSetup::Kind::platen; // moves as one
+  std::vector<double> mass(w.n_columns());
+  for (std::size_t k = 0; k < sides.size(); ++k)
+    {
+      const unsigned int i = columns[k].column;
+      const auto &held     = i == 0 ? setup.sides.left_held : setup.sides.right_held;
+      for (unsigned int l = 0; l < rows.n_local(); ++l)
+        {
+          const unsigned int j = rows.first() + l;
+          if (platen && j + 1 == rows.n_global)
+            continue;
+          stepper.mass_row(j, mass.data());
+          std::array<double, 2> a, starts_with;
+          for (unsigned int c = 0; c < 2; ++c)
+            {
+              starts_with[c] = held[c] ? 0. : v[c];
+              a[c]           = (w.row(c, l)[i] - v[c]) / back + alpha * v[c];
+            }
+          const bool rests = j == 0 && w.row(1, l)[i] == v[1];
+          const double more = j + 1 == rows.n_global ? top.suspended_mass(i) : 0.;
+          sides[k].accelerate(l, mass[i] + more, starts_with, a);
+          for (unsigned int c = 0; c < 2; ++c)
+            if (c == 0 || !rests)
+              w.row(c, l)[i] = v[c] + back * (a[c] - alpha * v[c]);
+        }
+    }
 }
 
 template class SlidingBody<2>;

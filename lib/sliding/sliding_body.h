@@ -5,12 +5,16 @@
 #include "contact/contact_recorder.h"
 #include "dynamics/energy_audit.h"
 #include "dynamics/explicit_stepper.h"
+#include "dynamics/supports/side_column.h"
 #include "dynamics/supports/top_surface.h"
 #include "grid/halo.h"
 #include "grid/row_partition.h"
 #include "sliding/loop_profile.h"
+#include "sliding/supports/shared_sides.h"
 
+#include <array>
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <vector>
 
@@ -19,12 +23,13 @@ namespace mesoslip
 /** What a body on the flat is made of besides its material. */
 struct SlidingSetup
 {
-  StepParameters step;   ///< time step, beta2, damping, body acceleration
-  SideConstraints sides; ///< components constrained on the left and right side
-  ContactSetup contact;  ///< the flat
-  TopSetup top;          ///< the load
-  SweepOptions sweep;    ///< instruction set, temporal blocking
-  bool periodic = false; ///< in x
+  StepParameters step;            ///< time step, beta2, damping, body acceleration
+  SideConstraints sides;          ///< components constrained on the left and right side
+  ContactSetup contact;           ///< the flat
+  TopSetup top;                   ///< the load
+  std::vector<LoadedSide> loaded; ///< other sides that are not just held
+  SweepOptions sweep;             ///< instruction set, temporal blocking
+  bool periodic = false;          ///< in x
 
   /** Histories of contact and top have a sample every so many steps; 0: none. */
   unsigned int history_interval = 1;
@@ -88,6 +93,8 @@ public:
     serialize_own_rows(archive, stepper.w, stepper.rows);
     stepper.set_step_number(n);
     archive &contact &contact_recorder &node_statistics &top &top_recorder;
+    for (SideSurface<dim> &side : sides)
+      archive &side;
     if (setup.node_loads)
       archive &node_loads;
     if (energy)
@@ -97,6 +104,7 @@ public:
   const SlidingSetup setup;              ///< completed: widths, periodicity
   ContactSurface<dim> contact;           ///< the bottom
   TopSurface<dim> top;                   ///< the top
+  std::deque<SideSurface<dim>> sides;    ///< that are loaded, as in SlidingSetup::loaded
   ContactRecorder<dim> contact_recorder; ///< histories of the contact
   NodeLoadObserver<dim> node_loads;      ///< loads of the contact nodes, if wanted
   NodeStatistics<dim> node_statistics;   ///< states of the contact nodes
@@ -140,12 +148,17 @@ public:
    * body that starts with @p velocity (m/s); zero where it is held. */
   void set_initial_velocity(const std::array<double, 3> &velocity);
 
+private:
+  void start_sides(const std::array<double, 3> &v);
+
+public:
   const UniformMaterial &material; ///< the grid, with stiffness and density of its cells
   const MPI_Comm communicator;     ///< of the ranks that share the body
   const NodeRows rows;             ///< node rows of this rank, and ghost rows
   NodalField<double> u;            ///< displacement (m), own and ghost rows
   NodalField<double> w;            ///< velocity of the scheme (m/s)
   MPIHalo halo;                    ///< exchange with the ranks above and below
+  std::deque<SideColumn> columns;  ///< sides under a load
   ExplicitStepper stepper;         ///< the time integration
 };
 } // namespace mesoslip

@@ -21,13 +21,13 @@ BODY = {"Body/Stiffness": "36.54e9, 9.1e9, 47.26e9, 13.785e9", "Body/Density": 1
 STEEL = {"Phases/Names": "matrix, fibre", "Phases/matrix/Young modulus": "70e9", "Phases/matrix/Poisson ratio": 0.33, "Phases/matrix/Density": 2700,
          "Phases/fibre/Young modulus": "210e9", "Phases/fibre/Poisson ratio": 0.3, "Phases/fibre/Density": 7800}
 SCENES = {
-    "pin": prm({**COMMON, **BODY, "Body/Cells": "70, 20", "Body/Size": "0.0563, 0.0161", "Body/Initial velocity": "0.5, -0.2", "Top/Kind": "platen",
-                "Top/Pressure": 5e5, "Friction/Coefficient": 0.25, "Time/Rayleigh beta": 4.4e-9, "Time/Time step": 1e-7, "Time/End time": 1e-4}),
+    "pin": prm({**COMMON, **BODY, "Body/Cells": "70, 20", "Body/Size": "0.0563, 0.0161", "Body/Initial velocity": "0.5, -0.2", "Supports/Top/Kind": "platen",
+                "Supports/Top/Pressure": 5e5, "Friction/Coefficient": 0.25, "Time/Rayleigh beta": 4.4e-9, "Time/Time step": 1e-7, "Time/End time": 1e-4}),
     "box": "set Dimension = 3\n" + prm({**COMMON, "Body/Stiffness": "280e9, 120e9, 120e9, 280e9, 120e9, 280e9, 80e9, 80e9, 80e9", "Body/Density": 7800,
                                         "Body/Cells": "12, 8, 6", "Body/Size": "0.006, 0.004, 0.003", "Body/Initial velocity": "0.5, 1, -1",
-                                        "Top/Kind": "pressure", "Top/Pressure": 5e7, "Friction/Coefficient": 0.4, "Time/Time step": 4e-8,
+                                        "Supports/Top/Kind": "pressure", "Supports/Top/Pressure": 5e7, "Friction/Coefficient": 0.4, "Time/Time step": 4e-8,
                                         "Time/End time": 4e-5}),
-    "mesh": prm({**COMMON, **STEEL, "Mesh/File": "mesh.msh", "Mesh/Held in x": "Left", "Flat/Gap": 1e-7, "Top/Kind": "pressure", "Top/Pressure": 5e6,
+    "mesh": prm({**COMMON, **STEEL, "Mesh/File": "mesh.msh", "Supports/Left/Held": "u_x", "Flat/Gap": 1e-7, "Supports/Top/Kind": "pressure", "Supports/Top/Pressure": 5e6,
                  "Friction/Coefficient": 0.4, "Time/Time step": 4e-8, "Time/End time": 4e-5}),
 }
 KEYS = ("steps", "critical_time_step", "friction_energy", "slip_fraction", "stick_fraction", "separation_fraction", "global_interface_friction_coefficient",

@@ -10,10 +10,10 @@ PLANE, SOLID = "36.54e9, 9.1e9, 47.26e9, 13.785e9", "36.54e9, 9e9, 9.1e9, 36.54e
 
 def bodies(folder):
     """Name, first line, and keys of each kind of body, of which the sides are held along their normals."""
-    yield "grid", "", {"Body/Stiffness": PLANE, "Body/Density": 1770, "Body/Size": "0.006, 0.004", "Body/Cells": "12, 9", "Sides/Left": "u_x",
-                       "Sides/Right": "u_x"}
+    yield "grid", "", {"Body/Stiffness": PLANE, "Body/Density": 1770, "Body/Size": "0.006, 0.004", "Body/Cells": "12, 9", "Supports/Left/Held": "u_x",
+                       "Supports/Right/Held": "u_x"}
     yield "box", "set Dimension = 3\n", {"Body/Stiffness": SOLID, "Body/Density": 1770, "Body/Size": "0.003, 0.002, 0.004", "Body/Cells":
-                                         "5, 4, 8", "Sides/Left": "u_x", "Sides/Right": "u_x", "Sides/Front": "u_y", "Sides/Back": "u_y"}
+                                         "5, 4, 8", "Supports/Left/Held": "u_x", "Supports/Right/Held": "u_x", "Supports/Front/Held": "u_y", "Supports/Back/Held": "u_y"}
     for dim, kind, size, cells in ((2, "simplex", [6, 4], [9, 8]), (3, "cube", [3, 2, 4], [5, 4, 6])):
         name = f"mesh{dim}"
         box = Box(size, cells, lambda x: "body", kind)
@@ -21,7 +21,7 @@ def bodies(folder):
                                   ("Front", 1, False), ("Back", 1, True)][:2 * dim]:
             box.name_side(side, axis, upper)
         box.write(folder(name + ".msh"))
-        held = {"Mesh/Held in x": "Left, Right", **({"Mesh/Held in y": "Front, Back"} if dim == 3 else {})}
+        held = {"Supports/Left/Held": "u_x", "Supports/Right/Held": "u_x", **({"Supports/Front/Held": "u_y", "Supports/Back/Held": "u_y"} if dim == 3 else {})}
         yield name, f"set Dimension = {dim}\n", {"Mesh/File": name + ".msh", "Mesh/Scale": 0.001, "Phases/Names": "body",
                                                  "Phases/body/Stiffness": SOLID if dim == 3 else PLANE,
                                                  **{f"Phases/body/{key}": value for key, value in MATERIAL.items()}, **held}

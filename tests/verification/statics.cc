@@ -238,7 +238,7 @@ TEST(StaticContact, PartialSeparation)
 {
   const double L = 4e-3, H = 6e-3;
   Case c({{L, H}}, {{40, 60}}, TopSetup::Kind::pressure);
-  c.parameters.top.lateral_held = true;
+  c.parameters.top.lateral_held.fill(true);
   c.set_friction(0.22, 2.);
   const auto result = c.run();
   expect_contact_conditions(c, result, 1);

@@ -16,7 +16,7 @@ from report.base.figures import BLACK, RUN_COLOURS, above_all, lettered  # noqa:
 WINDOW = 1e-4  # s
 # What is not set is the paper's pin by default.
 RUN = {"Analysis": "transient", "Time/End time": 4e-3, "Snapshots/Interval": 1e-6, "Observation/Energy interval": 0}
-STARTS = {"smooth": {"Top/Ramp": "smooth", "Top/Ramp time": 2e-4}, "at-once": {}}
+STARTS = {"smooth": {"Supports/Top/Ramp": "smooth", "Supports/Top/Ramp time": 2e-4}, "at-once": {}}
 COLOURS = [*RUN_COLOURS, BLACK]  # of modes that grow, by frequency
 TITLES = {"smooth": "pressure that grows within 0.2 ms", "at-once": "pressure at once"}
 

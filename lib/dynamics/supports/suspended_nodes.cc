@@ -9,153 +9,228 @@ namespace mesoslip
 template <int dim>
 SuspendedNodes<dim>::SuspendedNodes(const Suspension &suspension,
                                     const StepParameters &step,
-                                    const std::vector<double> &area,
-                                    const std::vector<std::vector<double>> &impedance)
+                                    const SideNodes &nodes,
+                                    const std::vector<bool> &counted)
   : suspension(suspension)
   , step(step)
-  , area(area)
-  , impedance(impedance)
+  , nodes(nodes)
+  , counted(counted.empty() ? std::vector<bool>(nodes.area.size(), true) : counted)
   , stiffness(Vector::Map(suspension.stiffness.data()))
-  , mobilities(area.size(), Matrix::Zero())
-  , theta(area.size(), Vector::Constant(0.5))
+  , mobilities(nodes.area.size(), Matrix::Zero())
+  , implicit(nodes.area.size(), Matrix::Zero())
+  , ledger(nodes.area.size())
 {
-  assert(!suspension.absorbing || impedance.size() == std::size_t{dim} * dim);
+  assert(!suspension.absorbing || nodes.impedance.size() == std::size_t{dim} * dim);
 }
 
-/** Of the node, for its area (Pa s/m). */
+/** Of the node, for its area (N s/m, in 2D Pa s). */
 template <int dim>
 typename SuspendedNodes<dim>::Matrix
-SuspendedNodes<dim>::dashpots_of(const unsigned int i) const
+SuspendedNodes<dim>::dashpots_of(const unsigned int k) const
 {
   Matrix Z = Vector::Map(suspension.dashpot.data()).asDiagonal();
   for (unsigned int r = 0; r < dim && suspension.absorbing; ++r)
     for (unsigned int c = 0; c < dim; ++c)
-      Z(r, c) += impedance[dim * r + c][i];
-  return Z;
+      Z(r, c) += nodes.impedance[dim * r + c][k];
+  return nodes.area[k] * Z;
 }
 
-/** z of component @p c of a node of this @p mass with that of the suspension (kg, in 2D kg/m). */
+/** Of component @p c of a node of this @p mass with that of the suspension (kg, in 2D kg/m). */
 template <int dim>
-double SuspendedNodes<dim>::stiffness_of_dashpot(const unsigned int i,
-                                                 const unsigned int c,
-                                                 const double mass) const
+double SuspendedNodes<dim>::theta(const unsigned int k,
+                                  const unsigned int c,
+                                  const double mass) const
 {
-  return step.dt * area[i] * dashpots_of(i)(c, c) / mass;
+  return dashpot_theta(step.dt * dashpots_of(k)(c, c) / mass);
 }
 
 template <int dim>
-void SuspendedNodes<dim>::start(const SurfaceView<dim> &surface,
-                                const unsigned int n_owned)
+void SuspendedNodes<dim>::start(const unsigned int k,
+                                const SurfaceView<dim> &surface,
+                                const unsigned int i)
 {
+  // Held components move neither by themselves nor by the dashpots of others.
+  const double more = mass(k) * step.inertia();
+  Matrix inertia    = Matrix::Identity();
+  implicit[k]       = dashpots_of(k);
+  for (unsigned int c = 0; c < dim; ++c)
+    if (const double inverse = surface.inverse_mass[c][i]; inverse > 0.)
+      {
+        implicit[k].col(c) *= theta(k, c, 1. / inverse + more);
+        inertia(c, c) = 1. / inverse + more;
+      }
+    else
+      {
+        implicit[k].row(c).setZero();
+        implicit[k].col(c).setZero();
+      }
+  inertia += step.dt * implicit[k];
+  mobilities[k] = inertia.inverse();
+  for (unsigned int c = 0; c < dim; ++c)
+    if (!(surface.inverse_mass[c][i] > 0.))
+      mobilities[k](c, c) = 0.;
+  start_ledger(k, surface, i);
+}
+
+template <int dim>
+double SuspendedNodes<dim>::guest_mass(const unsigned int k,
+                                       const unsigned int c,
+                                       const double inertia)
+{
+  const double more = mass(k) * step.inertia();
+  implicit[k](c, c) = dashpots_of(k)(c, c) * theta(k, c, inertia + more);
+  return more + step.dt * implicit[k](c, c);
+}
+
+template <int dim>
+void SuspendedNodes<dim>::start_guest(const unsigned int k,
+                                      const SurfaceView<dim> &surface,
+                                      const unsigned int i)
+{
+  start_ledger(k, surface, i);
+}
+
+template <int dim>
+void SuspendedNodes<dim>::start_ledger(const unsigned int k,
+                                       const SurfaceView<dim> &surface,
+                                       const unsigned int i)
+{
+  if (!counted[k])
+    return;
   const FarEnd<dim> far(suspension, surface.time, step.dt);
-  for (unsigned int i = 0; i < surface.n; ++i)
-    {
-      // Held components move neither by themselves nor by the dashpots of others.
-      const double more = suspension.mass * area[i] * step.inertia();
-      for (unsigned int c = 0; c < dim; ++c)
-        if (const double inverse = surface.inverse_mass[c][i]; inverse > 0.)
-          theta[i][c] = dashpot_theta(stiffness_of_dashpot(i, c, 1. / inverse + more));
-      Matrix inertia = step.dt * area[i] * dashpots_of(i) * theta[i].asDiagonal();
-      for (unsigned int c = 0; c < dim; ++c)
-        if (const double inverse = surface.inverse_mass[c][i]; inverse > 0.)
-          inertia(c, c) += 1. / inverse + more;
-        else
-          {
-            inertia.row(c).setZero();
-            inertia.col(c).setZero();
-            inertia(c, c) = 1.;
-          }
-      mobilities[i] = inertia.inverse();
-      for (unsigned int c = 0; c < dim; ++c)
-        if (!(surface.inverse_mass[c][i] > 0.))
-          mobilities[i](c, c) = 0.;
-      for (unsigned int c = 0; c < dim && i < n_owned; ++c)
-        {
-          const double w = surface.w[c][i], u = surface.u[c][i];
-          kinetic += 0.5 * suspension.mass * area[i] * w * w;
-          energy.at_start += 0.5 * area[i] * stiffness[c] * (u - far.now[c]) *
-                             (u - step.dt * w - far.before[c]);
-        }
-    }
-  energy.at_start += kinetic;
-}
-
-template <int dim>
-SuspensionStep<dim>
-SuspendedNodes<dim>::advance(const SurfaceView<dim> &surface,
-                             const double pressure,
-                             const unsigned int n_owned,
-                             std::array<std::vector<double>, dim> &increment)
-{
-  const FarEnd<dim> far(suspension, surface.time, step.dt);
-  const double dt = step.dt, c_a = (step.beta2 - 0.5) * dt * dt;
-  SuspensionStep<dim> done;
-  double stored = 0., kinetic_before = kinetic, of_inertia = 0.;
-  kinetic = 0.;
-  for (unsigned int i = 0; i < surface.n; ++i)
-    {
-      const double A = area[i], m = suspension.mass * A;
-      const Matrix Z = A * dashpots_of(i);
-      Vector stretched, slid, weight, force;
-      for (unsigned int c = 0; c < dim; ++c)
-        {
-          const double w = surface.w[c][i];
-          stretched[c]   = surface.u[c][i] - far.now[c];
-          slid[c]        = w - far.velocity[c];
-          weight[c]      = m * step.acceleration[c];
-          force[c]       = weight[c] - m * step.alpha * w - surface.force[c][i];
-        }
-      force[dim - 1] -= pressure * A;
-      const Vector pull = A * stiffness.cwiseProduct(stretched);
-      const Vector a    = mobilities[i] * (force - pull - Z * slid);
-      slid += dt * theta[i].cwiseProduct(a);
-      const Vector drag = Z * slid;
-      for (unsigned int c = 0; c < dim; ++c)
-        {
-          double &u = surface.u[c][i], &w = surface.w[c][i];
-          const double w_mean = w + 0.5 * dt * a[c], u_before = u;
-          w += dt * a[c];
-          u += dt * w + c_a * a[c];
-          const double moved = u - u_before, central = 0.5 * (moved + increment[c][i]);
-          increment[c][i] = moved;
-          if (i >= n_owned)
-            continue;
-          const double f = pull[c] + drag[c], load = c + 1 == dim ? pressure * A : 0.;
-          done.force[c] -= f;
-          done.work += (weight[c] - load) * central - f * far.moved(c);
-          energy.lost +=
-            drag[c] * (central - far.moved(c)) + m * step.alpha * w_mean * central;
-          stored += 0.5 * pull[c] * (u - far.after[c]);
-          kinetic += 0.5 * m * w * w + 0.25 * c_a * m * a[c] * a[c];
-          of_inertia += m * a[c] * central;
-        }
-    }
-  energy.lost += of_inertia - (kinetic - kinetic_before);
-  energy.stored = stored + kinetic;
-  return done;
-}
-
-template <int dim>
-std::array<double, dim>
-SuspendedNodes<dim>::start_acceleration(const unsigned int i,
-                                        const double mass,
-                                        const double pressure,
-                                        const std::array<double, dim> &velocity) const
-{
-  const FarEnd<dim> far(suspension, 0., step.dt);
-  Vector slid, force;
-  const double m = mass + suspension.mass * area[i];
+  Ledger &energy = ledger[k];
   for (unsigned int c = 0; c < dim; ++c)
     {
-      slid[c] =
-        (velocity[c] - far.velocity[c]) * dashpot_at_start(stiffness_of_dashpot(i, c, m));
-      force[c] = m * step.acceleration[c] + area[i] * stiffness[c] * far.now[c];
+      const double w = surface.w[c][i], u = surface.u[c][i];
+      energy.kinetic += 0.5 * mass(k) * w * w;
+      energy.at_start += 0.5 * nodes.area[k] * stiffness[c] * (u - far.now[c]) *
+                         (u - step.dt * w - far.before[c]);
     }
-  force[dim - 1] -= pressure * area[i];
-  force -= area[i] * dashpots_of(i) * slid;
-  std::array<double, dim> a;
-  Vector::Map(a.data()) = force / m;
-  return a;
+  energy.at_start += energy.kinetic;
+}
+
+template <int dim>
+typename SuspendedNodes<dim>::Vector
+SuspendedNodes<dim>::force(const unsigned int k,
+                           const SurfaceView<dim> &surface,
+                           const unsigned int i,
+                           const SuspensionLoad<dim> &load) const
+{
+  Vector slid, f;
+  for (unsigned int c = 0; c < dim; ++c)
+    {
+      const double w = surface.w[c][i];
+      slid[c]        = w - load.far.velocity[c];
+      f[c]           = mass(k) * (step.acceleration[c] - step.alpha * w) +
+             load.pressure * nodes.push_of(k, c) -
+             nodes.area[k] * stiffness[c] * (surface.u[c][i] - load.far.now[c]);
+    }
+  return f - dashpots_of(k) * slid;
+}
+
+template <int dim>
+typename SuspendedNodes<dim>::Vector
+SuspendedNodes<dim>::advance(const unsigned int k,
+                             const SurfaceView<dim> &surface,
+                             const unsigned int i,
+                             const SuspensionLoad<dim> &load,
+                             std::array<std::vector<double>, dim> &increment)
+{
+  const double dt = step.dt, c_a = (step.beta2 - 0.5) * dt * dt;
+  Vector all = force(k, surface, i, load);
+  for (unsigned int c = 0; c < dim; ++c)
+    all[c] -= surface.force[c][i];
+  const Vector a = mobilities[k] * all;
+  NodeStep<dim> moved;
+  for (unsigned int c = 0; c < dim; ++c)
+    {
+      double &u = surface.u[c][i], &w = surface.w[c][i];
+      moved.u_before[c] = u;
+      moved.w_before[c] = w;
+      w += dt * a[c];
+      u += dt * w + c_a * a[c];
+      moved.u_after[c] = u;
+      moved.w_after[c] = w;
+    }
+  return account(k, moved, load, increment);
+}
+
+template <int dim>
+typename SuspendedNodes<dim>::Vector
+SuspendedNodes<dim>::account(const unsigned int k,
+                             const NodeStep<dim> &moved,
+                             const SuspensionLoad<dim> &load,
+                             std::array<std::vector<double>, dim> &increment)
+{
+  const FarEnd<dim> &far = load.far;
+  const double dt = step.dt, c_a = (step.beta2 - 0.5) * dt * dt, m = mass(k);
+  Vector pull, slid, a;
+  for (unsigned int c = 0; c < dim; ++c)
+    {
+      pull[c] = nodes.area[k] * stiffness[c] * (moved.u_before[c] - far.now[c]);
+      slid[c] = moved.w_before[c] - far.velocity[c];
+      a[c]    = (moved.w_after[c] - moved.w_before[c]) / dt;
+    }
+  const Vector drag = dashpots_of(k) * slid + dt * implicit[k] * a;
+  Ledger next       = ledger[k];
+  next.stored = next.kinetic = 0.;
+  double of_inertia          = 0.;
+  for (unsigned int c = 0; c < dim; ++c)
+    {
+      const double w = moved.w_after[c], f = pull[c] + drag[c],
+                   by      = moved.u_after[c] - moved.u_before[c],
+                   central = 0.5 * (by + increment[c][k]),
+                   push = m * step.acceleration[c] + load.pressure * nodes.push_of(k, c);
+      increment[c][k]   = by;
+      next.work += push * central - f * far.moved(c);
+      next.lost += drag[c] * (central - far.moved(c)) +
+                   m * step.alpha * 0.5 * (w + moved.w_before[c]) * central;
+      next.stored += 0.5 * pull[c] * (moved.u_after[c] - far.after[c]);
+      next.kinetic += 0.5 * m * w * w + 0.25 * c_a * m * a[c] * a[c];
+      of_inertia += m * a[c] * central;
+    }
+  next.lost += of_inertia - (next.kinetic - ledger[k].kinetic);
+  if (counted[k])
+    ledger[k] = next;
+  return -pull - drag;
+}
+
+template <int dim>
+SuspensionEnergies SuspendedNodes<dim>::energies() const
+{
+  SuspensionEnergies sum;
+  for (const Ledger &node : ledger)
+    sum += {node.stored + node.kinetic, node.at_start, node.lost};
+  return sum;
+}
+
+template <int dim>
+double SuspendedNodes<dim>::work() const
+{
+  double sum = 0.;
+  for (const Ledger &node : ledger)
+    sum += node.work;
+  return sum;
+}
+
+template <int dim>
+void SuspendedNodes<dim>::accelerate(const unsigned int k,
+                                     const double mass,
+                                     const double pressure,
+                                     const std::array<double, dim> &velocity,
+                                     std::array<double, dim> &acceleration) const
+{
+  const FarEnd<dim> far(suspension, 0., step.dt);
+  const Matrix Z     = dashpots_of(k);
+  const double other = this->mass(k), m = mass + other;
+  Vector slid, f;
+  for (unsigned int c = 0; c < dim; ++c)
+    {
+      slid[c] = (velocity[c] - far.velocity[c]) * dashpot_at_start(step.dt * Z(c, c) / m);
+      f[c]    = mass * acceleration[c] + other * step.acceleration[c] +
+             pressure * nodes.push_of(k, c) + nodes.area[k] * stiffness[c] * far.now[c];
+    }
+  Vector::Map(acceleration.data()) = (f - Z * slid) / m;
 }
 
 template class SuspendedNodes<2>;

@@ -1,6 +1,7 @@
 #ifndef mesoslip_dynamics_suspended_nodes_h
 #define mesoslip_dynamics_suspended_nodes_h
 
+#include "dynamics/supports/side_nodes.h"
 #include "dynamics/supports/suspension.h"
 #include "dynamics/surface_condition.h"
 
@@ -11,13 +12,22 @@
 
 namespace mesoslip
 {
-/** What a suspension did to the nodes of a side in one step, of those that this rank owns. */
+/** What acts on a suspension in the step from one time. */
 template <int dim>
-struct SuspensionStep
+struct SuspensionLoad
 {
-  std::array<double, dim> force =
-    {};             ///< of springs and dashpots on the side (N, in 2D N/m)
-  double work = 0.; ///< by far end, pressure and weight of the mass (J, J/m)
+  double pressure = 0.; ///< Pa
+  FarEnd<dim> far;      ///< its motion
+};
+
+/** A node before and after a step. */
+template <int dim>
+struct NodeStep
+{
+  std::array<double, dim> u_before = {}; ///< m
+  std::array<double, dim> w_before = {}; ///< m/s
+  std::array<double, dim> u_after  = {}; ///< m
+  std::array<double, dim> w_after  = {}; ///< m/s
 };
 
 /**
@@ -31,74 +41,117 @@ struct SuspensionStep
  * the impedance of the body. Beyond it a node would swing about its far end from step to step; with theta = 1 - 1/z it
  * follows at once. The balance over the central increment d = (u_(n+1) - u_(n-1)) / 2 is exact:
  * springs keep A (u_n - X_n).K (u_(n+1) - X_(n+1)) / 2, dashpots lose A (w_n + theta dt a_n - V_n).Z (d - dt V_n).
+ *
+ * A node that something else moves, the contact or another side, gets the forces of w_n and, as a mass, what a_n has
+ * in them; of Z this has the diagonal, so that the rest of an anisotropic side acts a step late there.
  */
 template <int dim>
 class SuspendedNodes
 {
 public:
-  /** @p area (m^2, in 2D m) of each node; @p impedance, if the side absorbs, component (r, c) of Z in
-   * [dim r + c] for each node (Pa s/m). */
+  using Vector = Eigen::Matrix<double, dim, 1>; ///< of components
+
+  /** Of the nodes with @p counted this rank counts energy and work; not given: all. */
   SuspendedNodes(const Suspension &suspension,
                  const StepParameters &step,
-                 const std::vector<double> &area,
-                 const std::vector<std::vector<double>> &impedance);
+                 const SideNodes &nodes,
+                 const std::vector<bool> &counted = {});
 
-  /** Takes the masses and energies at the start from @p surface before its first step; the first
-   * @p n_owned nodes count. */
-  void start(const SurfaceView<dim> &surface, const unsigned int n_owned);
+  /** Takes the mass and the energies at the start of node @p k from node @p i of @p surface before its
+   * first step. */
+  void start(const unsigned int k, const SurfaceView<dim> &surface, const unsigned int i);
 
-  /** One step under a @p pressure (Pa) on the last component; @p increment is that of the step before
-   * (m), and becomes that of this step. */
-  SuspensionStep<dim> advance(const SurfaceView<dim> &surface,
-                              const double pressure,
-                              const unsigned int n_owned,
-                              std::array<std::vector<double>, dim> &increment);
+  /** The same of a node that something else moves, whose inverse_mass has guest_mass() already. */
+  void start_guest(const unsigned int k,
+                   const SurfaceView<dim> &surface,
+                   const unsigned int i);
 
-  /** Acceleration (m/s^2) of node @p i of this mass (kg, in 2D kg/m) without the suspension's at the
-   * start, when it moves with @p velocity (m/s) under @p pressure (Pa) and its weight alone. Of dashpots with z > 2 a
+  /** What node @p k adds to this inertia (kg, in 2D kg/m) of component @p c of a node that something else
+   * moves, which is called before the first step for each component that is not held. */
+  double guest_mass(const unsigned int k, const unsigned int c, const double inertia);
+
+  /** Forces on node @p k, which is node @p i of @p surface, without what depends on its acceleration (N,
+   * in 2D N/m). */
+  Vector force(const unsigned int k,
+               const SurfaceView<dim> &surface,
+               const unsigned int i,
+               const SuspensionLoad<dim> &load) const;
+
+  /** One step of node @p k, which is node @p i of @p surface, under a load; @p increment is that of the
+   * step before (m), and becomes that of this step. Returns the force of springs and dashpots on the side (N,
+   * in 2D N/m). */
+  Vector advance(const unsigned int k,
+                 const SurfaceView<dim> &surface,
+                 const unsigned int i,
+                 const SuspensionLoad<dim> &load,
+                 std::array<std::vector<double>, dim> &increment);
+
+  /** Counts energy and work of a @p moved node, as advance() does. */
+  Vector account(const unsigned int k,
+                 const NodeStep<dim> &moved,
+                 const SuspensionLoad<dim> &load,
+                 std::array<std::vector<double>, dim> &increment);
+
+  /** Makes @p acceleration (m/s^2) at the start of node @p k of this mass (kg, in 2D kg/m), which moves with
+   * @p velocity (m/s), that with the suspension and @p pressure (Pa). Of dashpots with z > 2 it has a
    * share of (2/z)^2, as the node does not follow them within a step. */
-  std::array<double, dim>
-  start_acceleration(const unsigned int i,
-                     const double mass,
-                     const double pressure,
-                     const std::array<double, dim> &velocity) const;
+  void accelerate(const unsigned int k,
+                  const double mass,
+                  const double pressure,
+                  const std::array<double, dim> &velocity,
+                  std::array<double, dim> &acceleration) const;
 
-  /** What the nodes that this rank owns have stored and lost (J, in 2D J/m). */
-  const SuspensionEnergies &energies() const
+  /** Mass of the suspension at node @p k (kg, in 2D kg/m). */
+  double mass(const unsigned int k) const
   {
-    return energy;
+    return suspension.mass * nodes.area[k];
   }
+
+  /** What the nodes that this rank counts have stored and lost (J, in 2D J/m). */
+  SuspensionEnergies energies() const;
+
+  /** Work of far end, pressure and weight of the mass on them since the start (J, J/m). */
+  double work() const;
 
   /** Saves or restores the state between two steps (Boost.Serialization). */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    archive &energy &kinetic;
-    for (std::size_t i = 0; i < mobilities.size(); ++i)
+    for (std::size_t k = 0; k < ledger.size(); ++k)
       {
-        serialize_array(archive, mobilities[i].data(), dim * dim);
-        serialize_array(archive, theta[i].data(), dim);
+        serialize_array(archive, &ledger[k].stored, sizeof(Ledger) / sizeof(double));
+        serialize_array(archive, mobilities[k].data(), dim * dim);
+        serialize_array(archive, implicit[k].data(), dim * dim);
       }
   }
 
 private:
-  using Vector = Eigen::Matrix<double, dim, 1>;
   using Matrix = Eigen::Matrix<double, dim, dim>;
 
-  Matrix dashpots_of(const unsigned int i) const;
-  double stiffness_of_dashpot(const unsigned int i,
-                              const unsigned int c,
-                              const double mass) const;
+  Matrix dashpots_of(const unsigned int k) const;
+  double theta(const unsigned int k, const unsigned int c, const double mass) const;
+  void start_ledger(const unsigned int k,
+                    const SurfaceView<dim> &surface,
+                    const unsigned int i);
+
+  /** Of a node, so that their order in time changes no sum (J, in 2D J/m). */
+  struct Ledger
+  {
+    double stored   = 0.; ///< in springs, now
+    double kinetic  = 0.; ///< of the mass, now
+    double at_start = 0.; ///< both at the start
+    double lost     = 0.; ///< since the start
+    double work     = 0.; ///< see work()
+  };
 
   const Suspension suspension;
   const StepParameters step;
-  const std::vector<double> area;
-  const std::vector<std::vector<double>> impedance;
+  const SideNodes nodes;
+  const std::vector<bool> counted;
   Vector stiffness;               ///< Pa/m
   std::vector<Matrix> mobilities; ///< of each node, a of a force (m/kg)
-  std::vector<Vector> theta;      ///< of each node, by component
-  SuspensionEnergies energy;
-  double kinetic = 0.; ///< of the masses now (J, J/m)
+  std::vector<Matrix> implicit;   ///< of each node, A Z theta, or its diagonal
+  std::vector<Ledger> ledger;
 };
 } // namespace mesoslip
 

@@ -110,6 +110,15 @@ struct SuspensionEnergies
   double at_start = 0.; ///< the same at the start
   double lost     = 0.; ///< since the start, in dashpots and by damping of the mass
 
+  /** Adds those of others. */
+  SuspensionEnergies &operator+=(const SuspensionEnergies &other)
+  {
+    stored += other.stored;
+    at_start += other.at_start;
+    lost += other.lost;
+    return *this;
+  }
+
   /** Of boost::serialization. */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)

@@ -23,6 +23,26 @@ std::vector<double> areas_of(const TopSetup &setup, const unsigned int n)
     areas.front() = areas.back() = 0.5 * setup.cell_width;
   return areas;
 }
+
+/** Whether each of @p n nodes is one of the first @p n_counted. */
+std::vector<bool> first_of(const unsigned int n, const unsigned int n_counted)
+{
+  std::vector<bool> counted(n, false);
+  std::fill_n(counted.begin(), n_counted, true);
+  return counted;
+}
+
+/** What nodes of the top with these areas stand for. */
+template <int dim>
+SideNodes nodes_of(const TopSetup &setup, const std::vector<double> &area)
+{
+  SideNodes nodes;
+  nodes.area      = area;
+  nodes.impedance = setup.impedance;
+  for (const double a : area)
+    nodes.push[dim - 1].push_back(-a);
+  return nodes;
+}
 } // namespace
 
 void sum_over_ranks(TopHistory &samples, const MPI_Comm communicator)
@@ -52,8 +72,8 @@ TopSurface<dim>::TopSurface(const TopSetup &setup,
   , on_nodes(setup.kind == TopSetup::Kind::pressure && setup.suspension.is_there())
   , nodes(setup.suspension,
           step,
-          on_nodes ? tributary : std::vector<double>(),
-          setup.impedance)
+          on_nodes ? nodes_of<dim>(setup, tributary) : SideNodes(),
+          first_of(n_nodes, n_distinct))
 {
   for (std::vector<double> &component : increment)
     component.assign(n_nodes, 0.);
@@ -103,8 +123,8 @@ void TopSurface<dim>::initialize(const SurfaceView<dim> &surface)
           moving_mass[c] += 1. / surface.inverse_mass[c][i];
       moving_mass[c] = mpi::sum(moving_mass[c], ranks);
     }
-  if (on_nodes)
-    nodes.start(surface, n_distinct);
+  for (unsigned int i = 0; i < surface.n && on_nodes; ++i)
+    nodes.start(i, surface, i);
   const FarEnd<dim> far(setup.suspension, surface.time, step.dt);
   for (unsigned int c = 0; c < dim && !on_nodes && surface.n > 0; ++c)
     of_platen.at_start += 0.5 * setup.suspension.stiffness[c] * area *
@@ -150,7 +170,7 @@ TopSurface<dim>::start_acceleration(const std::vector<double> &mass,
         std::array<double, dim> starts_with;
         for (unsigned int c = 0; c < dim; ++c)
           starts_with[c] = held[i][c] ? 0. : velocity[c];
-        result[i] = nodes.start_acceleration(i, mass[i], pressure, starts_with);
+        nodes.accelerate(i, mass[i], pressure, starts_with, result[i]);
       }
     else if (mass[i] > 0. && !held[i][y])
       result[i][y] = g - pressure * tributary[i] / mass[i];
@@ -172,13 +192,15 @@ double TopSurface<dim>::along_flat(const std::array<double, dim> &force) const
   return s == 0. ? force[0] : c * force[0] + s * force[1];
 }
 
-/** Tangential force along TopSetup::direction. */
+/** Tangential force along TopSetup::direction of the components that are @p held. */
 template <int dim>
-double TopSurface<dim>::transmitted(const SurfaceView<dim> &surface) const
+double TopSurface<dim>::transmitted(const SurfaceView<dim> &surface,
+                                    const std::array<bool, 2> &held) const
 {
   std::array<double, dim> force = {};
   for (unsigned int c = 0; c + 1 < dim; ++c)
-    force[c] = -sum_of(surface.force[c], n_distinct);
+    if (held[c])
+      force[c] = -sum_of(surface.force[c], n_distinct);
   return along_flat(force);
 }
 
@@ -195,8 +217,10 @@ TopLoad TopSurface<dim>::push_nodes(const SurfaceView<dim> &surface)
       move_node(surface.u[y][i], surface.w[y][i],
                 -surface.inverse_mass[y][i] * (force + surface.force[y][i]));
       const double moved = surface.u[y][i] - before;
-      for (unsigned int c = 0; c < y && !setup.lateral_held; ++c)
+      for (unsigned int c = 0; c < y; ++c)
         {
+          if (setup.lateral_held[c])
+            continue;
           const double left = surface.u[c][i];
           move_node(surface.u[c][i], surface.w[c][i],
                     -surface.inverse_mass[c][i] * surface.force[c][i]);
@@ -209,20 +233,24 @@ TopLoad TopSurface<dim>::push_nodes(const SurfaceView<dim> &surface)
         }
       increment[y][i] = moved;
     }
-  if (setup.lateral_held)
-    load.tangential = transmitted(surface);
+  load.tangential = transmitted(surface, setup.lateral_held);
   return load;
 }
 
 template <int dim>
 TopLoad TopSurface<dim>::push_suspended(const SurfaceView<dim> &surface)
 {
-  constexpr unsigned int y = dim - 1;
-  const double pressure    = setup.pressure(surface.time);
-  const SuspensionStep<dim> done =
-    nodes.advance(surface, pressure, n_distinct, increment);
-  work_this_step = done.work;
-  return {pressure * area - done.force[y], -along_flat(done.force)};
+  constexpr unsigned int y       = dim - 1;
+  const SuspensionLoad<dim> load = {setup.pressure(surface.time),
+                                    {setup.suspension, surface.time, step.dt}};
+  std::array<double, dim> force  = {};
+  for (unsigned int i = 0; i < surface.n; ++i)
+    {
+      const auto of_node = nodes.advance(i, surface, i, load, increment);
+      for (unsigned int c = 0; c < dim && i < n_distinct; ++c)
+        force[c] += of_node[c];
+    }
+  return {load.pressure * area - force[y], -along_flat(force)};
 }
 
 template <int dim>
@@ -312,7 +340,7 @@ TopLoad TopSurface<dim>::hold(const SurfaceView<dim> &surface)
 
   TopLoad load;
   load.normal     = -sum_of(surface.force[dim - 1], n_distinct);
-  load.tangential = transmitted(surface);
+  load.tangential = transmitted(surface, {{true, true}});
   return load;
 }
 

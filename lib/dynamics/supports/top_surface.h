@@ -30,8 +30,8 @@ struct TopSetup
   /** Pressure (Pa), positive when it presses the body on the flat. */
   LoadHistory pressure;
 
-  /** With Kind::pressure: u_x = 0 on the top. */
-  bool lateral_held = false;
+  /** With Kind::pressure: the components along the flat, x and y, that are zero on the top. */
+  std::array<bool, 2> lateral_held = {};
 
   /** Mass of the platen per unit thickness (kg/m). */
   double platen_mass = 0.;
@@ -47,7 +47,7 @@ struct TopSetup
   bool holds(const unsigned int c) const
   {
     return kind == Kind::platen ? !(suspension.stiffness[c] > 0.)
-                                : kind == Kind::held || lateral_held;
+                                : kind == Kind::held || lateral_held[c];
   }
 
   /** Whether it keeps the body from moving along the flat from the start, so that it takes the
@@ -208,14 +208,20 @@ public:
                      const std::vector<std::array<bool, dim>> &held,
                      const std::array<double, 3> &velocity) const;
 
+  /** Mass that node @p i has more by its suspension (kg, in 2D kg/m). */
+  double suspended_mass(const unsigned int i) const
+  {
+    return on_nodes ? nodes.mass(i) : 0.;
+  }
+
   /** Work done on the body since the start (J/m), by load and far end on the nodes of this rank. */
   double work() const
   {
-    return total_work;
+    return on_nodes ? total_work + nodes.work() : total_work;
   }
 
   /** Energies of the suspension, of this rank. */
-  const SuspensionEnergies &suspended() const
+  SuspensionEnergies suspended() const
   {
     return on_nodes ? nodes.energies() : of_platen;
   }
@@ -242,7 +248,8 @@ private:
                      const double pressure,
                      const FarEnd<dim> &far);
   TopLoad hold(const SurfaceView<dim> &surface);
-  double transmitted(const SurfaceView<dim> &surface) const;
+  double transmitted(const SurfaceView<dim> &surface,
+                     const std::array<bool, 2> &held) const;
   double along_flat(const std::array<double, dim> &force) const;
   void stop(const SurfaceView<dim> &surface);
 

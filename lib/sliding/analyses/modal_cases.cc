@@ -28,12 +28,15 @@ std::string along_normal()
 template <int dim>
 std::string top_text(const TopSetup &top)
 {
-  const std::string lateral = dim == 2 ? "u_x = 0" : "u_x = u_y = 0";
+  std::string lateral;
+  for (unsigned int c = 0; c + 1 < dim; ++c)
+    if (top.holds(c))
+      lateral += std::string("u_") + "xy"[c] + " = ";
   switch (top.kind)
     {
     case TopSetup::Kind::platen:
       return "rigid platen of " + to_text(top.platen_mass) +
-             (dim == 2 ? " kg/m: " : " kg: ") + lateral + " and one common u_" +
+             (dim == 2 ? " kg/m: " : " kg: ") + lateral + "0 and one common u_" +
              along_normal<dim>();
     case TopSetup::Kind::held:
       return "held: u = 0";
@@ -41,7 +44,7 @@ std::string top_text(const TopSetup &top)
       if (top.suspension.is_there())
         return std::string(top.suspension.has_springs() ? "on springs" : "free") +
                (top.suspension.mass > 0. ? " with its mass" : "");
-      return top.lateral_held ? lateral + ", free in " + along_normal<dim>() : "free";
+      return lateral.empty() ? "free" : lateral + "0, free in " + along_normal<dim>();
     }
 }
 
@@ -125,7 +128,7 @@ compute_modes(const ElasticBody<dim> &body,
   context.log("Top: " + top_text<dim>(top_at_start(parameters)) +
               ", as in a transient run" +
               (std::isfinite(parameters.top.hold_from) && parameters.top.hold_from > 0.
-                 ? " before Top/Hold from"
+                 ? " before Supports/Top/Hold from"
                  : ""));
   for (const ModalCase<dim> &c : cases)
     log_modes(c, context);

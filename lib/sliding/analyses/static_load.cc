@@ -33,8 +33,9 @@ namespace
 /** The body beyond a top that absorbs carries the friction, so that nothing moves along the flat there. */
 TopSetup top_at_rest(const ContactParameters &parameters)
 {
-  TopSetup top     = parameters.top;
-  top.lateral_held = top.lateral_held || top.suspension.absorbing;
+  TopSetup top = parameters.top;
+  if (top.suspension.absorbing)
+    top.lateral_held.fill(true);
   return top;
 }
 
@@ -45,16 +46,20 @@ void check_lateral_support(const ContactParameters &p, const bool rubs)
   const std::vector<double> &of_flat = p.static_load.of_flat;
   for (unsigned int c = 0; c + 1 < p.mesh.mesh.dim; ++c)
     {
-      const std::string side = p.mesh.is_given()
-                                 ? std::string("a group in Mesh/Held in ") + "xy"[c]
-                                 : std::string("a side in u_") + "xy"[c] + " (Sides)";
-      if (top_at_rest(p).holds(c) || p.top.suspension.stiffness[c] > 0. ||
-          !p.mesh.held[c].empty())
+      const std::string side = std::string(p.mesh.is_given() ? "a group" : "a side") +
+                               " in u_" + "xy"[c] + " (Supports)";
+      const auto suspended = p.suspended();
+      if (top_at_rest(p).holds(c) || !p.mesh.held[c].empty() ||
+          std::any_of(suspended.begin(), suspended.end(),
+                      [&](const ContactParameters::Suspended &s) {
+                        return s.suspension->stiffness[c] > 0.;
+                      }))
         continue;
       const std::string remedy =
         p.top.suspension.is_there()
-          ? std::string("give a Top/Spring stiffness along ") + "xy"[c] + ", hold " + side
-          : "set Top/Lateral held, hold " + side + ", use a platen";
+          ? std::string("give a Supports/Top/Spring stiffness along ") + "xy"[c] +
+              ", hold " + side
+          : "set Supports/Top/Held, hold " + side + ", use a platen";
       if (rubs && speed * p.contact.flat_direction[c] != 0.)
         throw UserError(
           "Nothing holds the body against the friction of the sliding flat: " + remedy +
@@ -74,9 +79,10 @@ void check_tipping(const ContactParameters &p,
                    const double least_friction)
 {
   const double height = body.scales.height, half = 0.5 * body.scales.area;
-  const bool held    = !p.mesh.held[0].empty() || !p.mesh.held[1].empty(),
+  const bool held = !p.mesh.held[0].empty() || !p.mesh.held[1].empty() ||
+                    p.suspended().size() > 1,
              may_tip = p.top.kind != TopSetup::Kind::platen &&
-                       top_at_rest(p).lateral_held && !p.periodic && !held &&
+                       top_at_rest(p).lateral_held[0] && !p.periodic && !held &&
                        !p.step.is_heavy() && p.contact.flat_velocity.amplitude() != 0.;
   if (may_tip && least_friction * height > half)
     throw UserError(
@@ -84,7 +90,21 @@ void check_tipping(const ContactParameters &p,
       "coefficient of " +
       to_text(least_friction) + " times the height of " + to_text(height) +
       " m is more than half the width, " + to_text(half) +
-      " m: there is no equilibrium; reduce it, or set Top/Kind = platen");
+      " m: there is no equilibrium; reduce it, or set Supports/Top/Kind = platen");
+}
+
+/** Whether sides load the body, and not only the platen. */
+bool sides_push(const ContactParameters &p)
+{
+  for (const SideSupport &side : p.loaded_sides())
+    {
+      if (side.pressure.amplitude() != 0.)
+        return true;
+      for (unsigned int c = 0; c < 3; ++c)
+        if (side.suspension.stiffness[c] * side.suspension.motion[c](0.) != 0.)
+          return true;
+    }
+  return false;
 }
 
 /** Stiffness (N/m, in 2D Pa) of the springs of contact nodes with these areas; nodes without area have
@@ -109,19 +129,21 @@ void check_static_load(const ContactParameters &p, const BodyFacts<dim> &body)
   const auto [least, most] =
     std::minmax_element(body.size.friction.begin(), body.size.friction.end());
   if (p.top.kind == TopSetup::Kind::held)
-    throw UserError("Top/Kind is held, so nothing presses the body on the flat; use "
-                    "platen or pressure for a static contact analysis");
+    throw UserError(
+      "Supports/Top/Kind is held, so nothing presses the body on the flat; use "
+      "platen or pressure for a static contact analysis");
   if (!(p.top.pressure.amplitude() > 0.))
-    throw UserError("Top/Pressure is " + to_text(p.top.pressure.amplitude()) +
-                    " Pa; a static contact analysis needs a positive one, with Top/Kind "
-                    "= platen, pressure, springs or absorbing");
+    throw UserError(
+      "Supports/Top/Pressure is " + to_text(p.top.pressure.amplitude()) +
+      " Pa; a static contact analysis needs a positive one, with Supports/Top/Kind "
+      "= platen, pressure, springs or absorbing");
   if (p.contact.gap != 0.)
     throw UserError("Flat/Gap is " + to_text(p.contact.gap) +
                     " m; a static contact analysis starts from a body that touches the "
                     "flat, set it to 0");
   if (platen && p.step.is_heavy())
     throw UserError("Body/Acceleration is not zero, which a static contact analysis "
-                    "under a platen does not take; set it to 0, or Top/Kind = "
+                    "under a platen does not take; set it to 0, or Supports/Top/Kind = "
                     "pressure, which loads each node by itself");
   check_lateral_support(p, *most > 0.);
   if constexpr (dim == 2)
@@ -158,14 +180,31 @@ StaticLoad<dim>::StaticLoad(const GivenBody<dim> &body,
     for (unsigned int c = 0; c < dim; ++c)
       whole_load(c, {k % n, k / n}) = mass[k] * parameters.step.acceleration[c];
   if (parameters.top.kind == TopSetup::Kind::pressure)
-    for (std::size_t k = 0; k < top.nodes.size(); ++k)
-      {
-        whole_load(dim - 1, top.nodes[k]) -= load * top.area[k];
-        const Suspension &suspension = parameters.top.suspension;
+    {
+      for (std::size_t k = 0; k < top.nodes.size(); ++k)
+        whole_load(dim - 1, top.nodes[k]) -= load * top.carried.area[k];
+      pull(top, parameters.top.suspension);
+    }
+  const std::vector<SideSupport> sides  = parameters.loaded_sides();
+  const std::vector<SupportNodes> nodes = body.side_nodes();
+  for (std::size_t s = 0; s < sides.size(); ++s)
+    {
+      const double pressure = sides[s].pressure.amplitude();
+      for (std::size_t k = 0; k < nodes[s].nodes.size(); ++k)
         for (unsigned int c = 0; c < dim; ++c)
-          whole_load(c, top.nodes[k]) +=
-            suspension.stiffness[c] * suspension.motion[c](0.) * top.area[k];
-      }
+          whole_load(c, nodes[s].nodes[k]) += pressure * nodes[s].carried.push_of(k, c);
+      pull(nodes[s], sides[s].suspension);
+    }
+}
+
+/** Adds the forces of springs whose far ends have moved at t = 0. */
+template <int dim>
+void StaticLoad<dim>::pull(const SupportNodes &support, const Suspension &suspension)
+{
+  for (std::size_t k = 0; k < support.nodes.size(); ++k)
+    for (unsigned int c = 0; c < dim; ++c)
+      whole_load(c, support.nodes[k]) +=
+        suspension.stiffness[c] * suspension.motion[c](0.) * support.carried.area[k];
 }
 
 template <int dim>
@@ -181,7 +220,8 @@ StaticContactSolution StaticLoad<dim>::follow(const StaticContactOptions &given)
       problem.force = whole_load;
       for (std::size_t k = 0; k < problem.force.size(); ++k)
         problem.force.begin()[k] *= share;
-      if (platen && facts.contact_height.empty() && !load.has_history())
+      if (platen && facts.contact_height.empty() && !load.has_history() &&
+          !sides_push(parameters))
         press_in_proportion();
       else if (platen)
         press(share);

@@ -74,6 +74,7 @@ private:
   void press_in_proportion();
 
   double normal_force() const;
+  void pull(const SupportNodes &support, const Suspension &suspension);
 
   /** Adds to steps(). */
   void record(const double share, const double share_of_flat);
@@ -81,7 +82,7 @@ private:
   const ContactParameters &parameters;
   const BodyFacts<dim> &facts;
   const ElasticBody<dim> &elastic;
-  const TopNodes top;
+  const SupportNodes top;
   const double strain; ///< of the body under its pressure, about
   StaticContactOptions options;
   StaticContactProblem problem;

@@ -24,7 +24,7 @@ ComplexModesAnalysis<dim>::ComplexModesAnalysis(std::unique_ptr<GivenBody<dim>> 
       else if (dim == 3)
         throw UserError("the top is held, and nothing presses the body on the flat; in "
                         "3D the drag across the motion of the flat depends on the "
-                        "pressure, set Top/Kind = platen or pressure");
+                        "pressure, set Supports/Top/Kind = platen or pressure");
     }
   catch (const UserError &e)
     {

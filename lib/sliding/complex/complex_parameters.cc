@@ -49,7 +49,8 @@ void ComplexModesParameters::bind(Keys &keys)
     "Sweep values", values, Range::any(),
     "Values of what Sweep names, in its unit: Friction/Coefficient [-], with "
     "Coefficient from = phases a factor of the coefficients of all phases [-]; "
-    "Friction/Regularization time [s], Flat/Velocity [m/s], Top/Pressure [Pa] or "
+    "Friction/Regularization time [s], Flat/Velocity [m/s], Supports/Top/Pressure [Pa] "
+    "or "
     "Flat/Normal stiffness [Pa/m]; curves of modes are followed in this order",
     0, 10000);
   keys.require(sweep == ModeSweep::none || !values.empty(), "Sweep values",
@@ -140,11 +141,11 @@ void check_complex_modes(const ContactParameters &p)
         throw UserError(
           "Friction/Coefficient law is not constant, but the top is held and "
           "nothing presses the body on the flat, which slopes of the "
-          "coefficient are multiplied with; set Top/Kind = platen or pressure");
+          "coefficient are multiplied with; set Supports/Top/Kind = platen or pressure");
     }
   if (sweep == ModeSweep::pressure && top_at_start(p).kind == TopSetup::Kind::held)
     throw UserError(
-      "Complex modes/Sweep is pressure, but the top is held; set Top/Kind = "
+      "Complex modes/Sweep is pressure, but the top is held; set Supports/Top/Kind = "
       "platen or pressure");
   if (sweep == ModeSweep::normal_stiffness && !p.contact.is_compliant())
     throw UserError(

@@ -98,13 +98,14 @@ void FrictionParameters::make_slip_law(const Keys &keys, const Use &use, Frictio
       at.state = made->steady_state(0.);
       if (!slip_law.has_reference())
         coefficient = made->coefficient(at);
-      require(std::isfinite(coefficient),
-              "which at rest and Top/Pressure has a negative coefficient or none");
-      at.slip_rate = use.speed;
       require(
-        std::isfinite(made->coefficient(at)),
-        "which at the speed of the flat and Top/Pressure has a negative coefficient "
-        "or none");
+        std::isfinite(coefficient),
+        "which at rest and Supports/Top/Pressure has a negative coefficient or none");
+      at.slip_rate = use.speed;
+      require(std::isfinite(made->coefficient(at)),
+              "which at the speed of the flat and Supports/Top/Pressure has a negative "
+              "coefficient "
+              "or none");
       law.slip_law = made;
       law.reference =
         coefficient_by_phase && !slip_law.has_reference() ? 1. : coefficient;

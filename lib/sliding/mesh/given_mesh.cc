@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 
 namespace mesoslip
@@ -120,21 +121,28 @@ BodySize GivenMesh<dim>::size() const
   return size;
 }
 
-/** Circular, of a node of the top that moves alone on its springs, the fastest one (1/s). */
+/** Circular, of a node of top or sides that moves alone on its springs, the fastest one (1/s). */
 template <int dim>
 double GivenMesh<dim>::frequency_of_springs() const
 {
-  const Suspension &suspension = parameters.top.suspension;
-  if (!suspension.has_springs())
-    return 0.;
-  const PointIndex index(distributed->part(), body.top.points);
+  std::map<unsigned int, double> squared; // of points of this rank
   const std::vector<double> &mass = distributed->lumped_mass();
-  double largest                  = 0.;
-  for (std::size_t k = 0; k < body.top.points.size(); ++k)
-    for (const unsigned int i : index.find(body.top.points[k]))
-      if (body.top.area[k] > 0.)
-        largest =
-          std::max(largest, suspension.squared_frequency(mass[i] / body.top.area[k]));
+  const auto add                  = [&](const Suspension &suspension,
+                       const std::vector<unsigned int> &points,
+                       const std::vector<double> &area) {
+    const PointIndex index(distributed->part(), points);
+    for (std::size_t k = 0; k < points.size() && suspension.has_springs(); ++k)
+      for (const unsigned int i : index.find(points[k]))
+        if (area[k] > 0.)
+          squared[i] += suspension.squared_frequency(mass[i] / area[k]);
+  };
+  add(parameters.top.suspension, body.top.points, body.top.area);
+  const std::vector<SideSupport> loaded = parameters.loaded_sides();
+  for (std::size_t k = 0; k < loaded.size(); ++k)
+    add(loaded[k].suspension, body.sides[k].points, body.sides[k].nodes.area);
+  double largest = 0.;
+  for (const auto &[point, of_point] : squared)
+    largest = std::max(largest, of_point);
   return std::sqrt(mpi::max(largest, distributed->communicator()));
 }
 
@@ -150,9 +158,12 @@ template <int dim>
 BodyInMotion<dim> GivenMesh<dim>::start(const SlidingSetup &given,
                                         RunContext &context) const
 {
-  SlidingSetup setup  = given;
-  setup.top.impedance = body.top_impedance;
-  auto sliding        = std::make_unique<SlidingMesh<dim>>(
+  SlidingSetup setup                    = given;
+  setup.top.impedance                   = body.top_impedance;
+  const std::vector<SideSupport> loaded = parameters.loaded_sides();
+  for (std::size_t k = 0; k < loaded.size(); ++k)
+    setup.loaded.push_back({loaded[k], body.sides[k].nodes, body.sides[k].points, {}});
+  auto sliding = std::make_unique<SlidingMesh<dim>>(
     *distributed, body.contact, body.top, body.held, setup,
     context.options().profile ? &context.timer() : nullptr);
   sliding->set_initial_velocity(parameters.body.initial_velocity, body.held, body.top);
@@ -228,7 +239,7 @@ void GivenMesh<dim>::make_elastic(const MPI_Comm communicator, const bool whole)
   of_statics             = mesh->make_elastic(
                 parameters.mesh, has_contact ? parameters.mesh.contact_boundary : "",
     has_top ? parameters.mesh.top_boundary : "", phases, communicator, whole);
-  of_statics->stand_on(foundation_of<dim>(top_nodes(), parameters.top));
+  of_statics->stand_on(this->foundation());
   if (body.contact.points.empty())
     return;
   order_contact(body, *of_statics);
@@ -254,19 +265,38 @@ std::size_t GivenMesh<dim>::n_free(const TopSetup &top, const bool contact_held)
 }
 
 template <int dim>
-TopNodes GivenMesh<dim>::top_nodes() const
+SupportNodes GivenMesh<dim>::top_nodes() const
 {
-  TopNodes top;
-  for (std::size_t k = 0; k < body.top.points.size(); ++k)
-    if (const auto node = of_statics->find(body.top.points[k]))
+  return nodes_here({body.top.points, {body.top.area, {}, body.top_impedance}});
+}
+
+template <int dim>
+std::vector<SupportNodes> GivenMesh<dim>::side_nodes() const
+{
+  std::vector<SupportNodes> sides;
+  for (const MeshSide &side : body.sides)
+    sides.push_back(nodes_here(side));
+  return sides;
+}
+
+template <int dim>
+SupportNodes GivenMesh<dim>::nodes_here(const MeshSide &side) const
+{
+  SupportNodes found;
+  SideNodes &here       = found.carried;
+  const SideNodes &from = side.nodes;
+  here.impedance.resize(from.impedance.size());
+  for (std::size_t k = 0; k < side.points.size(); ++k)
+    if (const auto node = of_statics->find(side.points[k]))
       {
-        top.nodes.push_back(*node);
-        top.area.push_back(body.top.area[k]);
-        top.impedance.resize(body.top_impedance.size());
-        for (std::size_t m = 0; m < top.impedance.size(); ++m)
-          top.impedance[m].push_back(body.top_impedance[m][k]);
+        found.nodes.push_back(*node);
+        here.area.push_back(from.area[k]);
+        for (unsigned int c = 0; c < dim; ++c)
+          here.push[c].push_back(from.push_of(k, c));
+        for (std::size_t m = 0; m < here.impedance.size(); ++m)
+          here.impedance[m].push_back(from.impedance[m][k]);
       }
-  return top;
+  return found;
 }
 
 template <int dim>

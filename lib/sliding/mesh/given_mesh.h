@@ -32,7 +32,8 @@ public:
   const ElasticBody<dim> &elastic() const override;
   DofMask held(const TopSetup &top, const bool contact_held) const override;
   std::size_t n_free(const TopSetup &top, const bool contact_held) const override;
-  TopNodes top_nodes() const override;
+  SupportNodes top_nodes() const override;
+  std::vector<SupportNodes> side_nodes() const override;
   NodalField<double> compressed(const double strain) const override;
   std::vector<ContactCell> contact_cells(const NodalField<double> &u) const override;
   std::vector<std::vector<double>> contact_places() const override;
@@ -64,6 +65,7 @@ private:
   unsigned int most_ranks() const;
   std::function<FieldRows()> displacement_rows(const SlidingMesh<dim> &moving) const;
   void describe_contact();
+  SupportNodes nodes_here(const MeshSide &side) const;
 
   std::unique_ptr<DistributedBody<dim>> distributed; ///< of steps
   std::unique_ptr<PointBody<dim>> of_statics;        ///< see make_elastic()

@@ -100,8 +100,9 @@ bool needs_contact(const ContactParameters &parameters)
 bool needs_top(const ContactParameters &parameters)
 {
   const TopSetup &top = parameters.top;
-  return parameters.analysis != ContactAnalysis::modal || top.holds_tangentially() ||
-         top.suspension.is_there() || !(top.hold_from > 0.);
+  return parameters.analysis != ContactAnalysis::modal || top.holds(0) ||
+         (parameters.mesh.mesh.dim == 3 && top.holds(1)) || top.suspension.is_there() ||
+         !(top.hold_from > 0.);
 }
 
 /** What platen and contact ask of each other and of held boundaries. */
@@ -120,9 +121,8 @@ void check_supports(const MeshBodyDescription &body,
   if (is_static &&
       std::all_of(body.contact.points.begin(), body.contact.points.end(),
                   [&](const unsigned int point) { return held.count(point) > 0; }))
-    throw UserError(std::string("Mesh/Held in ") + "xyz"[normal] + ": " +
-                    to_text(parameters.held[normal]) + " holds all of '" +
-                    parameters.contact_boundary +
+    throw UserError("Supports: " + to_text(parameters.held[normal]) + " with Held = u_" +
+                    "xyz"[normal] + " holds all of '" + parameters.contact_boundary +
                     "', the Contact boundary, along the normal of the flat, which then "
                     "carries nothing; leave it out");
   const std::set<unsigned int> top_points(body.top.points.begin(), body.top.points.end());
@@ -134,9 +134,10 @@ void check_supports(const MeshBodyDescription &body,
   for (const HeldComponent &h : body.held)
     if (top.kind == TopSetup::Kind::platen && top_points.count(h.point) > 0 &&
         (h.component == normal || !top.holds(h.component)))
-      throw UserError(std::string("Mesh/Held in ") + "xyz"[h.component] +
-                      ": the platen of Top/Kind moves points that are held; leave the "
-                      "boundary out, or set Top/Kind = " +
+      throw UserError("Supports: " + to_text(parameters.held[h.component]) +
+                      " with Held = u_" + "xyz"[h.component] +
+                      " has points that the platen of Supports/Top/Kind moves; leave the "
+                      "component out, or set Supports/Top/Kind = " +
                       (top.suspension.is_there() ? "springs" : "pressure or held"));
 }
 
@@ -221,6 +222,21 @@ BodyScales scales_of(const BodyMesh<dim> &morphology,
   return scales;
 }
 
+/** Those of ContactParameters::loaded_sides(). */
+template <int dim>
+std::vector<MeshSide> loaded_sides_of(const BodyMesh<dim> &morphology,
+                                      const std::vector<BoundaryFace<dim>> &faces,
+                                      const ContactParameters &given)
+{
+  std::vector<MeshSide> sides;
+  for (const SideSupport &support : given.loaded_sides())
+    sides.push_back(
+      mesh_side(morphology,
+                group_faces(morphology, faces, "Supports/" + support.name, support.name),
+                support.suspension.absorbing));
+  return sides;
+}
+
 /** From numbers in the mesh, which may be that of some cells, to those in the body. */
 template <int dim>
 void number_in_whole_body(MeshBodyDescription &body, const BodyMesh<dim> &morphology)
@@ -229,6 +245,8 @@ void number_in_whole_body(MeshBodyDescription &body, const BodyMesh<dim> &morpho
     for (unsigned int &point : points)
       point = morphology.whole_point(point);
   };
+  for (MeshSide &side : body.sides)
+    renumber(side.points);
   renumber(body.contact.points);
   renumber(body.top.points);
   for (HeldComponent &h : body.held)
@@ -254,14 +272,15 @@ MeshBodyDescription describe_body(const BodyMesh<dim> &morphology,
                       "/Density is not given; dynamics needs it, in kg/m^3");
   const auto faces      = morphology.boundary();
   const auto faces_with = [&](const std::string &key, const std::string &name) {
-    return group_faces(morphology, faces, "Mesh/" + key, name);
+    return group_faces(morphology, faces, key, name);
   };
   const char normal = "xyz"[dim - 1];
   MeshBodyDescription body;
   if (needs_contact(given))
     {
-      const auto bottom = faces_with("Contact boundary", parameters.contact_boundary);
-      body.contact      = mesh_boundary(mesh, bottom);
+      const auto bottom =
+        faces_with("Mesh/Contact boundary", parameters.contact_boundary);
+      body.contact = mesh_boundary(mesh, bottom);
       if (!(sum_of(body.contact.area) < 0.))
         throw UserError(
           "Mesh/Contact boundary: '" + parameters.contact_boundary +
@@ -274,7 +293,7 @@ MeshBodyDescription describe_body(const BodyMesh<dim> &morphology,
     }
   if (needs_top(given))
     {
-      const auto top = faces_with("Top boundary", parameters.top_boundary);
+      const auto top = faces_with("Mesh/Top boundary", parameters.top_boundary);
       body.top       = mesh_boundary(mesh, top);
       if (given.top.suspension.absorbing)
         body.top_impedance = impedance_of_points(morphology, top, body.top);
@@ -285,9 +304,9 @@ MeshBodyDescription describe_body(const BodyMesh<dim> &morphology,
   for (unsigned int c = 0; c < dim; ++c)
     for (const std::string &name : parameters.held[c])
       for (const unsigned int point :
-           boundary_points(mesh, faces_with(std::string("Held in ") + "xyz"[c], name))
-             .points)
+           boundary_points(mesh, faces_with("Supports/" + name, name)).points)
         body.held.push_back({mesh.original(point), c});
+  body.sides = loaded_sides_of(morphology, faces, given);
   check_supports(body, dim - 1, given);
   body.n_points = morphology.n_points();
   body.n_cells  = morphology.n_cells();

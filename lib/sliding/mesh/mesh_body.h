@@ -5,6 +5,7 @@
 #include "observation/mesh_probes.h"
 #include "sliding/body_size.h"
 #include "sliding/mesh/sliding_mesh.h"
+#include "sliding/supports/mesh_side.h"
 
 #include <array>
 #include <string>
@@ -16,7 +17,7 @@ struct ContactParameters;
 template <int dim>
 class BodyMesh;
 
-/** Key Dimension and sections Mesh and Phases of contact_dynamics. */
+/** Key Dimension and sections Mesh and Phases of contact_dynamics, and what Supports holds. */
 struct MeshBodyParameters
 {
   MeshParameters mesh;                          ///< the file
@@ -81,6 +82,7 @@ struct MeshBodyDescription
   std::vector<std::vector<double>> shares;
 
   std::vector<std::vector<double>> top_impedance; ///< TopSetup::impedance
+  std::vector<MeshSide> sides; ///< of ContactParameters::loaded_sides()
 
   std::vector<HeldComponent> held; ///< never moved
   std::uint64_t n_points = 0;      ///< of the mesh
@@ -96,7 +98,7 @@ struct MeshBodyDescription
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    serialize_members<13>(archive, *this);
+    serialize_members<14>(archive, *this);
   }
 };
 

@@ -17,12 +17,10 @@ void MeshBodyParameters::bind(Keys &keys)
       "above it: the gap of a node is Flat/Gap and its height above the lowest "
       "one [-]");
     keys.bind("Top boundary", top_boundary,
-              "Physical group of the curves or surfaces that section Top loads [-]");
-    for (unsigned int c = 0; c < 3; ++c)
-      keys.bind_list(
-        std::string("Held in ") + "xyz" [c], held[c], {},
-        std::string("Physical groups whose displacement along ") + "xyz"[c] +
-          " is zero; empty: none [-]");
+              "Physical group of the curves or surfaces that section Supports/Top loads "
+              "[-]");
+    for (const std::string axis : {"x", "y", "z"})
+      keys.renamed("Held in " + axis, "Supports/<group>/Held = u_" + axis);
     for (unsigned int c = 0; c < 2; ++c)
       {
         const std::string key = std::string("Periodic in ") + "xy"[c];
@@ -36,11 +34,9 @@ void MeshBodyParameters::bind(Keys &keys)
                        " groups; name two, that at the lower and that at the upper end");
       }
     keys.only_if(is_given(),
-                 {"Contact boundary", "Top boundary", "Held in x", "Held in y",
-                  "Held in z", "Periodic in x", "Periodic in y"},
+                 {"Contact boundary", "Top boundary", "Periodic in x", "Periodic in y"},
                  "there is no mesh", "set Mesh/File");
-    keys.only_if(mesh.dim == 3, {"Held in z", "Periodic in y"}, "Dimension is 2",
-                 "set Dimension = 3");
+    keys.only_if(mesh.dim == 3, {"Periodic in y"}, "Dimension is 2", "set Dimension = 3");
     keys.require(mesh.files.size() < 2, "File",
                  "it names " + std::to_string(mesh.files.size()) +
                    " meshes; name one, which is the body");

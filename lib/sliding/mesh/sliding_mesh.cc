@@ -15,11 +15,11 @@ namespace
 /** Of the whole surfaces what concerns the nodes of this rank. */
 SlidingSetup restricted(SlidingSetup setup,
                         const MeshBoundary &contact,
-                        const SharedNodes &contact_nodes,
                         const MeshBoundary &top,
-                        const SharedNodes &top_nodes,
+                        const SharedSurfaces &shared,
                         const MPI_Comm communicator)
 {
+  const SharedNodes &contact_nodes = shared.contact, &top_nodes = shared.top;
   std::vector<double> &friction = setup.contact.friction_coefficient;
   AssertDimension(friction.size(), contact.points.size());
   friction             = contact_nodes.of(friction, 0.);
@@ -45,6 +45,9 @@ SlidingSetup restricted(SlidingSetup setup,
   setup.top.n_owned   = top_nodes.n_owned();
   for (std::vector<double> &component : setup.top.impedance)
     component = top_nodes.of(component, 0.);
+  setup.loaded.clear();
+  for (const SharedSide &side : shared.sides)
+    setup.loaded.push_back(side.here);
   setup.ranks = communicator;
   return setup;
 }
@@ -147,9 +150,8 @@ SlidingMesh<dim>::SlidingMesh(const DistributedBody<dim> &body,
                               Timer *timer)
   : SlidingMesh(body,
                 contact,
-                SharedNodes(contact.points, body.part()),
                 top,
-                SharedNodes(top.points, body.part()),
+                SharedSurfaces(contact.points, top.points, setup.loaded, body.part()),
                 held,
                 setup,
                 timer)
@@ -159,28 +161,35 @@ SlidingMesh<dim>::SlidingMesh(const DistributedBody<dim> &body,
 template <int dim>
 SlidingMesh<dim>::SlidingMesh(const DistributedBody<dim> &body,
                               const MeshBoundary &contact,
-                              const SharedNodes &contact_nodes,
                               const MeshBoundary &top,
-                              const SharedNodes &top_nodes,
+                              const SharedSurfaces &shared,
                               const std::vector<HeldComponent> &held,
                               const SlidingSetup &setup,
                               Timer *timer)
-  : SlidingBody<dim>(
-      restricted(setup, contact, contact_nodes, top, top_nodes, body.communicator()),
-      top_nodes.size(),
-      timer)
-  , contact_nodes(contact_nodes)
+  : SlidingBody<dim>(restricted(setup, contact, top, shared, body.communicator()),
+                     shared.top.size(),
+                     timer)
+  , contact_nodes(shared.contact)
   , u(NodalField<double>::of_points(body.part().points.size(), dim))
   , w(u)
   , part(body.part())
+  , surfaces(shared)
   , own_stepper(body.make_stepper(held, setup.step, u, w, top.points.at(0)))
   , stepper(*own_stepper)
 {
   const auto timed = [this](SurfaceCondition<dim> &surface, const char *name) {
     return this->profile.template timed<TimedSurface<dim>>(surface, name);
   };
-  stepper.add_surface(contact_nodes, *timed(this->contact, "Contact and its histories"));
-  stepper.add_surface(top_nodes, *timed(this->top, "Top and its histories"));
+  std::vector<MeshSurface<dim> *> hosts = {
+    &stepper.add_surface(shared.contact,
+                         *timed(this->contact, "Contact and its histories")),
+    &stepper.add_surface(shared.top, *timed(this->top, "Top and its histories"))};
+  for (std::size_t k = 0; k < this->sides.size(); ++k)
+    hosts.push_back(&stepper.add_side(shared.sides[k].own,
+                                      *timed(this->sides[k], "Sides under a load")));
+  for (std::size_t k = 0; k < this->sides.size(); ++k)
+    for (const SideGuest &guest : shared.sides[k].guests)
+      hosts[guest.host]->add_guest(guest.i, this->sides[k], guest.k);
   this->watch_energy();
 }
 
@@ -205,33 +214,68 @@ void SlidingMesh<dim>::set_initial_velocity(const std::array<double, 3> &velocit
     for (unsigned int c = 0; c < dim; ++c)
       if (c < normal ? this->setup.top.holds(c) : this->setup.top.holds_normally())
         hold(point, c);
-  const StepParameters &step    = this->setup.step;
-  std::array<double, 3> of_mass = step.acceleration;
+  std::vector<std::array<double, dim>> a = start_acceleration(velocity, rests);
+  const StepParameters &step             = this->setup.step;
+  const double back                      = -step.beta2 * step.dt;
   for (unsigned int c = 0; c < dim; ++c)
-    of_mass[c] -= step.alpha * velocity[c];
-  std::vector<std::array<double, 3>> a(n, of_mass);
+    for (std::size_t i = 0; i < n; ++i)
+      a[i][c] -= step.alpha * velocity[c];
   for (unsigned int i = 0; i < contact_nodes.size(); ++i)
     if (const unsigned int point = contact_nodes.point(i);
         point != SharedNodes::none && this->contact.rests(i, a[point][normal]))
       a[point][normal] = 0.;
-  const SharedNodes top_nodes(top.points, part);
-  std::vector<double> mass(n), of_top(top_nodes.size(), 0.);
+  for (unsigned int c = 0; c < dim; ++c)
+    for (std::size_t i = 0; i < n; ++i)
+      w.row(c, 0)[i] = rests[i][c] ? 0. : velocity[c] + back * a[i][c];
+}
+
+template <int dim>
+std::vector<std::array<double, dim>> SlidingMesh<dim>::start_acceleration(
+  const std::array<double, 3> &velocity,
+  const std::vector<std::array<bool, dim>> &rests) const
+{
+  const std::size_t n = part.points.size();
+  std::array<double, dim> by_weight;
+  std::copy_n(this->setup.step.acceleration.begin(), dim, by_weight.begin());
+  std::vector<std::array<double, dim>> a(n, by_weight);
+  const SharedNodes &top = surfaces.top;
+  std::vector<double> mass(n), of_top(top.size(), 0.);
   stepper.mass_row(0, mass.data());
-  std::vector<std::array<bool, dim>> held_on_top(top_nodes.size());
-  for (unsigned int i = 0; i < top_nodes.size(); ++i)
-    if (const unsigned int point = top_nodes.point(i); point != SharedNodes::none)
+  std::vector<std::array<bool, dim>> held_on_top(top.size());
+  for (unsigned int i = 0; i < top.size(); ++i)
+    if (const unsigned int point = top.point(i); point != SharedNodes::none)
       {
         of_top[i]      = mass[point];
         held_on_top[i] = rests[point];
       }
   const auto pushed = this->top.start_acceleration(of_top, held_on_top, velocity);
-  for (unsigned int i = 0; i < top_nodes.size(); ++i)
-    for (unsigned int c = 0; c < dim && top_nodes.point(i) != SharedNodes::none; ++c)
-      a[top_nodes.point(i)][c] = pushed[i][c] - step.alpha * velocity[c];
-  const double back = -step.beta2 * step.dt;
-  for (unsigned int c = 0; c < dim; ++c)
-    for (std::size_t i = 0; i < n; ++i)
-      w.row(c, 0)[i] = rests[i][c] ? 0. : velocity[c] + back * a[i][c];
+  for (unsigned int i = 0; i < top.size(); ++i)
+    if (const unsigned int point = top.point(i); point != SharedNodes::none)
+      {
+        a[point] = pushed[i];
+        mass[point] += this->top.suspended_mass(i);
+      }
+  const auto load = [&](const SideSurface<dim> &side, const unsigned int k,
+                        const unsigned int point) {
+    if (point == SharedNodes::none)
+      return;
+    std::array<double, dim> starts_with;
+    for (unsigned int c = 0; c < dim; ++c)
+      starts_with[c] = rests[point][c] ? 0. : velocity[c];
+    side.accelerate(k, mass[point], starts_with, a[point]);
+    mass[point] += side.mass(k);
+  };
+  const bool platen = this->setup.top.kind == TopSetup::Kind::platen; // moves as one
+  for (std::size_t s = 0; s < this->sides.size(); ++s)
+    {
+      const SharedSide &side = surfaces.sides[s];
+      for (unsigned int k = 0; k < side.own.size(); ++k)
+        load(this->sides[s], k, side.own.point(k));
+      for (const SideGuest &guest : side.guests)
+        if (guest.host != 1 || !platen)
+          load(this->sides[s], guest.k, surfaces.host(guest.host).point(guest.i));
+    }
+  return a;
 }
 
 #define MESOSLIP_INSTANTIATE(dim)                                                    \

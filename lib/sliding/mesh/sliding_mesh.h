@@ -70,7 +70,7 @@ class SlidingMesh : public SlidingBody<dim>
 public:
   /**
    * At rest at u = 0. @p body must outlive it; @p setup speaks of the nodes of the whole
-   * contact and top, and its sides, sweep and periodicity are not used. A @p timer gets the
+   * contact, top and loaded sides, whose points it has, and its held sides, sweep and periodicity are not used. A @p timer gets the
    * times of the parts of a step. Collective.
    */
   SlidingMesh(const DistributedBody<dim> &body,
@@ -96,7 +96,13 @@ public:
   NodalField<double> w;            ///< velocity of the scheme (m/s)
 
 private:
+  /** Accelerations (m/s^2) at the start without damping. */
+  std::vector<std::array<double, dim>>
+  start_acceleration(const std::array<double, 3> &velocity,
+                     const std::vector<std::array<bool, dim>> &rests) const;
+
   const MeshPart<dim> &part;
+  const SharedSurfaces surfaces; ///< of this rank
   const std::unique_ptr<SurfaceStepper<dim>> own_stepper;
 
 public:
@@ -106,9 +112,8 @@ private:
   /** With the nodes of this rank. */
   SlidingMesh(const DistributedBody<dim> &body,
               const MeshBoundary &contact,
-              const SharedNodes &contact_nodes,
               const MeshBoundary &top,
-              const SharedNodes &top_nodes,
+              const SharedSurfaces &shared,
               const std::vector<HeldComponent> &held,
               const SlidingSetup &setup,
               Timer *timer);

@@ -173,10 +173,10 @@ std::string separation_remark(const TransientResult &run)
   const std::string touched = "no node touched the flat in the steady part";
   return top.kind == TopSetup::Kind::held || pressure > 0.
            ? touched
-           : brief_text(6, touched, ": Top/Pressure is ", pressure, " Pa, which ",
-                        pressure < 0.
-                          ? "pulls the body off the flat; a positive one presses"
-                          : "presses nothing");
+           : brief_text(
+               6, touched, ": Supports/Top/Pressure is ", pressure, " Pa, which ",
+               pressure < 0. ? "pulls the body off the flat; a positive one presses"
+                             : "presses nothing");
 }
 } // namespace
 

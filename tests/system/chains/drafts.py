@@ -14,12 +14,12 @@ from scenes import PHASES, SMALL_GRID, SMALL_RVE, TOOLS, Folder, prm
 
 sys.path[:0] = [TOOLS, os.path.join(TOOLS, "python")]
 
-RUN = {"Flat/Velocity": 2, "Top/Pressure": 5e6, "Friction/Coefficient": 0.25, "Time/End time": 2e-6, "Snapshots/From": 1.1e-6,
+RUN = {"Flat/Velocity": 2, "Supports/Top/Pressure": 5e6, "Friction/Coefficient": 0.25, "Time/End time": 2e-6, "Snapshots/From": 1.1e-6,
        "Snapshots/Interval": 1e-7}
 PROBES = {"Observation/Probes": "A, B", "Observation/A/Position": "1.03e-3, 0", "Observation/A/Nearest node": "true",
           "Observation/B/Position": "0.55e-3, 0.35e-3"}
 BODY, GRAINS = {"Body/RVE file": "rve/rve.h5"}, {"Body/RVE file": "rve/rve.h5", "Body/Material": "heterogeneous"}
-STATIC = {"Analysis": "static contact", "Flat/Velocity": 2, "Top/Pressure": 5e6, "Top/Kind": "platen", "Friction/Coefficient": 0.25}
+STATIC = {"Analysis": "static contact", "Flat/Velocity": 2, "Supports/Top/Pressure": 5e6, "Supports/Top/Kind": "platen", "Friction/Coefficient": 0.25}
 MESH = {"Mesh/File": "mesh.msh", "Mesh/Scale": 0.001}
 # Name: program, text; volumes before the bodies that read them.
 VOXELS = "set Dimension = 3\n" + prm({"Grid/Cells": "6, 4, 5", "Grid/Size": "0.006, 0.004, 0.005", "Microstructure/Type": "voxels",

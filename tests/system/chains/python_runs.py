@@ -20,7 +20,7 @@ from mesoslip import derived, ranks
 LOADS = os.path.join(TOP, "prm", "examples", "loads.prm")
 MESHES = os.path.join(TOP, "prm", "examples", "mesh")
 EXAMPLES = os.path.join(TOOLS, "python", "examples")
-BODY = prm({"Time/End time": "2e-6", "Flat/Velocity": 2, "Top/Pressure": "5e6", "Snapshots/Interval": "1e-6"})
+BODY = prm({"Time/End time": "2e-6", "Flat/Velocity": 2, "Supports/Top/Pressure": "5e6", "Snapshots/Interval": "1e-6"})
 
 
 def raises(error, words, action):
@@ -40,7 +40,7 @@ def check_run(folder):
     assert volume.format == "mesoslip-rve" and volume.grid.cells == (40, 20)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
-        with mesoslip.run("contact_dynamics.prm", {"Top/Pressure": 4e5, "Flat/Velocity": np.float64(0.5)}) as run:
+        with mesoslip.run("contact_dynamics.prm", {"Supports/Top/Pressure": 4e5, "Flat/Velocity": np.float64(0.5)}) as run:
             assert run.path == os.path.join("output", "contact_dynamics", "dynamics.h5"), run.path
             assert run.summary["pressure"] == 4e5 and run.summary["flat_velocity"] == 0.5 and run.summary["ranks"] == 1
         with mesoslip.run("contact_dynamics.prm", output="ranks", ranks=2) as run:

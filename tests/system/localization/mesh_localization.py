@@ -10,7 +10,7 @@ from mesh_files import Box
 from scenes import PHASES, SMALL_RVE, Folder, prm
 
 FIELDS = ("mean_von_mises", "mean_stress", "deviation_stress")
-RUN = {"Flat/Velocity": 2, "Top/Pressure": 5e6, "Friction/Coefficient": 0.3, "Time/Time step": 2e-9, "Time/End time": 1e-6,
+RUN = {"Flat/Velocity": 2, "Supports/Top/Pressure": 5e6, "Friction/Coefficient": 0.3, "Time/Time step": 2e-9, "Time/End time": 1e-6,
        "Snapshots/Interval": 1e-7}
 MESH = {"Mesh/File": "mesh.msh", "Mesh/Scale": 0.001}
 PBC = {"Homogenization/Boundary conditions": "KUBC", "Homogenization/Tolerance": 1e-12}

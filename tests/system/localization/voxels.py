@@ -25,7 +25,7 @@ PHASES = {"Phases/Names": "matrix, fibre", "Phases/matrix/Young modulus": "30e9"
           "Phases/matrix/Density": 1800, "Phases/fibre/Type": "orthotropic", "Phases/fibre/Young moduli": "240e9, 60e9, 90e9",
           "Phases/fibre/Poisson ratios": "0.2, 0.25, 0.3", "Phases/fibre/Shear moduli": "40e9, 30e9, 50e9", "Phases/fibre/Density": 2600}
 EXACT = {"Homogenization/Boundary conditions": "KUBC", "Homogenization/Tolerance": 1e-12}
-RUN = {"Dimension": 3, "Flat/Velocity": "2, 0.3", "Top/Pressure": 5e7, "Friction/Coefficient": 0.3, "Time/Time step": 1e-8,
+RUN = {"Dimension": 3, "Flat/Velocity": "2, 0.3", "Supports/Top/Pressure": 5e7, "Friction/Coefficient": 0.3, "Time/Time step": 1e-8,
        "Time/End time": 4e-6, "Snapshots/Interval": 5e-7}
 ASKED = {"Window/From": 0, "Localization/Variant": "both", "Localization/Fields": "mean von Mises, mean stress, deviation of stress"}
 PLACE, PLACE_CELL = (0.00275, 0.0015, 0.0011), (5, 2, 2)

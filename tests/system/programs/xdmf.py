@@ -37,7 +37,7 @@ SHOWN = [
 def run_box(path):
     """A chain of voxels in 3D, with other numbers of cells and other spacings along each axis."""
     solid = "set Dimension = 3\n"
-    slide = prm({"Body/RVE file": "box/rve.h5", "Time/Time step": 5e-9, "Time/End time": 1e-6, "Top/Pressure": 5e6, "Flat/Velocity": "1, 0.5",
+    slide = prm({"Body/RVE file": "box/rve.h5", "Time/Time step": 5e-9, "Time/End time": 1e-6, "Supports/Top/Pressure": 5e6, "Flat/Velocity": "1, 0.5",
                  "Snapshots/Interval": 2e-7})
     folder = Folder(path, {
         "box": solid + PHASES + prm({"Grid/Cells": "6, 4, 5", "Grid/Size": "6e-4, 6e-4, 10e-4", "Microstructure/Type": "voxels",

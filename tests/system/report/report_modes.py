@@ -71,7 +71,7 @@ def check_page(folder, root):
     """Modes of a box and the sentence on it."""
     folder.write("box.prm", prm({"Dimension": 3, "Analysis": "modal", "Body/Material": "homogeneous", "Body/Size": "0.02, 0.01, 0.008",
                                  "Body/Cells": "10, 5, 4", "Body/Stiffness": "36e9, 9e9, 9e9, 36e9, 9e9, 36e9, 13.5e9, 13.5e9, 13.5e9",
-                                 "Body/Density": 1770, "Top/Kind": "platen", "Modal/Number of modes": 3}))
+                                 "Body/Density": 1770, "Supports/Top/Kind": "platen", "Modal/Number of modes": 3}))
     folder.run(0, "contact_dynamics", "box.prm", "--output", "box")
     page = report(root, folder("box"))
     assert "Left out" not in page and page.count("<img") == 1

@@ -191,7 +191,7 @@ def run_box(folder):
     """A chain of a box in 3D, three times as long as wide; its folders."""
     homogenize = PHASES + prm({"Grid/Cells": "12, 4, 5", "Grid/Size": "12e-4, 4e-4, 5e-4", "Microstructure/Type": "voxels",
                                "Microstructure/File": "voxels.npy"})
-    slide = prm({"Body/RVE file": "rve/rve.h5", "Time/Time step": 5e-9, "Time/End time": 2e-6, "Top/Kind": "platen", "Top/Pressure": 5e6,
+    slide = prm({"Body/RVE file": "rve/rve.h5", "Time/Time step": 5e-9, "Time/End time": 2e-6, "Supports/Top/Kind": "platen", "Supports/Top/Pressure": 5e6,
                  "Snapshots/Interval": 2e-7, "Observation/History interval": 1})
     localize = prm({"Input/RVE file": "rve/rve.h5", "Input/Homogeneous run": "homogeneous/dynamics.h5",
                     "Input/Direct run": "heterogeneous/dynamics.h5"})

@@ -16,7 +16,7 @@ MATERIALS = {"Phases/Names": "matrix, fibre", "Phases/matrix/Young modulus": "30
              "Phases/matrix/Density": 1800, "Phases/fibre/Type": "orthotropic", "Phases/fibre/Young moduli": "240e9, 60e9, 90e9",
              "Phases/fibre/Poisson ratios": "0.2, 0.25, 0.3", "Phases/fibre/Shear moduli": "40e9, 30e9, 50e9", "Phases/fibre/Density": 2600,
              "Phases/fibre/Friction coefficient": 0.5}
-COMMON = {"Flat/Velocity": "2, 0.3", "Top/Pressure": 5e7, "Friction/Coefficient from": "phases", "Friction/Node rule": "mean",
+COMMON = {"Flat/Velocity": "2, 0.3", "Supports/Top/Pressure": 5e7, "Friction/Coefficient from": "phases", "Friction/Node rule": "mean",
           "Time/Time step": 1.5e-8, "Time/End time": 1.2e-5, "Observation/History interval": 1, "Observation/Energy interval": 1,
           "Body/Acceleration": "5, 7, -10", "Snapshots/Interval": 2e-6}
 BOX = "set Dimension = 3\n" + prm({"Body/Material": "heterogeneous", "Body/RVE file": "rve/rve.h5", **COMMON})
@@ -24,11 +24,11 @@ MESH = "set Dimension = 3\n" + prm({"Mesh/File": "mesh.msh", **MATERIALS, **COMM
 PROBES = probes(inside="0.0011, 0.0009, 0.0021", contact="0.0022, 0.0011, 0")
 SIDES = {"Left": (0, False), "Right": (0, True), "Front": (1, False), "Back": (1, True), "Contact": (2, False), "Top": (2, True)}
 # What is held: of the box and of the mesh; and sides that are one.
-SUPPORTS = {"held": (prm({"Sides/Left": "u_x u_z", "Sides/Back": "u_y", "Top/Kind": "pressure"}),
-                     prm({"Mesh/Held in x": "Left", "Mesh/Held in z": "Left", "Mesh/Held in y": "Back", "Top/Kind": "pressure"})),
-            "platen": (prm({"Top/Kind": "platen"}),) * 2,
-            "periodic": (prm({"Sides/Periodic": "true", "Sides/Periodic in y": "true", "Top/Kind": "platen"}),
-                         prm({"Mesh/Periodic in x": "Left, Right", "Mesh/Periodic in y": "Front, Back", "Top/Kind": "platen"}))}
+SUPPORTS = {"held": (prm({"Supports/Left/Held": "u_x, u_z", "Supports/Back/Held": "u_y", "Supports/Top/Kind": "pressure"}),
+                     prm({"Supports/Left/Held": "u_x, u_z", "Supports/Back/Held": "u_y", "Supports/Top/Kind": "pressure"})),
+            "platen": (prm({"Supports/Top/Kind": "platen"}),) * 2,
+            "periodic": (prm({"Sides/Periodic": "true", "Sides/Periodic in y": "true", "Supports/Top/Kind": "platen"}),
+                         prm({"Mesh/Periodic in x": "Left, Right", "Mesh/Periodic in y": "Front, Back", "Supports/Top/Kind": "platen"}))}
 
 
 def prepare(folder):
@@ -84,12 +84,12 @@ def check_as_mesh(folder):
 
 def check_one_layer(folder):
     """A layer whose sides are held across y is the plane grid."""
-    common = {"Time/Time step": 2e-8, "Time/End time": 2e-5, "Flat/Velocity": 1.5, "Top/Pressure": 5e6, "Body/Density": 1800,
+    common = {"Time/Time step": 2e-8, "Time/End time": 2e-5, "Flat/Velocity": 1.5, "Supports/Top/Pressure": 5e6, "Body/Density": 1800,
               "Observation/History interval": 1, "Observation/Energy interval": 1}
     folder.write("plane.prm", prm({**common, "Body/Size": "8e-3, 4e-3", "Body/Cells": "40, 20",
                                    "Body/Stiffness": "66.667e9, 16.667e9, 66.667e9, 25e9"}))
     folder.write("solid.prm", "set Dimension = 3\n" + prm({
-        **common, "Body/Size": "8e-3, 1, 4e-3", "Body/Cells": "40, 1, 20", "Sides/Front": "u_y", "Sides/Back": "u_y",
+        **common, "Body/Size": "8e-3, 1, 4e-3", "Body/Cells": "40, 1, 20", "Supports/Front/Held": "u_y", "Supports/Back/Held": "u_y",
         "Body/Stiffness": "66.667e9, 16.667e9, 16.667e9, 66.667e9, 16.667e9, 66.667e9, 25e9, 25e9, 25e9"}))
     for run in ("plane", "solid"):
         folder.run(0, "contact_dynamics", run + ".prm", "--output", run)
@@ -113,7 +113,7 @@ def check_resumed(folder):
 def check_localized(folder):
     """Voxels with their stresses in the homogeneous body: stiffness of the phase times L times the strain of the body at its middle."""
     folder.write("homogeneous.prm", "set Dimension = 3\n" + prm({
-        "Body/RVE file": "rve/rve.h5", "Top/Kind": "platen", "Top/Pressure": 5e7, "Time/End time": 6e-6, "Snapshots/Interval": 1e-6}))
+        "Body/RVE file": "rve/rve.h5", "Supports/Top/Kind": "platen", "Supports/Top/Pressure": 5e7, "Time/End time": 6e-6, "Snapshots/Interval": 1e-6}))
     folder.run(0, "contact_dynamics", "homogeneous.prm", "--output", "homogeneous")
     folder.write("localization.prm", prm({"Input/RVE file": "rve/rve.h5", "Input/Homogeneous run": "homogeneous/dynamics.h5",
                                           "Localization/Fields": "mean stress"}))
@@ -150,7 +150,7 @@ def check_other_analyses(folder):
 
 def check_automatic_step(folder):
     """Time step = auto is the same number on any number of ranks, and so is all that follows from it."""
-    folder.write("auto.prm", BOX + prm({"Top/Kind": "pressure", "Sides/Left": "u_x u_z", "Sides/Back": "u_y"}) + PROBES)
+    folder.write("auto.prm", BOX + prm({"Supports/Top/Kind": "pressure", "Supports/Left/Held": "u_x, u_z", "Supports/Back/Held": "u_y"}) + PROBES)
     runs = []
     for ranks in (1, 2, 3):
         folder.run(0, "contact_dynamics", "auto.prm", "--output", "auto", "--set=Time/Time step=auto", "--set=Time/End time=2e-6", ranks=ranks)
@@ -170,18 +170,18 @@ def check_refused(folder):
     refused(["Body/Cells: 9 x 5 x 7 is no multiple of the 9 x 5 x 6 cells of"], "Body/Cells=9, 5, 7")
     refused(["Body/Cells: 2 numbers found, three (x, y, z) are needed"], "Body/Cells=9, 5")
     refused(["Body/Size is 0.01 x 0.01 x 0.01 m, but the volume in"], "Body/Size=0.01, 0.01, 0.01")
-    refused(["Sides/Periodic in y", "Front and Back have to be free"], "Sides/Periodic in y=true", "Sides/Back=u_x")
-    refused(["Sides/Left", "u_z is held, but the platen"], "Sides/Left=u_z")
+    refused(["Sides/Periodic in y", "Front and Back have to be free"], "Sides/Periodic in y=true", "Supports/Back/Held=u_x")
+    refused(["Supports/Left/Held", "u_z is held, but the platen"], "Supports/Left/Held=u_z")
     refused(["Observation/inside/Position", "lies outside the body"], "Observation/inside/Position=0.1, 0, 0")
     refused(["5 layers of cells along y", "not 6"], ranks=6)
-    refused(["Mesh/Held in x has no effect, as there is no mesh"], "Mesh/Held in x=Left")
+    refused(["Supports/wall: the body is a grid, whose sides are Left"], "Supports/wall/Held=u_x")
     refused(["Performance/Temporal blocking has no effect, as the body is no plane grid"], "Performance/Temporal blocking=4")
     refused(["of memory, but the machine has", "cells would fit; reduce Body/Cells"], "Body/Cells=9000, 5000, 6000")
     for name in ("platen", "mesh"):
         told = [folder.run(0, "contact_dynamics", name + ".prm", "--validate", ranks=ranks) for ranks in (1, 2)]
         assert re.search(r"B of memory$", told[0], re.MULTILINE) and re.search(r"B of memory on rank 0, .* on each other$", told[1], re.MULTILINE), told
-    refused(["Sides/Front has no effect, as the body is plane"], "Sides/Front=u_y", prm_file="plane.prm")
-    refused(["Sides/Left", "u_z is held, but Dimension is 2"], "Sides/Left=u_z", prm_file="plane.prm")
+    refused(["Supports/Front/Held has no effect, as the body is plane"], "Supports/Front/Held=u_y", prm_file="plane.prm")
+    refused(["Supports/Left/Held", "u_z is held, but Dimension is 2"], "Supports/Left/Held=u_z", prm_file="plane.prm")
     folder.write("bare.prm", "set Dimension = 3\n")
     refused(["Body/Stiffness: it is not given", "9 or 21 numbers"], prm_file="bare.prm")
     refused(["Body/Size is empty", "three numbers along x, y, z"], "Body/Stiffness=3, 1, 1, 3, 1, 3, 1, 1, 1", prm_file="bare.prm")

@@ -15,7 +15,7 @@ from scenes import PHASES, Folder, prm
 from sliding_pin import SlidingPin, nearest
 
 STIFFNESS, DENSITY, SIZE, BETA = (36.54e9, 9.1e9, 47.26e9, 13.785e9), 1770, (0.012, 0.004), 4.4e-9
-COMMON = {"Analysis": "complex modes", "Top/Kind": "platen", "Top/Pressure": 5e6, "Flat/Velocity": 2, "Friction/Regularization time": 2e-7,
+COMMON = {"Analysis": "complex modes", "Supports/Top/Kind": "platen", "Supports/Top/Pressure": 5e6, "Flat/Velocity": 2, "Friction/Regularization time": 2e-7,
           "Friction/Coefficient": 0.25, "Complex modes/Highest frequency": 1.2e6, "Complex modes/Fastest decay": 20000}
 BODY = {"Body/Stiffness": ", ".join(map(str, STIFFNESS)), "Body/Density": DENSITY, "Body/Size": "0.012, 0.004", "Body/Cells": "24, 8"}
 
@@ -135,7 +135,7 @@ def check_heterogeneous(folder):
             box.name_side("Front", 1, False).name_side("Back", 1, True)
         box.write(folder("pin.msh"))
         folder.write("mesh.prm", ("set Dimension = 3\n" if dim == 3 else "") + prm({
-            **COMMON, "Mesh/File": "pin.msh", "Mesh/Scale": 0.001, **solids, **({"Mesh/Held in y": "Front, Back"} if dim == 3 else {}),
+            **COMMON, "Mesh/File": "pin.msh", "Mesh/Scale": 0.001, **solids, **({"Supports/Front/Held": "u_y", "Supports/Back/Held": "u_y"} if dim == 3 else {}),
             "Complex modes/Fastest decay": 0}))
         folder.run(0, "contact_dynamics", "mesh.prm", "--output", "mesh", ranks=dim)
         expect_same_phases(folder, "mesh", "pin1")
@@ -158,7 +158,7 @@ def check_meshes(folder, flat):
     solid = [d11, 8e9, d12, 40e9, 9e9, d22, 12e9, d33, 11e9]
     folder.write("slice.prm", "set Dimension = 3\n" + prm({
         **common, **BODY, "Body/Stiffness": ", ".join(map(str, solid)), "Body/Size": "0.012, 0.0005, 0.004", "Body/Cells": "24, 1, 8",
-        "Sides/Front": "u_y", "Sides/Back": "u_y"}))
+        "Supports/Front/Held": "u_y", "Supports/Back/Held": "u_y"}))
     folder.run(0, "contact_dynamics", "slice.prm", "--output", "slice", ranks=2)
     in_space = found(folder, "slice")
     for s in values:
@@ -180,7 +180,7 @@ def check_sweep(folder):
     its delta."""
     swept = {**COMMON, **BODY, "Complex modes/Sweep": "friction coefficient", "Complex modes/Sweep values": "0, 0.05, 0.1, 0.15, 0.2, 0.25"}
     folder.write("sweep.prm", prm(swept))
-    folder.write("modal.prm", prm({**BODY, "Analysis": "modal", "Top/Kind": "platen", "Modal/Number of modes": 12, "Modal/Bottom": "held in y",
+    folder.write("modal.prm", prm({**BODY, "Analysis": "modal", "Supports/Top/Kind": "platen", "Modal/Number of modes": 12, "Modal/Bottom": "held in y",
                                    "Modal/Tolerance": 1e-12}))
     folder.run(0, "contact_dynamics", "modal.prm", "--output", "modal")
     for ranks in (1, 3):
@@ -256,7 +256,7 @@ def check_sweep_by_phase(folder):
 def check_refused(folder):
     memory = {"Friction/Normal stress": "slip rate"}
     for settings, words in (({"Flat/Velocity": 0}, ["Flat/Velocity is 0"]),
-                            ({"Top/Pressure": -1}, ["Top/Pressure", "static"]),
+                            ({"Supports/Top/Pressure": -1}, ["Supports/Top/Pressure", "static"]),
                             ({"Complex modes/Sweep": "velocity"}, ["Sweep values", "empty"]),
                             ({"Complex modes/Sweep values": "1"}, ["Sweep is none"]),
                             ({"Complex modes/Sweep": "regularization time", "Complex modes/Sweep values": "1e-6", "Friction/Law": "coulomb",

@@ -22,11 +22,11 @@ from mesoslip.participation import participation  # noqa: E402
 STIFFNESS, DENSITY, CELLS, SIZE = (36.54e9, 9.1e9, 47.26e9, 13.785e9), 1770, (24, 8), (0.012, 0.004)
 MU, DELTA, BETA = 0.3, 4e-7, 4.4e-9
 BODY = {"Body/Stiffness": ", ".join(map(str, STIFFNESS)), "Body/Density": DENSITY, "Body/Size": "0.012, 0.004", "Body/Cells": "24, 8",
-        "Flat/Velocity": 50, "Top/Kind": "platen", "Top/Pressure": 5e6, "Friction/Coefficient": MU, "Friction/Regularization time": DELTA,
+        "Flat/Velocity": 50, "Supports/Top/Kind": "platen", "Supports/Top/Pressure": 5e6, "Friction/Coefficient": MU, "Friction/Regularization time": DELTA,
         "Time/Rayleigh beta": BETA}
 MODES = {"Analysis": "complex modes", **BODY, "Complex modes/Highest frequency": 1.2e6, "Complex modes/Fastest decay": 20000}
 # A smooth start leaves the pin sliding as in the static state, but for tiny vibrations.
-RUN = {"Analysis": "transient", **BODY, "Top/Ramp": "smooth", "Top/Ramp time": 1e-4, "Time/End time": 4e-4, "Observation/Energy interval": 0,
+RUN = {"Analysis": "transient", **BODY, "Supports/Top/Ramp": "smooth", "Supports/Top/Ramp time": 1e-4, "Time/End time": 4e-4, "Observation/Energy interval": 0,
        "Observation/Reference x": 0.002}
 WINDOW, SAMPLED = (2e-4, 4e-4), 1.6e-7  # s: the linear phase; samples of the histories
 STEPS = (4e-8, 2e-8, 1e-8)  # s

@@ -14,8 +14,8 @@ from sliding_pin import SlidingPin
 HEIGHT, DENSITY, SHEAR, PRESSURE, VELOCITY, TOP = 0.016, 1770, 13.785e9, 5e7, 2., 200e3
 SPEED = math.sqrt(SHEAR / DENSITY)
 LAYER = {"Analysis": "complex modes", "Body/Stiffness": f"36.54e9, 9.1e9, 47.26e9, {SHEAR}", "Body/Density": DENSITY,
-         "Body/Size": f"{HEIGHT / 10}, {HEIGHT}", "Sides/Periodic": "true", "Top/Kind": "pressure", "Top/Lateral held": "true",
-         "Top/Pressure": PRESSURE, "Flat/Velocity": VELOCITY, "Complex modes/Highest frequency": TOP, "Complex modes/Fastest decay": 2000}
+         "Body/Size": f"{HEIGHT / 10}, {HEIGHT}", "Sides/Periodic": "true", "Supports/Top/Kind": "pressure", "Supports/Top/Held": "u_x",
+         "Supports/Top/Pressure": PRESSURE, "Flat/Velocity": VELOCITY, "Complex modes/Highest frequency": TOP, "Complex modes/Fastest decay": 2000}
 FALLING = {"Friction/Coefficient law": "static and kinetic", "Friction/Coefficient": 0.3, "Friction/Kinetic coefficient": 0.1,
            "Friction/Critical velocity": 1.}
 STATE = {"Friction/Coefficient law": "rate and state", "Friction/Coefficient": 0.9, "Friction/Rate and state/Direct effect": 0.01,
@@ -91,7 +91,7 @@ def check_impedance(folder):
         said, = (warning for warning in folder.summary("layer")["warnings"] if "shear waves" in warning)
         assert f"{impedance:.3g} Pa s/m" in said and (words or f"by up to {bound:.3g} 1/s") in said, said
     run = {**law(1.2), "Analysis": "transient", "Time/End time": 1e-4}
-    for settings, warned in (({}, True), ({"Friction/Regularization time": 1e-6}, False), ({"Top/Pressure": 0.8 * PRESSURE}, False)):
+    for settings, warned in (({}, True), ({"Friction/Regularization time": 1e-6}, False), ({"Supports/Top/Pressure": 0.8 * PRESSURE}, False)):
         given = {key: value for key, value in {**run, **settings}.items() if not key.startswith("Complex modes/")}
         folder.write("run.prm", prm(given))
         said = folder.run(0, "contact_dynamics", "run.prm", "--validate")
@@ -113,7 +113,7 @@ def check_limits(folder):
 
 
 PIN = {"Analysis": "complex modes", "Body/Stiffness": "36.54e9, 9.1e9, 47.26e9, 13.785e9", "Body/Density": DENSITY, "Body/Size": "0.012, 0.004",
-       "Body/Cells": "24, 8", "Top/Kind": "platen", "Top/Pressure": 5e6, "Flat/Velocity": VELOCITY, "Friction/Regularization time": 4e-7,
+       "Body/Cells": "24, 8", "Supports/Top/Kind": "platen", "Supports/Top/Pressure": 5e6, "Flat/Velocity": VELOCITY, "Friction/Regularization time": 4e-7,
        "Complex modes/Highest frequency": 1e6, "Complex modes/Fastest decay": 20000}
 SLICE = {**PIN, "Body/Stiffness": "36.54e9, 8e9, 9.1e9, 40e9, 9e9, 47.26e9, 12e9, 13.785e9, 11e9", "Body/Size": "0.012, 0.0005, 0.004",
          "Body/Cells": "24, 1, 8"}
@@ -123,7 +123,7 @@ def check_slice(folder):
     """The modes of a plane pin are among those of a slice in 3D that is held across, with coefficients of slip rate, pressure and place."""
     law = {"Friction/Coefficient law": "expression", "Friction/Coefficient expression": "0.15 + 0.1*p/1e7 + 0.3*exp(-V) + 3*x"}
     plane = modes(folder, {**PIN, **law})
-    folder.write("slice.prm", "set Dimension = 3\n" + prm({**SLICE, **law, "Sides/Front": "u_y", "Sides/Back": "u_y"}))
+    folder.write("slice.prm", "set Dimension = 3\n" + prm({**SLICE, **law, "Supports/Front/Held": "u_y", "Supports/Back/Held": "u_y"}))
     for ranks in (1, 2):
         folder.run(0, "contact_dynamics", "slice.prm", "--output", "slice", ranks=ranks)
         summary = folder.summary("slice")
@@ -161,7 +161,7 @@ def check_refused(folder):
                             ({**expression, "Friction/Coefficient expression": "0.2 + 0.1*exp(-D)"}, ["Coefficient law", "goes on changing"]),
                             ({**expression, "Friction/Coefficient expression": "0.2 - 0.2*V"}, ["coefficient", "speed of the flat"]),
                             ({**FALLING, "Complex modes/Sweep": "friction coefficient", "Complex modes/Sweep values": "0.1"}, ["Sweep", "Coefficient law"]),
-                            ({**FALLING, "Top/Kind": "held", "Top/Lateral held": None}, ["Coefficient law", "top is held"]),
+                            ({**FALLING, "Supports/Top/Kind": "held", "Supports/Top/Held": None}, ["Coefficient law", "top is held"]),
                             ({"Complex modes/Lowest frequency": 2 * TOP}, ["Lowest frequency", "Highest frequency"])):
         given = {**LAYER, "Body/Cells": "2, 20", **settings}
         folder.write("bad.prm", prm({key: value for key, value in given.items() if value is not None}))
@@ -176,7 +176,7 @@ def check_sweep_of_pressure(folder):
     folder.run(0, "contact_dynamics", "sweep.prm", "--output", "sweep")
     sweep = {case["value"]: case["complex_modes"] for case in folder.summary("sweep")["sweep"]}
     for pressure in pressures:
-        alone = modes(folder, {**law, "Top/Pressure": pressure})
+        alone = modes(folder, {**law, "Supports/Top/Pressure": pressure})
         swept = np.array([complex(mode["growth_rate"], 2 * math.pi * mode["frequency"]) for mode in sweep[pressure]])
         assert len(swept) and np.abs(swept - alone).max() < 1e-9 * np.abs(alone).max(), (pressure, swept, alone)
         closed = SPEED / HEIGHT * math.atanh(pressure * 0.2 * math.exp(-2) / (DENSITY * SPEED))

@@ -22,9 +22,9 @@ FIELDS = "pressure, traction, slip velocity, state, friction work"
 MAP = {"Contact map/Interval": 4e-8, "Contact map/Fields": FIELDS, "Observation/Contact means": "true"}
 STIFFNESS, DENSITY = "36.54e9, 9.1e9, 47.26e9, 13.785e9", 1770
 GRID = {"Body/Stiffness": STIFFNESS, "Body/Density": DENSITY, "Body/Size": "0.012, 0.004", "Body/Cells": "24, 10"}
-SLIDING = {"Flat/Velocity": 2, "Flat/Gap": 1e-7, "Top/Pressure": 5e6, "Friction/Coefficient": 0.4, "Time/Time step": 4e-8,
+SLIDING = {"Flat/Velocity": 2, "Flat/Gap": 1e-7, "Supports/Top/Pressure": 5e6, "Friction/Coefficient": 0.4, "Time/Time step": 4e-8,
            "Time/End time": 4e-5, "Observation/History interval": 1, "Observation/Energy interval": 1, **MAP}
-SIDES = {"Sides/Left": "u_x"}
+SIDES = {"Supports/Left/Held": "u_x"}
 SOLID = {"Dimension": 3, "Body/Size": "4e-3, 2e-3, 2e-3", "Body/Cells": "8, 4, 4", "Body/Density": 7800,
          "Body/Stiffness": "269e9, 115e9, 115e9, 269e9, 115e9, 269e9, 77e9, 77e9, 77e9", "Flat/Velocity": "1.5, 0.5",
          "Body/Initial velocity": "0.5, 0.2, -0.5"}
@@ -78,14 +78,14 @@ def check_uniform(folder):
     """A layer with held sides under pressure, and periodic ones that slide steadily: everything is known in closed form."""
     body = {**GRID, "Body/Size": "0.004, 0.001", "Body/Cells": "16, 4", "Time/Rayleigh beta": 1e-7, "Time/End time": 4e-4,
             "Contact map/Fields": FIELDS, "Contact map/Interval": 1e-5, "Observation/Contact means": "true", "Observation/Blocks": 10,
-            "Top/Pressure": 5e6, "Friction/Coefficient": 0.3, "Observation/Steady from": 2e-4, "Observation/History interval": 10}
-    pressed = run(folder, "pressed", {**body, "Flat/Velocity": 0, "Sides/Left": "u_x", "Sides/Right": "u_x",
-                                      "Top/Ramp": "smooth", "Top/Ramp time": 5e-5})
+            "Supports/Top/Pressure": 5e6, "Friction/Coefficient": 0.3, "Observation/Steady from": 2e-4, "Observation/History interval": 10}
+    pressed = run(folder, "pressed", {**body, "Flat/Velocity": 0, "Supports/Left/Held": "u_x", "Supports/Right/Held": "u_x",
+                                      "Supports/Top/Ramp": "smooth", "Supports/Top/Ramp time": 5e-5})
     same(pressed["contact_map/pressure"][-1], np.full(17, 5e6), 1e-9, "pressed")
     same(pressed["contact/blocks/pressure"][-1], np.full(17, 5e6), 1e-9, "pressed, block")
     assert np.abs(pressed["contact/friction_work"]).max() < 1e-9, "nothing slides"
-    sliding = run(folder, "sliding", {**body, "Flat/Velocity": 2, "Sides/Periodic": "true", "Top/Kind": "pressure", "Top/Lateral held": "true",
-                                      "Top/Ramp": "smooth", "Top/Ramp time": 5e-5, "Friction/Law": "coulomb"})
+    sliding = run(folder, "sliding", {**body, "Flat/Velocity": 2, "Sides/Periodic": "true", "Supports/Top/Kind": "pressure", "Supports/Top/Held": "u_x",
+                                      "Supports/Top/Ramp": "smooth", "Supports/Top/Ramp time": 5e-5, "Friction/Law": "coulomb"})
     check_sums(sliding, step_ratio(sliding), "sliding", periodic=True)
     same(sliding["contact_map/traction"][-1], np.full(17, 0.3 * 5e6), 1e-8, "mu p")
     same(sliding["contact_map/slip_velocity"][-1], np.full(17, 2.0), 1e-8, "V")
@@ -108,7 +108,7 @@ def check_bodies(folder):
     check_sums(grid, 1, "grid")
     box = Box([12, 4], [24, 10], lambda x: "body")
     box.name_side("Contact", 1, False).name_side("Top", 1, True).name_side("wall", 0, False).write(folder("mesh.msh"))
-    mesh = {**SLIDING, "Mesh/File": "mesh.msh", "Mesh/Scale": 0.001, "Mesh/Held in x": "wall", "Phases/Names": "body",
+    mesh = {**SLIDING, "Mesh/File": "mesh.msh", "Mesh/Scale": 0.001, "Supports/wall/Held": "u_x", "Phases/Names": "body",
             "Phases/body/Type": "stiffness", "Phases/body/Stiffness": STIFFNESS, "Phases/body/Density": DENSITY}
     solid = {**SLIDING, **SOLID, "Time/Time step": "auto", "Time/End time": 1e-5, "Snapshots/Interval": 2e-6}
     for name, settings in (("grid", {**GRID, **SLIDING, **SIDES}), ("mesh", mesh), ("solid", solid)):

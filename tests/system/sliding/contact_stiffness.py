@@ -11,9 +11,9 @@ from four_bodies import bodies, histories
 from scenes import Folder, prm
 
 PRESSURE, STIFFNESS = 5e6, 2e13
-STATIC = {"Analysis": "static contact", "Top/Kind": "pressure", "Top/Pressure": PRESSURE, "Flat/Velocity": 0, "Friction/Coefficient": 0,
+STATIC = {"Analysis": "static contact", "Supports/Top/Kind": "pressure", "Supports/Top/Pressure": PRESSURE, "Flat/Velocity": 0, "Friction/Coefficient": 0,
           "Flat/Normal stiffness": STIFFNESS, "Static contact/Tolerance": 1e-10}
-RUN = {"Flat/Velocity": 2, "Flat/Normal stiffness": STIFFNESS, "Top/Pressure": PRESSURE, "Friction/Coefficient": 0.3, "Time/End time": 2e-5,
+RUN = {"Flat/Velocity": 2, "Flat/Normal stiffness": STIFFNESS, "Supports/Top/Pressure": PRESSURE, "Friction/Coefficient": 0.3, "Time/End time": 2e-5,
        "Time/Rayleigh beta": 4.4e-9, "Body/Rayleigh alpha": 2e3, "Observation/Energy interval": 1, "Observation/History interval": 1,
        "Checkpoints/Keep": "true"}
 

@@ -9,7 +9,7 @@ import numpy as np
 from boxes import BOX, MATERIALS, MESH, prepare
 from scenes import Folder, prm, sets
 
-LANDING = {"Top/Pressure": 1e7, "Top/Kind": "platen", "Flat/Velocity": 2, "Body/Acceleration": "0, 0, 0", "Time/End time": 6e-5,
+LANDING = {"Supports/Top/Pressure": 1e7, "Supports/Top/Kind": "platen", "Flat/Velocity": 2, "Body/Acceleration": "0, 0, 0", "Time/End time": 6e-5,
            "Observation/Steady from": 1e-5, "Snapshots/Interval": 0}
 BODIES = {"box": (BOX, {"Body/Material": "heterogeneous", "Body/RVE file": "rve/rve.h5"}), "mesh": (MESH, {"Mesh/File": "mesh.msh", **MATERIALS})}
 
@@ -20,7 +20,7 @@ def homogenized(folder, name):
     folder.write("run.prm", text)
     folder.run(0, "contact_dynamics", "run.prm", "--output", name, *sets(LANDING))
     folder.write("rest.prm", "set Dimension = 3\n" + prm({
-        "Analysis": "static contact", **body, "Top/Pressure": 1e7, "Top/Kind": "platen", "Flat/Velocity": 2,
+        "Analysis": "static contact", **body, "Supports/Top/Pressure": 1e7, "Supports/Top/Kind": "platen", "Flat/Velocity": 2,
         "Friction/Coefficient from": "phases", "Friction/Node rule": "mean"}))
     folder.run(0, "contact_dynamics", "rest.prm", "--output", name + "-rest", ranks=2)
     folder.write("law.prm", prm({"Analysis": "friction homogenization", "Friction homogenization/Heterogeneous run": name,

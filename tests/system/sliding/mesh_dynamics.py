@@ -9,13 +9,13 @@ import numpy as np
 from mesh_files import Box
 from scenes import Folder, prm
 
-COMMON = {"Flat/Velocity": 2, "Flat/Gap": 1e-7, "Top/Pressure": 5e6, "Friction/Coefficient": 0.4, "Time/Time step": 4e-8,
+COMMON = {"Flat/Velocity": 2, "Flat/Gap": 1e-7, "Supports/Top/Pressure": 5e6, "Friction/Coefficient": 0.4, "Time/Time step": 4e-8,
           "Time/End time": 4e-5, "Observation/History interval": 1, "Observation/Energy interval": 1}
 STIFFNESS, DENSITY = "36.54e9, 9.1e9, 47.26e9, 13.785e9", 1770
 BODY = {"Phases/Names": "body", "Phases/body/Type": "stiffness", "Phases/body/Stiffness": STIFFNESS, "Phases/body/Density": DENSITY}
 MESH = prm({"Mesh/File": "mesh.msh", "Mesh/Scale": 0.001, **COMMON})
 STEEL = {"Phases/Names": "body", "Phases/body/Young modulus": "210e9", "Phases/body/Poisson ratio": 0.3, "Phases/body/Density": 7800}
-SOLID = "set Dimension = 3\n" + MESH + prm({**STEEL, "Top/Kind": "pressure", "Body/Initial velocity": "0.5, 1, -1",
+SOLID = "set Dimension = 3\n" + MESH + prm({**STEEL, "Supports/Top/Kind": "pressure", "Body/Initial velocity": "0.5, 1, -1",
                                             "Body/Acceleration": "0, 0, -10", "Snapshots/Interval": 4e-6})
 
 
@@ -65,11 +65,11 @@ def check_same_summary(one, other, limit, what, but=()):
 
 def check_grid_as_mesh(folder):
     folder.write("grid.prm", prm({**COMMON, "Body/Stiffness": STIFFNESS, "Body/Density": DENSITY, "Body/Size": "0.012, 0.004",
-                                  "Body/Cells": "24, 10", "Sides/Left": "u_x"}) + PLANE_PROBES)
+                                  "Body/Cells": "24, 10", "Supports/Left/Held": "u_x"}) + PLANE_PROBES)
     folder.run(0, "contact_dynamics", "grid.prm", "--output", "grid")
     box = Box([12, 4], [24, 10], lambda x: "body")
     box.name_side("Contact", 1, False).name_side("Top", 1, True).name_side("wall", 0, False).write(folder("mesh.msh"))
-    folder.write("mesh.prm", MESH + prm({**BODY, "Mesh/Held in x": "wall"}) + PLANE_PROBES)
+    folder.write("mesh.prm", MESH + prm({**BODY, "Supports/wall/Held": "u_x"}) + PLANE_PROBES)
     for ranks in (1, 2, 3):
         folder.run(0, "contact_dynamics", "mesh.prm", "--output", f"mesh{ranks}", ranks=ranks)
         for name in OBSERVED:
@@ -209,8 +209,8 @@ def check_warnings(folder):
         found = [line for line in out.splitlines() if line.startswith("warning: ")]
         return sorted(line.replace("Mesh/Scale", "Body/Size") for line in found if "Body/Size along" not in line)
 
-    slips = (["Top/Pressure=5", "Flat/Velocity=3000", "Time/End time=1e-6", "Friction/Coefficient=30", "Flat/Gap=1"],
-             ["Top/Pressure=5e9", "Flat/Velocity=1e-9", "Friction/Regularization time=1", "Top/Platen mass=1e9", "Body/Initial velocity=1000, 0"])
+    slips = (["Supports/Top/Pressure=5", "Flat/Velocity=3000", "Time/End time=1e-6", "Friction/Coefficient=30", "Flat/Gap=1"],
+             ["Supports/Top/Pressure=5e9", "Flat/Velocity=1e-9", "Friction/Regularization time=1", "Supports/Top/Platen mass=1e9", "Body/Initial velocity=1000, 0"])
     for some in slips:
         of_grid = warnings("grid.prm", some)
         assert len(of_grid) >= len(some) and warnings("mesh.prm", some) == of_grid, (of_grid, warnings("mesh.prm", some))
@@ -233,7 +233,7 @@ def check_refused(folder):
     refused(["Observation/inside/Position", "give x, y and z"], "Observation/inside/Position=0.001, 0.002")
     refused(["Observation/inside/Position", "too many", "give x and y"], "Observation/inside/Position=0.001, 0.002, 0", prm_file="grid.prm")
     refused(["Body/Cells", "the body is a mesh"], "Body/Cells=3, 4")
-    refused(["Mesh/Held in z", "platen"], "Mesh/Held in z=Top", "Top/Kind=platen")
+    refused(["Supports/Top/Held", "u_x, u_y"], "Supports/Top/Held=u_z")
     refused(["Snapshots/From: 1 s is after the end of the run (Time/End time = "], "Snapshots/From=1")
     refused(["Time/Time step", "above the critical"], "Time/Time step=1e-6")
     folder.write("friction.prm", prm({"Analysis": "friction homogenization", "Mesh/File": "mesh.msh", **STEEL}))

@@ -13,7 +13,7 @@ from scenes import Folder, prm
 
 CELLS = [6, 6, 4]
 MESH = {**COMMON, "Mesh/File": "mesh.msh", "Mesh/Scale": 0.001, **STEEL}
-BLOCK = {**MESH, "Body/Initial velocity": "0, 0, -1", "Top/Kind": "platen", "Observation/Probes": "tip"}
+BLOCK = {**MESH, "Body/Initial velocity": "0, 0, -1", "Supports/Top/Kind": "platen", "Observation/Probes": "tip"}
 
 
 def exchanged(vectors):
@@ -71,8 +71,8 @@ def check_askew(folder):
     """Sliding all the time, friction over pressure is the coefficient along the motion, which is at an angle; a ramp is of the vector."""
     Box(CELLS, [3, 3, 2], lambda x: "body").name_side("Contact", 2, False).name_side("Top", 2, True).write(folder("mesh.msh"))
     folder.write("askew.prm", "set Dimension = 3\n" + prm({
-        **MESH, "Top/Kind": "platen", "Friction/Coefficient": 0.1, "Flat/Velocity": "-12, 16", "Flat/Gap": 0, "Top/Pressure": 1e6,
-        "Top/Ramp": "smooth", "Top/Ramp time": 2e-5, "Observation/Steady from": 2e-5}))
+        **MESH, "Supports/Top/Kind": "platen", "Friction/Coefficient": 0.1, "Flat/Velocity": "-12, 16", "Flat/Gap": 0, "Supports/Top/Pressure": 1e6,
+        "Supports/Top/Ramp": "smooth", "Supports/Top/Ramp time": 2e-5, "Observation/Steady from": 2e-5}))
     for settings in ((), ("--set=Flat/Ramp=linear", "--set=Flat/Ramp time=4e-5"), ("--set=Flat/Velocity=-0.3, 0.4", "--set=Flat/Expression=20")):
         folder.run(0, "contact_dynamics", "askew.prm", "--output", "askew", *settings, ranks=2)
         summary = folder.summary("askew")
@@ -116,8 +116,8 @@ def check_refused(folder):
 
     refused(["Flat/Velocity", "two components, but Dimension is 2"], "Dimension=2", "Flat/Velocity=1, 0")
     refused(["Flat/Velocity", "3"], "Flat/Velocity=1, 2, 3")
-    free = ["Top/Lateral held=false", "Mesh/Held in x=Top"]
-    refused(["Nothing holds the body", "Mesh/Held in y"], "Flat/Velocity=1, 1", *free)
+    free = ["Supports/Top/Held=u_x"]
+    refused(["Nothing holds the body", "a group in u_y"], "Flat/Velocity=1, 1", *free)
     folder.run(0, "contact_dynamics", "static.prm", "--validate", "--set=Flat/Velocity=1, 0", *("--set=" + word for word in free))
 
 

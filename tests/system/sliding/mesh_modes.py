@@ -15,7 +15,7 @@ from scenes import Folder, prm
 
 STIFFNESS, DENSITY = "36.54e9, 9.1e9, 47.26e9, 13.785e9", 1770
 MODAL = {"Analysis": "modal", "Modal/Number of modes": 6}
-FREE = {**MODAL, "Top/Kind": "pressure", "Modal/Bottom": "free"}
+FREE = {**MODAL, "Supports/Top/Kind": "pressure", "Modal/Bottom": "free"}
 
 
 def material(young, nu, density):
@@ -41,13 +41,13 @@ def table(folder, run):
 
 def check_grid_as_mesh(folder):
     """Frequencies, masses and shapes under a platen with mass, one side held, to 1e-9."""
-    common = {**MODAL, "Top/Kind": "platen", "Top/Platen mass": 0.05, "Modal/Tolerance": 1e-12}
+    common = {**MODAL, "Supports/Top/Kind": "platen", "Supports/Top/Platen mass": 0.05, "Modal/Tolerance": 1e-12}
     folder.write("grid.prm", prm({**common, "Body/Stiffness": STIFFNESS, "Body/Density": DENSITY, "Body/Size": "0.012, 0.004",
-                                  "Body/Cells": "24, 10", "Sides/Left": "u_x"}))
+                                  "Body/Cells": "24, 10", "Supports/Left/Held": "u_x"}))
     folder.run(0, "contact_dynamics", "grid.prm", "--output", "grid")
     box = Box([12, 4], [24, 10], lambda x: "body")
     box.name_side("Contact", 1, False).name_side("Top", 1, True).name_side("wall", 0, False).write(folder("mesh.msh"))
-    folder.write("mesh.prm", prm({**common, "Mesh/File": "mesh.msh", "Mesh/Scale": 0.001, "Mesh/Held in x": "wall", "Phases/Names": "body",
+    folder.write("mesh.prm", prm({**common, "Mesh/File": "mesh.msh", "Mesh/Scale": 0.001, "Supports/wall/Held": "u_x", "Phases/Names": "body",
                                   "Phases/body/Type": "stiffness", "Phases/body/Stiffness": STIFFNESS, "Phases/body/Density": DENSITY}))
     for ranks in (1, 3):
         run = f"mesh{ranks}"
@@ -118,8 +118,8 @@ def check_ring(folder):
     inner, outer, young, nu, density = 0.6, 1.0, 3.0, 0.3, 2.0
     speed = math.sqrt(young * (1 - nu) / ((1 + nu) * (1 - 2 * nu)) / density)
     exact = breathing(inner, outer, nu) * speed / (2 * math.pi)
-    settings = {**FREE, **material(young, nu, density), "Mesh/File": "ring.msh", "Mesh/Scale": 1, "Mesh/Held in x": "upright",
-                "Mesh/Held in y": "lying"}
+    settings = {**FREE, **material(young, nu, density), "Mesh/File": "ring.msh", "Mesh/Scale": 1, "Supports/upright/Held": "u_x",
+                "Supports/lying/Held": "u_y"}
     for kind in ("cube", "simplex"):
         errors = []
         for n in (4, 8, 16):
@@ -157,11 +157,11 @@ def check_free_disc(folder):
 
 def check_column(folder):
     """A column between walls under a platen with mass: 3D, on two ranks, gives the frequencies of a grid."""
-    platen = {**MODAL, "Modal/Number of modes": 3, "Top/Kind": "platen"}
+    platen = {**MODAL, "Modal/Number of modes": 3, "Supports/Top/Kind": "platen"}
     lame, shear = 1e9 * 0.3 / (1.3 * 0.4), 1e9 / 2.6
     stiffness = ", ".join(map(repr, [lame + 2 * shear, lame, lame + 2 * shear, shear]))
-    folder.write("column.prm", prm({**platen, "Top/Platen mass": 0.02, "Body/Stiffness": stiffness, "Body/Density": 1000,
-                                    "Body/Size": "0.0005, 0.016", "Body/Cells": "2, 16", "Sides/Left": "u_x", "Sides/Right": "u_x"}))
+    folder.write("column.prm", prm({**platen, "Supports/Top/Platen mass": 0.02, "Body/Stiffness": stiffness, "Body/Density": 1000,
+                                    "Body/Size": "0.0005, 0.016", "Body/Cells": "2, 16", "Supports/Left/Held": "u_x", "Supports/Right/Held": "u_x"}))
     folder.run(0, "contact_dynamics", "column.prm", "--output", "column")
     box = Box([0.5, 0.5, 16], [2, 2, 16], lambda x: "body")
     for axis in range(3):
@@ -171,8 +171,8 @@ def check_column(folder):
     # The platen of the plane column weighs 0.02 kg/m on a width of 0.5 mm.
     solid = {**platen, **material(1e9, 0.3, 1000), "Mesh/File": "solid.msh", "Mesh/Scale": 0.001}
     folder.write("solid.prm", "set Dimension = 3\n" + prm({
-        **solid, "Top/Platen mass": 0.02 * 0.0005, "Mesh/Contact boundary": "lower_z", "Mesh/Top boundary": "upper_z",
-        "Mesh/Held in x": "lower_x, upper_x", "Mesh/Held in y": "lower_y, upper_y"}))
+        **solid, "Supports/Top/Platen mass": 0.02 * 0.0005, "Mesh/Contact boundary": "lower_z", "Mesh/Top boundary": "upper_z",
+        "Supports/lower_x/Held": "u_x", "Supports/upper_x/Held": "u_x", "Supports/lower_y/Held": "u_y", "Supports/upper_y/Held": "u_y"}))
     folder.run(0, "contact_dynamics", "solid.prm", "--output", "solid", ranks=2)
     for bottom in ("free", "held"):
         plane, solid = modes(folder, "column", bottom), modes(folder, "solid", bottom)
@@ -194,7 +194,7 @@ def check_refused(folder):
     refused(["Modal/Number of modes", "500 modes of only"], "Modal/Number of modes=500")
     refused(["Performance/Static solver", "ml"], "Performance/Static solver=jacobi")
     refused(["Mesh/Contact boundary", "'sole' is no physical group"], "Mesh/Contact boundary=sole")
-    refused(["Mesh/Held in z", "platen"], "Mesh/Held in z=upper_z")
+    refused(["Supports/upper_z", "it is Mesh/Top boundary"], "Supports/upper_z/Held=u_z")
     # What is neither held nor loaded need not be there.
     folder.run(0, "contact_dynamics", "solid.prm", "--validate", "--set=Mesh/Contact boundary=sole", "--set=Modal/Bottom=free")
 

@@ -18,7 +18,7 @@ SOLID_BODY = "set Dimension = 3\n" + prm({
     "Phases/Names": "body, core", **{key: value for key, value in STEEL.items() if key != "Phases/Names"},
     "Phases/core/Young modulus": "70e9", "Phases/core/Poisson ratio": 0.2, "Phases/core/Density": 2700})
 SOLID = SOLID_BODY + MESH + prm({
-    "Top/Kind": "pressure", "Body/Initial velocity": "0.5, 1, -1", "Snapshots/Interval": 1e-5, **PERIODIC, "Mesh/Periodic in y": "front, back"})
+    "Supports/Top/Kind": "pressure", "Body/Initial velocity": "0.5, 1, -1", "Snapshots/Interval": 1e-5, **PERIODIC, "Mesh/Periodic in y": "front, back"})
 
 
 def box_with_sides(size, cells, phase, kind="cube"):
@@ -108,7 +108,7 @@ def check_shifted(folder):
 
 def check_modes_of_grid(folder):
     """Frequencies and effective masses, of modes in pairs their sum, under a platen with mass."""
-    modal = {"Analysis": "modal", "Modal/Number of modes": 8, "Modal/Tolerance": 1e-12, "Top/Platen mass": 0.05}
+    modal = {"Analysis": "modal", "Modal/Number of modes": 8, "Modal/Tolerance": 1e-12, "Supports/Top/Platen mass": 0.05}
     folder.write("grid.prm", prm({**modal, "Body/Stiffness": STIFFNESS, "Body/Density": DENSITY, "Body/Size": "0.012, 0.004",
                                   "Body/Cells": "24, 10", "Sides/Periodic": "true"}))
     folder.run(0, "contact_dynamics", "grid.prm", "--output", "grid_modal")
@@ -134,8 +134,8 @@ def check_modes_of_grid(folder):
 
 def check_static_of_grid(folder):
     """Gravity along the flat, which rests: a layer that sticks; and one on a flat that slides."""
-    for load in ({"Flat/Velocity": 0, "Body/Acceleration": "3e3, -2e4"}, {"Flat/Velocity": -2, "Top/Lateral held": "true"}):
-        common = {**LOADS, "Top/Lateral held": "false", **load}
+    for load in ({"Flat/Velocity": 0, "Body/Acceleration": "3e3, -2e4"}, {"Flat/Velocity": -2, "Supports/Top/Held": "u_x"}):
+        common = {**LOADS, "Supports/Top/Held": "", **load}
         folder.write("grid.prm", prm({**common, "Body/Stiffness": STIFFNESS, "Body/Density": DENSITY, "Body/Size": "0.012, 0.004",
                                       "Body/Cells": "24, 10", "Sides/Periodic": "true"}))
         folder.run(0, "contact_dynamics", "grid.prm", "--output", "grid_static")
@@ -157,8 +157,8 @@ def check_shifted_statics(folder):
     """Phases that are shifted across the sides shift the equilibrium and leave the frequencies as they are."""
     solid = SOLID_BODY + prm({"Mesh/File": "mesh.msh", "Mesh/Scale": 0.001, **PERIODIC, "Mesh/Periodic in y": "front, back"})
     folder.write("static.prm", solid + prm({**LOADS, "Flat/Velocity": "1, -2"}))
-    folder.write("rest.prm", solid + prm({**LOADS, "Top/Lateral held": "false", "Flat/Velocity": 0, "Body/Acceleration": "1e3, 2e3, -1e4"}))
-    folder.write("modal.prm", solid + prm({"Analysis": "modal", "Modal/Number of modes": 6, "Top/Kind": "pressure", "Modal/Tolerance": 1e-12}))
+    folder.write("rest.prm", solid + prm({**LOADS, "Supports/Top/Held": "", "Flat/Velocity": 0, "Body/Acceleration": "1e3, 2e3, -1e4"}))
+    folder.write("modal.prm", solid + prm({"Analysis": "modal", "Modal/Number of modes": 6, "Supports/Top/Kind": "pressure", "Modal/Tolerance": 1e-12}))
     fields, frequencies = {"static": [], "rest": []}, []
     for shift, ranks in ((0, 1), (0, 3), (2, 2)):
         shifted_box(shift).write(folder("mesh.msh"))

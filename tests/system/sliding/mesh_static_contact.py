@@ -11,7 +11,7 @@ from mesh_files import Box
 from scenes import Folder, prm
 
 STIFFNESS, DENSITY = "36.54e9, 9.1e9, 47.26e9, 13.785e9", 1770
-LOADS = {"Analysis": "static contact", "Top/Kind": "pressure", "Top/Pressure": 1e6, "Top/Lateral held": "true",
+LOADS = {"Analysis": "static contact", "Supports/Top/Kind": "pressure", "Supports/Top/Pressure": 1e6, "Supports/Top/Held": "u_x",
          "Static contact/Tolerance": 1e-9, "Friction/Coefficient": 0.2}
 MESH = {"Mesh/File": "mesh.msh", "Mesh/Scale": 0.001, "Phases/Names": "body", "Phases/body/Young modulus": 40e9,
         "Phases/body/Poisson ratio": 0.3, "Phases/body/Density": DENSITY}
@@ -33,9 +33,9 @@ def assert_close(one, other, tolerance):
 def check_grid_as_mesh(folder, velocity, top, steps=None):
     """Pressure, shear and states of a sliding or resting body to the tolerance, and what the flat carries after each of the `steps`."""
     names = ("pressure [Pa]", "displacement_x [m]")
-    common = {**LOADS, "Flat/Velocity": velocity, "Top/Kind": top, **(steps or {})}
+    common = {**LOADS, "Flat/Velocity": velocity, "Supports/Top/Kind": top, **(steps or {})}
     if top == "platen":
-        del common["Top/Lateral held"]
+        del common["Supports/Top/Held"]
     folder.write("grid.prm", prm({**common, "Body/Stiffness": STIFFNESS, "Body/Density": DENSITY, "Body/Size": "0.012, 0.004",
                                   "Body/Cells": "24, 10"}))
     folder.run(0, "contact_dynamics", "grid.prm", "--output", "grid")
@@ -78,7 +78,7 @@ def check_two_phases(folder):
         phases.update({f"Phases/{name}/{key}": value for key, value in (
             ("Young modulus", modulus), ("Poisson ratio", 0), ("Density", DENSITY), ("Friction coefficient", friction))})
     folder.write("columns.prm", "set Dimension = 3\n" + prm({
-        "Analysis": "static contact", "Top/Kind": "platen", "Top/Pressure": 1e6, "Flat/Velocity": 0, "Mesh/File": "mesh.msh",
+        "Analysis": "static contact", "Supports/Top/Kind": "platen", "Supports/Top/Pressure": 1e6, "Flat/Velocity": 0, "Mesh/File": "mesh.msh",
         "Mesh/Scale": 0.001, **phases}))
     box = Box([8, 2, 3], [8, 2, 3], lambda x: "soft" if x[0] < 6 else "stiff")
     box.name_side("Contact", 2, False).name_side("Top", 2, True).write(folder("mesh.msh"))
@@ -105,8 +105,8 @@ def check_node_rules(folder):
 def check_steps(folder):
     """Where nothing but the size of the load changes steps are as good as one; back and forth again; the same on 1, 2 and 3 ranks."""
     names = ("pressure [Pa]", "displacement_x [m]", "shear_traction [Pa]")
-    common = {**LOADS, **MESH, "Top/Kind": "platen", "Flat/Velocity": 0}
-    del common["Top/Lateral held"]
+    common = {**LOADS, **MESH, "Supports/Top/Kind": "platen", "Flat/Velocity": 0}
+    del common["Supports/Top/Held"]
     Box([6, 2], [12, 5], lambda x: "body").name_side("Contact", 1, False).name_side("Top", 1, True).write(folder("mesh.msh"))
     folder.write("steps.prm", prm(common))
     tables = {}
@@ -130,7 +130,7 @@ def check_steps(folder):
     for words, named in ((["Flat/Velocity=2", "Static contact/Flat displacement=1e-7"], "Flat displacement"),
                          (["Static contact/Flat displacement=1e-7, 1e-7"], "Flat displacement"),
                          (["Static contact/Load steps=0"], "Load steps"),
-                         (["Top/Kind=pressure", "Static contact/Flat displacement=1e-7"], "Flat displacement")):
+                         (["Supports/Top/Kind=pressure", "Static contact/Flat displacement=1e-7"], "Flat displacement")):
         said = folder.run(2, "contact_dynamics", "steps.prm", "--validate", *["--set=" + word for word in words])
         assert named in said, said
 
@@ -139,12 +139,12 @@ def check_held_side(folder):
     """A side that is held along the normal of the flat under a pressure: its nodes stay where they are, and grid and mesh agree."""
     common = {**LOADS, "Flat/Velocity": 2}
     folder.write("side_grid.prm", prm({**common, "Body/Stiffness": STIFFNESS, "Body/Density": DENSITY, "Body/Size": "0.012, 0.004",
-                                       "Body/Cells": "24, 10", "Sides/Left": "both"}))
+                                       "Body/Cells": "24, 10", "Supports/Left/Held": "u_x, u_y"}))
     box = Box([12, 4], [24, 10], lambda x: "body")
     box.name_side("Contact", 1, False).name_side("Top", 1, True).name_side("left", 0, False).write(folder("mesh.msh"))
     folder.write("side_mesh.prm", prm({**common, "Mesh/File": "mesh.msh", "Mesh/Scale": 0.001, "Phases/Names": "body",
                                        "Phases/body/Type": "stiffness", "Phases/body/Stiffness": STIFFNESS, "Phases/body/Density": DENSITY,
-                                       "Mesh/Held in x": "left", "Mesh/Held in y": "left"}))
+                                       "Supports/left/Held": "u_x, u_y"}))
     names = ("pressure [Pa]", "displacement_x [m]")
     for run in ("side_grid", "side_mesh"):
         folder.run(0, "contact_dynamics", run + ".prm", "--output", run)
@@ -160,7 +160,7 @@ def check_layer(folder):
     folder.write("flat.prm", prm({**LOADS, **MESH, "Flat/Velocity": 2}))
     Box([6, 2], [12, 5], lambda x: "body").name_side("Contact", 1, False).name_side("Top", 1, True).write(folder("mesh.msh"))
     folder.run(0, "contact_dynamics", "flat.prm", "--output", "flat")
-    folder.write("layer.prm", "set Dimension = 3\n" + prm({**LOADS, **MESH, "Flat/Velocity": 2, "Mesh/Held in y": "front, back"}))
+    folder.write("layer.prm", "set Dimension = 3\n" + prm({**LOADS, **MESH, "Flat/Velocity": 2, "Supports/front/Held": "u_y", "Supports/back/Held": "u_y"}))
     box = Box([6, 1, 2], [12, 1, 5], lambda x: "body")
     box.name_side("Contact", 2, False).name_side("Top", 2, True).name_side("front", 1, False).name_side("back", 1, True)
     box.write(folder("mesh.msh"))
@@ -187,7 +187,7 @@ def check_along_the_motion(folder):
 
 def check_standing_faces(folder):
     """Faces of the contact that stand on the flat are told."""
-    folder.write("edge.prm", prm({**MESH, "Top/Kind": "pressure", "Top/Pressure": 1e6}))
+    folder.write("edge.prm", prm({**MESH, "Supports/Top/Kind": "pressure", "Supports/Top/Pressure": 1e6}))
     for standing in (False, True):
         box = Box([6, 4], [6, 4], lambda x: "body")
         box.name_side("Contact", 1, False)
@@ -201,11 +201,11 @@ def check_standing_faces(folder):
 
 
 def check_refused(folder):
-    for key, value, said in (("Top/Kind", "held", "Top/Kind"), ("Top/Pressure", 0, "Top/Pressure"), ("Flat/Gap", 1e-6, "Flat/Gap"),
-                             ("Top/Lateral held", "false", "Nothing holds the body")):
+    for key, value, said in (("Supports/Top/Kind", "held", "Supports/Top/Kind"), ("Supports/Top/Pressure", 0, "Supports/Top/Pressure"), ("Flat/Gap", 1e-6, "Flat/Gap"),
+                             ("Supports/Top/Held", "", "Nothing holds the body")):
         settings = {**LOADS, **MESH, "Flat/Velocity": 2, key: value}
-        if key == "Top/Kind":
-            del settings["Top/Lateral held"]
+        if key == "Supports/Top/Kind":
+            del settings["Supports/Top/Held"]
         folder.write("bad.prm", "set Dimension = 3\n" + prm(settings))
         assert said in folder.run(2, "contact_dynamics", "bad.prm", "--output", "bad"), key
 

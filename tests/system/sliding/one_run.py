@@ -12,7 +12,7 @@ from scenes import Folder, prm
 
 STIFFNESS = "283e9, 121e9, 283e9, 81e9"
 STEEL = {"Phases/Names": "body", "Phases/body/Type": "stiffness", "Phases/body/Stiffness": STIFFNESS, "Phases/body/Density": 7800}
-SLIDING = {"Flat/Velocity": 2, "Top/Pressure": 5e6, "Friction/Coefficient": 0.4, "Time/Time step": 4e-8, "Time/End time": 2e-5}
+SLIDING = {"Flat/Velocity": 2, "Supports/Top/Pressure": 5e6, "Friction/Coefficient": 0.4, "Time/Time step": 4e-8, "Time/End time": 2e-5}
 BODIES = {
     "grid": {"Body/Stiffness": STIFFNESS, "Body/Density": 7800, "Body/Size": "0.008, 0.004", "Body/Cells": "16, 8"},
     "mesh": {"Mesh/File": "mesh.msh", "Mesh/Scale": 0.001, **STEEL},
@@ -66,7 +66,7 @@ def check_runaway(folder, body):
 
 def check_strains(folder, body):
     """A blow that was over before the run was interrupted is told of the whole run."""
-    blow = {"Top/Expression": "(t < 4e-6) ? 2e10 : 1e6", "Time/Rayleigh beta": 1e-7, "Time/Time step": 1e-8, "Checkpoints/Keep": "true"}
+    blow = {"Supports/Top/Expression": "(t < 4e-6) ? 2e10 : 1e6", "Time/Rayleigh beta": 1e-7, "Time/Time step": 1e-8, "Checkpoints/Keep": "true"}
     said = run(folder, 0, body, "hit", {**blow, "Time/End time": 6e-5})
     assert "earlier in the run" not in said and " in step " in said and "the strain is " in said, (body, said)
     said = run(folder, 0, body, "hit", {**blow, "Time/End time": 6.1e-5}, "--resume")
@@ -76,14 +76,14 @@ def check_strains(folder, body):
 def check_static_strains(folder, body, largest):
     """Large ones are told with their place, the same on a grid and on a mesh of it, and a cell that is inside out ends the analysis."""
     settings = {key: value for key, value in {**SLIDING, **BODIES[body]}.items() if not key.startswith("Time/")}
-    folder.write(body + ".prm", prm({"Analysis": "static contact", **settings, "Friction/Coefficient": 0.1, "Top/Pressure": 2.5e10}))
+    folder.write(body + ".prm", prm({"Analysis": "static contact", **settings, "Friction/Coefficient": 0.1, "Supports/Top/Pressure": 2.5e10}))
     for ranks in (1,) if body == "grid" else (1, 3):
         said = folder.run(0, "contact_dynamics", body + ".prm", "--output", "static", ranks=ranks)
         found = folder.summary("static")["largest_strain"]
         assert "the strain is " in said and " around x = " in said and found > 0.05, (body, said)
         assert abs(found / largest.setdefault(body.replace("mesh", "grid"), found) - 1) < 1e-6, (body, ranks, found, largest)
-    said = folder.run(3, "contact_dynamics", body + ".prm", "--output", "static", "--set=Top/Pressure=1e12")
-    assert "static contact: cell " in said and "turned inside out" in said and "Top/Pressure = 1e+12 Pa" in said, (body, said)
+    said = folder.run(3, "contact_dynamics", body + ".prm", "--output", "static", "--set=Supports/Top/Pressure=1e12")
+    assert "static contact: cell " in said and "turned inside out" in said and "Supports/Top/Pressure = 1e+12 Pa" in said, (body, said)
 
 
 if __name__ == "__main__":

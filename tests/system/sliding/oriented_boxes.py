@@ -108,7 +108,7 @@ def check_as_mesh(folder, of_mesh):
 
 
 def check_other_analyses(folder, of_mesh):
-    common = {"Top/Pressure": 5e7, "Flat/Velocity": 1}
+    common = {"Supports/Top/Pressure": 5e7, "Flat/Velocity": 1}
     for name, settings in (("modal", prm({"Analysis": "modal", "Modal/Number of modes": 3})),
                            ("static", prm({**common, "Analysis": "static contact", "Friction/Coefficient from": "constant", "Friction/Coefficient": 0.2}))):
         of_box, mesh_sides = boxes.SUPPORTS["platen"]
@@ -123,7 +123,7 @@ def check_other_analyses(folder, of_mesh):
 
 def check_localized(folder):
     """Stresses of the homogeneous and of the direct run: those of the turned stiffnesses, taken from loads of the volume."""
-    common = {"Body/RVE file": "rve/rve.h5", "Top/Kind": "platen", "Top/Pressure": 5e7, "Time/Time step": 1e-8, "Time/End time": 4e-6, "Snapshots/Interval": 1e-6}
+    common = {"Body/RVE file": "rve/rve.h5", "Supports/Top/Kind": "platen", "Supports/Top/Pressure": 5e7, "Time/Time step": 1e-8, "Time/End time": 4e-6, "Snapshots/Interval": 1e-6}
     folder.write("homogeneous.prm", prm({"Dimension": 3, **common}))
     folder.write("direct.prm", prm({"Dimension": 3, **common, "Body/Material": "heterogeneous"}))
     for run in ("homogeneous", "direct"):

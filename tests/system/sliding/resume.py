@@ -31,7 +31,7 @@ SKIPPED = rf"log\.txt|\.lock|{re.escape(CHECKPOINT)}", r"summary\.json:(seconds(
 RVE = rve("60, 24", "0.006, 0.0024", 2e-4, 6e-4, **{"Microstructure/Random fibres/Cut by border": "true"})
 # Everything that has a state: histories, energy, probes, snapshots, blocks, a platen that is held.
 CONTACT = prm({
-    "Body/RVE file": "rve/rve.h5", "Time/End time": 5.003e-4, "Time/Time step": 5e-9, "Top/Hold from": 3e-4, "Top/Platen mass": 0.02,
+    "Body/RVE file": "rve/rve.h5", "Time/End time": 5.003e-4, "Time/Time step": 5e-9, "Supports/Top/Hold from": 3e-4, "Supports/Top/Platen mass": 0.02,
     "Friction/Law": "slip rate", "Friction/Coefficient law": "exponential slip weakening", "Friction/Coefficient": 0.4,
     "Friction/Normal stress": "constant time", "Observation/Energy interval": 30, "Observation/Probes": "contact, bulk",
     "Observation/contact/Position": "0.00305, 0.00005", "Observation/bulk/Position": "0.00305, 0.00125", "Snapshots/Interval": 6.6e-6,

@@ -14,8 +14,8 @@ PHASE = {"Young modulus": 30e9, "Poisson ratio": 0.2, "Density": 1800}
 COMMON = {"Flat/Gap": 1e-3, "Flat/Velocity": 0, "Time/End time": STEP * STEPS, "Observation/History interval": 1,
           "Observation/Probe interval": 1, "Observation/Energy interval": 1, "Body/Acceleration": "3e5, -2e5",
           "Time/Rayleigh beta": 0}  # damping acts half a step late
-TOPS = {"platen": {"Top/Kind": "platen", "Top/Platen mass": 2e-3, "Top/Pressure": 5e6}, "pressure": {"Top/Kind": "pressure", "Top/Pressure": 5e6},
-        "none": {"Top/Kind": "pressure", "Top/Pressure": 0}}
+TOPS = {"platen": {"Supports/Top/Kind": "platen", "Supports/Top/Platen mass": 2e-3, "Supports/Top/Pressure": 5e6}, "pressure": {"Supports/Top/Kind": "pressure", "Supports/Top/Pressure": 5e6},
+        "none": {"Supports/Top/Kind": "pressure", "Supports/Top/Pressure": 0}}
 SPACE = {"Body/Acceleration": "3e5, 1e5, -2e5"}
 BODIES = {  # dimension, keys
     "grid": (2, {"Body/Size": "6e-3, 4e-3", "Body/Cells": "6, 4", "Body/Stiffness": "33.3e9, 8.3e9, 33.3e9, 12.5e9", "Body/Density": 1800}),

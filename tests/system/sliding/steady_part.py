@@ -10,7 +10,7 @@ import numpy as np
 from scenes import Folder, prm, sets
 
 # The paper's pin on cells of 1 mm, which vibrates at 124 and 221 kHz: 45 and 25 steps a period.
-PIN = prm({"Body/Cells": "56, 16", "Time/End time": 2e-3, "Flat/Velocity": 2, "Top/Pressure": 5e6})
+PIN = prm({"Body/Cells": "56, 16", "Time/End time": 2e-3, "Flat/Velocity": 2, "Supports/Top/Pressure": 5e6})
 LENGTH, PRESSURE, VELOCITY, MU = 0.056, 5e6, 2., 0.25
 SPARSE = "their spectra would show frequencies that are not there"
 
@@ -107,16 +107,16 @@ def check_loads(folder):
         says(run, "over the mean of F_N |V|", what)
         return run
 
-    held = compare({"Top/Kind": "held", "Body/Acceleration": "0, -2e5"}, lambda t: VELOCITY + 0 * t, "held top")
+    held = compare({"Supports/Top/Kind": "held", "Body/Acceleration": "0, -2e5"}, lambda t: VELOCITY + 0 * t, "held top")
     assert 0.1 < held["global_interface_friction_coefficient"] < MU, held["global_interface_friction_coefficient"]
-    compare({"Top/Hold from": 1.4e-4}, lambda t: VELOCITY + 0 * t, "top that stops")
+    compare({"Supports/Top/Hold from": 1.4e-4}, lambda t: VELOCITY + 0 * t, "top that stops")
     compare({"Body/Acceleration": "0, -2e4"}, lambda t: VELOCITY + 0 * t, "weight")
     compare({"Flat/Expression": "20"}, lambda t: 20 + 0 * t, "velocity by expression")
     compare({"Flat/Expression": "2 + sin(2*pi*3e4*t)"}, lambda t: 2 + np.sin(2 * np.pi * 3e4 * t), "velocity that varies")
     compare({"Flat/Expression": "1/(t-2e-4)"}, lambda t: 1 / (t - 2e-4), "velocity with a pole", 5e-3)
     # Some nodes touch now and then, for a few steps.
-    compare({"Top/Kind": "held", "Flat/Gap": 1e-7, "Body/Initial velocity": "0.5, -2"}, lambda t: VELOCITY + 0 * t, "body that bounces")
-    compare({"Top/Expression": "5e6*(1 + 0.5*sin(2*pi*2e4*t))"}, lambda t: VELOCITY + 0 * t, "pressure that varies")
+    compare({"Supports/Top/Kind": "held", "Flat/Gap": 1e-7, "Body/Initial velocity": "0.5, -2"}, lambda t: VELOCITY + 0 * t, "body that bounces")
+    compare({"Supports/Top/Expression": "5e6*(1 + 0.5*sin(2*pi*2e4*t))"}, lambda t: VELOCITY + 0 * t, "pressure that varies")
 
     slow = Run(folder, {**every, "Flat/Velocity": 1e-12})
     assert slow["global_interface_friction_coefficient"] > MU
@@ -128,8 +128,8 @@ def check_loads(folder):
         assert run["global_interface_friction_warning"] in run.log
         says(run, "mu_inter is left out: the mean of F_N |V| in the steady part is 0 W/m", what)
     for pressure, words in ((0, "is 0 Pa, which presses nothing"), (-1e6, "is -1e+06 Pa, which pulls the body off the flat")):
-        run = Run(folder, {**every, "Top/Pressure": pressure, "Flat/Gap": 1e-6})
-        says(run, f"no node touched the flat in the steady part: Top/Pressure {words}", f"pressure {pressure}")
+        run = Run(folder, {**every, "Supports/Top/Pressure": pressure, "Flat/Gap": 1e-6})
+        says(run, f"no node touched the flat in the steady part: Supports/Top/Pressure {words}", f"pressure {pressure}")
 
 
 def check_periodic(folder):
@@ -162,13 +162,13 @@ def check_energy(folder):
 def check_scale(folder):
     """A body twice as long and 2^14 times as soft vibrates 256 times as slowly, and all is as of the pin; no number is that of its size."""
     growing = {"Time/End time": 1e-3, "Time/Time step": 5e-8, "Time/Rayleigh beta": 8.8e-8, "Friction/Regularization time": 1.5e-6}
-    steady = {**growing, "Time/End time": 4e-3, "Flat/Ramp time": 5e-4, "Top/Ramp time": 5e-4}
+    steady = {**growing, "Time/End time": 4e-3, "Flat/Ramp time": 5e-4, "Supports/Top/Ramp time": 5e-4}
     moduli = np.array([36.54e9, 9.1e9, 47.26e9, 13.785e9])
     for settings in (steady, growing):
         ramps, runs = {f"{of}/Ramp": "smooth" for of in ("Flat", "Top") if settings is steady}, []
         for softer, time in ((1, 1), (2**14, 256)):
             scaled = {key: value * time for key, value in settings.items()}
-            scaled.update({**ramps, "Body/Stiffness": ", ".join(repr(float(x)) for x in moduli / softer), "Top/Pressure": 5e6 / softer,
+            scaled.update({**ramps, "Body/Stiffness": ", ".join(repr(float(x)) for x in moduli / softer), "Supports/Top/Pressure": 5e6 / softer,
                            "Body/Size": "0.056, 0.016" if time == 1 else "0.112, 0.032", "Flat/Velocity": 2. if time == 1 else 4. / time})
             runs.append(Run(folder, scaled))
         pin, soft = runs
@@ -181,7 +181,7 @@ def check_scale(folder):
 def check_slow_motion(folder):
     """A motion of less than two periods in the steady part has no frequency; one that is larger than what has is told."""
     gently = {"Flat/Ramp": "smooth", "Flat/Ramp time": 4e-4, "Time/Rayleigh beta": 8.8e-8, "Time/Time step": 5e-8, "Friction/Regularization time": 1.5e-6,
-              "Top/Expression": "5e6*(1 + 0.9*sin(2*pi*1500*t))*(1 - exp(-t/2e-4))"}
+              "Supports/Top/Expression": "5e6*(1 + 0.9*sin(2*pi*1500*t))*(1 - exp(-t/2e-4))"}
     slow = Run(folder, {**gently, "Time/End time": 1e-3, "Observation/Steady from": 5e-4})
     says(slow, "the reference node moves more at less than 4 kHz, of which the steady part has not two periods", "slow pressure")
     assert slow["main_frequency"] > 4e3

@@ -14,17 +14,17 @@ from scenes import Folder, prm
 
 HEIGHT, DENSITY, D, PRESSURE = 4e-3, 1770.0, 47.26e9, 5e6
 STIFFNESS, MASS = 3e12, 2.0
-TOP = {"Top/Kind": "springs", "Top/Mass": MASS}
+TOP = {"Supports/Top/Kind": "springs", "Supports/Top/Mass": MASS}
 MODAL = {"Analysis": "modal", "Modal/Bottom": "free", "Modal/Number of modes": 4, **TOP}
-STATIC = {"Analysis": "static contact", "Top/Pressure": PRESSURE, "Flat/Velocity": 0, "Friction/Coefficient": 0,
+STATIC = {"Analysis": "static contact", "Supports/Top/Pressure": PRESSURE, "Flat/Velocity": 0, "Friction/Coefficient": 0,
           "Static contact/Tolerance": 1e-10, **TOP}
-RUN = {"Flat/Velocity": 2, "Top/Pressure": PRESSURE, "Friction/Coefficient": 0.3, "Time/End time": 2e-5, "Time/Rayleigh beta": 4.4e-9,
+RUN = {"Flat/Velocity": 2, "Supports/Top/Pressure": PRESSURE, "Friction/Coefficient": 0.3, "Time/End time": 2e-5, "Time/Rayleigh beta": 4.4e-9,
        "Observation/Energy interval": 1, "Observation/History interval": 1, "Checkpoints/Keep": "true"}
-TOPS = {"springs": {"Top/Kind": "springs", "Top/Spring stiffness": "1e12, 3e12", "Top/Dashpot": "2e6, 1e6", "Top/Mass": MASS, "Top/Motion":
+TOPS = {"springs": {"Supports/Top/Kind": "springs", "Supports/Top/Spring stiffness": "1e12, 3e12", "Supports/Top/Dashpot": "2e6, 1e6", "Supports/Top/Mass": MASS, "Supports/Top/Motion":
                     "1e-7*sin(1e6*t); 1e-3*t"},
-        "platen": {"Top/Kind": "platen", "Top/Dashpot": "2e6", "Top/Platen mass": 1e-3,
-                   "Top/Motion": "1e-2*t"},
-        "absorbing": {"Top/Kind": "absorbing"}}
+        "platen": {"Supports/Top/Kind": "platen", "Supports/Top/Dashpot": "2e6", "Supports/Top/Platen mass": 1e-3,
+                   "Supports/Top/Motion": "1e-2*t"},
+        "absorbing": {"Supports/Top/Kind": "absorbing"}}
 
 
 def along_normal(first, value):
@@ -50,7 +50,7 @@ def exact_frequency():
 
 
 def check_modes(folder, name, first, body):
-    folder.write("modal.prm", first + prm({**MODAL, **body, "Top/Spring stiffness": along_normal(first, STIFFNESS)}))
+    folder.write("modal.prm", first + prm({**MODAL, **body, "Supports/Top/Spring stiffness": along_normal(first, STIFFNESS)}))
     seen = []
     for ranks in (1, 2, 3):
         folder.run(0, "contact_dynamics", "modal.prm", "--output", "modal", ranks=ranks)
@@ -65,11 +65,11 @@ def check_modes(folder, name, first, body):
 
 def check_complex(folder, name, first, body):
     """Without friction they vibrate as the modes do whose bottom is held along the normal."""
-    springs = {**TOP, "Top/Spring stiffness": "1e12, 2e12, 3e12" if "3" in first else "1e12, 3e12"}
+    springs = {**TOP, "Supports/Top/Spring stiffness": "1e12, 2e12, 3e12" if "3" in first else "1e12, 3e12"}
     folder.write("modal.prm", first + prm({**MODAL, **springs, **body, "Modal/Bottom": "held in z" if "3" in first else "held in y"}))
     folder.run(0, "contact_dynamics", "modal.prm", "--output", "still")
     still = np.array(folder.summary("still")["frequencies"]["held"])[:3]
-    folder.write("complex.prm", first + prm({**springs, **body, "Analysis": "complex modes", "Top/Pressure": PRESSURE, "Friction/Coefficient": 0, "Time/Rayleigh beta": 0,
+    folder.write("complex.prm", first + prm({**springs, **body, "Analysis": "complex modes", "Supports/Top/Pressure": PRESSURE, "Friction/Coefficient": 0, "Time/Rayleigh beta": 0,
                                              "Complex modes/Highest frequency": 1.05 * still[-1], "Complex modes/Fastest decay": 1}))
     folder.run(0, "contact_dynamics", "complex.prm", "--output", "complex")
     with open(folder("complex", "complex_modes.csv"), encoding="ascii") as file:
@@ -79,7 +79,7 @@ def check_complex(folder, name, first, body):
 
 
 def check_static(folder, name, first, body):
-    folder.write("static.prm", first + prm({**STATIC, **body, "Top/Spring stiffness": along_normal(first, STIFFNESS)}))
+    folder.write("static.prm", first + prm({**STATIC, **body, "Supports/Top/Spring stiffness": along_normal(first, STIFFNESS)}))
     carried = PRESSURE / (1 + STIFFNESS * HEIGHT / D)
     for ranks in (1, 2, 3):
         folder.run(0, "contact_dynamics", "static.prm", "--output", "static", ranks=ranks)
@@ -93,14 +93,14 @@ def check_static(folder, name, first, body):
 def check_run(folder, name, kind, first, body):
     top = dict(TOPS[kind])
     if kind == "platen":  # moves the corners of the sides
-        body = {key: value for key, value in body.items() if "Sides/" not in key and "Held" not in key}
-        top["Top/Spring stiffness"] = "1e12, " + along_normal(first, 3e12).partition(", ")[2]
+        body = {key: value for key, value in body.items() if "Held" not in key}
+        top["Supports/Top/Spring stiffness"] = "1e12, " + along_normal(first, 3e12).partition(", ")[2]
     folder.write("run.prm", first + prm({**RUN, **top, **body}))
     folder.run(0, "contact_dynamics", "run.prm", "--output", "run1")
     one, summary = histories(folder, "run1"), folder.summary("run1")
     assert summary["energy_balance_residual"] < 1e-11, (name, kind, summary["energy_balance_residual"])
     scale = np.abs(one["energy/elastic"]).max()
-    assert summary["supports"]["absorbing"] == (kind == "absorbing") and "Top: " in folder.read("run1", "log.txt").decode(), (name, kind)
+    assert summary["supports"]["Top"]["absorbing"] == (kind == "absorbing") and "Top: " in folder.read("run1", "log.txt").decode(), (name, kind)
     assert one["energy/dashpots"].max() > 1e-3 * scale and np.diff(one["energy/dashpots"]).min() > -1e-12 * scale, (name, kind)
     for ranks in (2, 3):
         folder.run(0, "contact_dynamics", "run.prm", "--output", "run", ranks=ranks)
@@ -114,24 +114,24 @@ def check_run(folder, name, kind, first, body):
 
 
 def check_sentences(folder):
-    warned = lambda words, value: words in "".join(folder.run(0, "contact_dynamics", "run.prm", "--validate", "--set", "Top/Kind=springs", "--set",
-                                                              f"Top/Spring stiffness={value}"))
+    warned = lambda words, value: words in "".join(folder.run(0, "contact_dynamics", "run.prm", "--validate", "--set", "Supports/Top/Kind=springs", "--set",
+                                                              f"Supports/Top/Spring stiffness={value}"))
     refused = lambda words, *settings: words in folder.run(2, "contact_dynamics", "run.prm", "--validate",
                                                            *[arg for text in settings for arg in ("--set", text)])
     folder.write("run.prm", prm({**RUN, "Body/Stiffness": "36.54e9, 9.1e9, 47.26e9, 13.785e9", "Body/Density": 1770, "Body/Size": "0.006, 0.004",
                                  "Body/Cells": "12, 9"}))
     assert warned("stretches the springs by 50 m", "1e5") and warned("a million times as stiff", "2e19") and not warned("Spring stiffness", "1e9")
-    assert refused("Top/Kind: it is springs, but", "Top/Kind=springs")
-    assert refused("Dimension is 2", "Top/Kind=springs", "Top/Spring stiffness=1e12, 1e12, 1e12")
-    assert refused("more than 2 expressions", "Top/Kind=springs", "Top/Spring stiffness=1e12", "Top/Motion=t; t; t")
-    assert refused("Top/Motion", "Top/Kind=springs", "Top/Spring stiffness=1e12", "Top/Motion=t +")
-    assert refused("at t = 0", "Top/Kind=springs", "Top/Spring stiffness=1e12", "Top/Motion=1/t")
-    assert refused("Spring stiffness", "Top/Kind=held", "Top/Spring stiffness=1e12")
-    assert refused("Hold from", "Top/Spring stiffness=1e12", "Top/Hold from=1e-5")
-    assert refused("give a Spring stiffness there", "Top/Dashpot=1e6")
-    assert refused("Mass", "Top/Kind=platen", "Top/Mass=1")
-    assert refused("moves the corner", "Top/Spring stiffness=1e12", "Sides/Left=u_x")
-    assert refused("transient runs alone", "Top/Spring stiffness=1e12", "Analysis=static contact", "Time/End time=0.0005", "Time/Rayleigh beta=0")
+    assert refused("Supports/Top/Kind: it is springs, but", "Supports/Top/Kind=springs")
+    assert refused("Dimension is 2", "Supports/Top/Kind=springs", "Supports/Top/Spring stiffness=1e12, 1e12, 1e12")
+    assert refused("more than 2 expressions", "Supports/Top/Kind=springs", "Supports/Top/Spring stiffness=1e12", "Supports/Top/Motion=t; t; t")
+    assert refused("Supports/Top/Motion", "Supports/Top/Kind=springs", "Supports/Top/Spring stiffness=1e12", "Supports/Top/Motion=t +")
+    assert refused("at t = 0", "Supports/Top/Kind=springs", "Supports/Top/Spring stiffness=1e12", "Supports/Top/Motion=1/t")
+    assert refused("Spring stiffness", "Supports/Top/Kind=held", "Supports/Top/Spring stiffness=1e12")
+    assert refused("Hold from", "Supports/Top/Spring stiffness=1e12", "Supports/Top/Hold from=1e-5")
+    assert refused("give a Spring stiffness there", "Supports/Top/Dashpot=1e6")
+    assert refused("Mass", "Supports/Top/Kind=platen", "Supports/Top/Mass=1")
+    assert refused("moves the corner", "Supports/Top/Spring stiffness=1e12", "Supports/Left/Held=u_x")
+    assert refused("transient runs alone", "Supports/Top/Spring stiffness=1e12", "Analysis=static contact", "Time/End time=0.0005", "Time/Rayleigh beta=0")
 
 
 with tempfile.TemporaryDirectory() as path:

@@ -19,11 +19,11 @@ def contact(folder, dim, cells, growth):
     round_body(dim, HALF_WIDTH / cells, growth).write(folder("body.msh"))
     force = math.pi * MODULUS * HALF_WIDTH**2 / (4 * RADIUS) if dim == 2 else 4 * MODULUS * HALF_WIDTH**3 / (3 * RADIUS)
     quarter = force / 2 ** (dim - 1)
-    sides = {f"Mesh/Held in {name}": f"{name} low" for name in "xy"[: dim - 1]}
+    sides = {f"Supports/{name} low/Held": f"u_{name}" for name in "xy"[: dim - 1]}
     folder.write("hertz.prm", f"set Dimension = {dim}\n" + prm({
         "Analysis": "static contact", "Mesh/File": "body.msh", "Mesh/Contact boundary": f"{'yz'[dim - 2]} low", **sides,
         "Phases/Names": "steel", "Phases/steel/Young modulus": YOUNG, "Phases/steel/Poisson ratio": POISSON, "Phases/steel/Density": 7800,
-        "Top/Kind": "pressure", "Top/Lateral held": "false", "Top/Pressure": quarter / WIDTH ** (dim - 1), "Friction/Coefficient": 0,
+        "Supports/Top/Kind": "pressure", "Supports/Top/Held": "", "Supports/Top/Pressure": quarter / WIDTH ** (dim - 1), "Friction/Coefficient": 0,
         "Flat/Velocity": 0}))
     folder.run(0, "contact_dynamics", "hertz.prm", "--output", "out")
     with open(folder("out", "static_contact.csv"), encoding="ascii") as file:

@@ -34,12 +34,12 @@ def press(folder, dim, size, growth, poisson, friction, steps, displacement=0.0)
     round_body(dim, size, growth, both).write(folder("body.msh"))
     area = (2 if both else 1) * WIDTH ** (dim - 1)
     share = 1 if dim == 2 and both else 0.5
-    held = {"Mesh/Held in x": "x low, x high" if both else "x low", **({"Mesh/Held in y": "y low"} if dim == 3 else {})}
+    held = {"Supports/x low/Held": "u_x", **({"Supports/x high/Held": "u_x"} if both else {}), **({"Supports/y low/Held": "u_y"} if dim == 3 else {})}
     folder.write("press.prm", f"set Dimension = {dim}\n" + prm({
         "Analysis": "static contact", "Mesh/File": "body.msh", "Mesh/Contact boundary": f"{'yz'[dim - 2]} low", **held,
         "Phases/Names": "steel", "Phases/steel/Young modulus": YOUNG, "Phases/steel/Poisson ratio": poisson,
-        "Phases/steel/Density": 7800, "Top/Kind": "pressure", "Top/Lateral held": "false",
-        "Top/Pressure": share * hertz_force(dim, poisson) / area, "Friction/Coefficient": friction, "Flat/Velocity": 0,
+        "Phases/steel/Density": 7800, "Supports/Top/Kind": "pressure", "Supports/Top/Held": "",
+        "Supports/Top/Pressure": share * hertz_force(dim, poisson) / area, "Friction/Coefficient": friction, "Flat/Velocity": 0,
         "Static contact/Tolerance": 1e-5, "Static contact/Load steps": steps, "Static contact/Flat displacement": displacement}))
     folder.run(0, "contact_dynamics", "press.prm", "--output", "out")
     tables = []

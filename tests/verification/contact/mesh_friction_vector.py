@@ -14,7 +14,7 @@ from scenes import Folder, prm
 MU, GRAVITY, DENSITY, SIZE = 0.3, 2000.0, 7800.0, (3e-3, 3e-3, 2.5e-4)
 BLOCK = "set Dimension = 3\n" + prm({
     "Mesh/File": "block.msh", "Mesh/Scale": 0.001, "Phases/Names": "steel", "Phases/steel/Young modulus": "200e9",
-    "Phases/steel/Poisson ratio": 0.2, "Phases/steel/Density": DENSITY, "Top/Kind": "pressure", "Top/Pressure": 0,
+    "Phases/steel/Poisson ratio": 0.2, "Phases/steel/Density": DENSITY, "Supports/Top/Kind": "pressure", "Supports/Top/Pressure": 0,
     "Friction/Coefficient": MU, "Time/Rayleigh beta": 2e-8, "Time/End time": 4.5e-3, "Snapshots/Interval": 1e-5,
     "Observation/History interval": 50})
 

@@ -20,12 +20,12 @@ SKIPPED = ("/summary", "residual", "iterations")
 PROGRAMS = {
     "volume": ("rve_homogenization", {"Homogenization/Boundary conditions": "KUBC, SUBC, PBC", "Homogenization/Tolerance": 1e-11}),
     "contact": ("contact_dynamics", {
-        "Flat/Velocity": 2, "Flat/Gap": 1e-7, "Top/Kind": "pressure", "Top/Pressure": 5e6, "Friction/Coefficient": 0.4,
+        "Flat/Velocity": 2, "Flat/Gap": 1e-7, "Supports/Top/Kind": "pressure", "Supports/Top/Pressure": 5e6, "Friction/Coefficient": 0.4,
         "Body/Initial velocity": "0.5, 1, -1", "Time/Rayleigh beta": 1e-8, "Time/End time": 6e-5, "Snapshots/Interval": 1e-5,
         "Observation/History interval": 1, "Observation/Energy interval": 1}),
     "statics": ("contact_dynamics", {
-        "Analysis": "static contact", "Flat/Velocity": 2, "Top/Pressure": 5e6, "Friction/Coefficient": 0.4, "Static contact/Tolerance": 1e-11}),
-    "modes": ("contact_dynamics", {"Analysis": "modal", "Modal/Number of modes": 3, "Modal/Tolerance": 1e-11, "Modal/Bottom": "held in z", "Top/Kind": "platen"})}
+        "Analysis": "static contact", "Flat/Velocity": 2, "Supports/Top/Pressure": 5e6, "Friction/Coefficient": 0.4, "Static contact/Tolerance": 1e-11}),
+    "modes": ("contact_dynamics", {"Analysis": "modal", "Modal/Number of modes": 3, "Modal/Tolerance": 1e-11, "Modal/Bottom": "held in z", "Supports/Top/Kind": "platen"})}
 
 
 def distorted():

@@ -12,8 +12,8 @@ from scenes import Folder, prm
 HEIGHT, DENSITY, SPEED, PRESSURE, VELOCITY, NUMBER, MU = 0.016, 1900, 2560., 5e6, 4., 1 / 0.016, 0.4  # NUMBER: of waves, k H = 1
 SHEAR = DENSITY * SPEED**2
 LAME = 2 / 3 * SHEAR  # Poisson's ratio is 0.2
-COMMON = {"Analysis": "complex modes", "Body/Density": DENSITY, "Sides/Periodic": "true", "Sides/Periodic in y": "true", "Top/Kind": "pressure",
-          "Top/Lateral held": "true", "Top/Pressure": PRESSURE, "Friction/Coefficient": MU, "Complex modes/Lowest frequency": 40e3,
+COMMON = {"Analysis": "complex modes", "Body/Density": DENSITY, "Sides/Periodic": "true", "Sides/Periodic in y": "true", "Supports/Top/Kind": "pressure",
+          "Supports/Top/Held": "u_x, u_y", "Supports/Top/Pressure": PRESSURE, "Friction/Coefficient": MU, "Complex modes/Lowest frequency": 40e3,
           "Complex modes/Highest frequency": 50e3}
 STIFFNESS = [[LAME + 2 * SHEAR * (i == j) if max(i, j) < 3 else SHEAR * (i == j) for j in range(6)] for i in range(6)]
 DIAGONAL = (STIFFNESS[0][0], LAME, LAME, STIFFNESS[0][0], LAME, STIFFNESS[0][0], SHEAR, SHEAR, SHEAR)  # as Body/Stiffness has it

@@ -15,7 +15,7 @@ from mesh_files import Box
 from scenes import Folder, prm
 
 YOUNG, POISSON, PRESSURE = 210e9, 0.3, 50e6
-HELD = {"left": {"Mesh/Held in x": "Left"}, "front": {"Mesh/Held in y": "Front"}, "lateral": {"Top/Lateral held": "true"}}
+HELD = {"left": {"Supports/Left/Held": "u_x"}, "front": {"Supports/Front/Held": "u_y"}, "lateral": {"Supports/Top/Held": "u_x, u_y"}}
 SIDES = (("Contact", 2, False), ("Top", 2, True), ("Left", 0, False), ("Front", 1, False))
 
 
@@ -55,7 +55,7 @@ class Scene:
     def settings(self):
         return {"Dimension": 3, "Analysis": "static contact", "Mesh/File": "mesh.msh", "Mesh/Scale": 0.001, "Phases/Names": "steel",
                 "Phases/steel/Young modulus": YOUNG, "Phases/steel/Poisson ratio": POISSON, "Phases/steel/Density": 7800,
-                "Flat/Velocity": 0, "Top/Kind": "platen" if self.top == "platen" else "pressure", "Top/Pressure": PRESSURE,
+                "Flat/Velocity": 0, "Supports/Top/Kind": "platen" if self.top == "platen" else "pressure", "Supports/Top/Pressure": PRESSURE,
                 "Friction/Coefficient": self.mu, **HELD.get(self.top, {})}
 
     def areas(self, name):

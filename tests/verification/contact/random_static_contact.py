@@ -56,10 +56,10 @@ class Scene:
                       for name in ("Contact", "Top", "Left", "Right")}
 
     def settings(self):
-        held = {"left": {"Mesh/Held in x": "Left"}, "right": {"Mesh/Held in x": "Right"}, "lateral": {"Top/Lateral held": "true"}}
+        held = {"left": {"Supports/Left/Held": "u_x"}, "right": {"Supports/Right/Held": "u_x"}, "lateral": {"Supports/Top/Held": "u_x"}}
         return {"Analysis": "static contact", "Mesh/File": "mesh.msh", "Mesh/Scale": 0.001, "Phases/Names": "steel",
                 "Phases/steel/Young modulus": YOUNG, "Phases/steel/Poisson ratio": POISSON, "Phases/steel/Density": 7800,
-                "Flat/Velocity": 2 * self.sliding, "Top/Kind": "platen" if self.top == "platen" else "pressure", "Top/Pressure": PRESSURE,
+                "Flat/Velocity": 2 * self.sliding, "Supports/Top/Kind": "platen" if self.top == "platen" else "pressure", "Supports/Top/Pressure": PRESSURE,
                 "Friction/Coefficient": self.mu, **({"Flat/Normal stiffness": self.springs} if self.springs else {}),
                 **held.get(self.top, {})}
 

@@ -43,7 +43,7 @@ def check(folder, voxels, ranks, mu, **more):
     folder.run(0, "rve_homogenization", "rve.prm", "--output", rve)
     folder.write("static.prm", f"set Dimension = {dim}\n" + prm({
         "Analysis": "static contact", "Body/RVE file": f"{rve}/rve.h5", "Body/Material": "heterogeneous", "Flat/Velocity": 0,
-        "Top/Pressure": PRESSURE, "Friction/Coefficient from": "constant", "Friction/Coefficient": mu, **more}))
+        "Supports/Top/Pressure": PRESSURE, "Friction/Coefficient from": "constant", "Friction/Coefficient": mu, **more}))
     folder.run(0, "contact_dynamics", "static.prm", "--output", name, ranks=ranks)
     iterations = folder.summary(name)["iterations"]
     assert iterations <= MOST_ITERATIONS, (name, iterations)
@@ -67,7 +67,7 @@ def check(folder, voxels, ranks, mu, **more):
 
 def check_rest(folder, n, ranks):
     """Without a platen, on a flat so slippery that nothing sticks: forces and the moment about the normal are in balance."""
-    pressure, shear, sticks = check(folder, spheres(n), ranks, 0.01, **{"Top/Kind": "pressure"})
+    pressure, shear, sticks = check(folder, spheres(n), ranks, 0.01, **{"Supports/Top/Kind": "pressure"})
     assert sticks == 0, sticks
     trapezoid = np.full(n + 1, SIDE / n)
     trapezoid[[0, -1]] /= 2
@@ -91,14 +91,14 @@ def check_free(folder):
     """Nothing but friction along x holds a strip and a plane body: of the nodes that all would slip, those of one line stick."""
     voxels = (np.random.default_rng(3).random((8, 1, 12)) < 0.3).astype(np.uint8)
     for mu in (0.003, 0.03):
-        _, shear, sticks = check(folder, voxels, 1, mu, **{"Top/Kind": "pressure", "Sides/Front": "u_y", "Sides/Back": "u_y"})
+        _, shear, sticks = check(folder, voxels, 1, mu, **{"Supports/Top/Kind": "pressure", "Supports/Front/Held": "u_y", "Supports/Back/Held": "u_y"})
         check_line(shear[:, 0], sticks, 2, mu)
-        _, shear, sticks = check(folder, voxels[:, 0], 1, mu, **{"Top/Kind": "pressure"})
+        _, shear, sticks = check(folder, voxels[:, 0], 1, mu, **{"Supports/Top/Kind": "pressure"})
         check_line(shear, sticks, 1, mu)
 
 
 def main():
-    platen = {"Top/Kind": "platen"}
+    platen = {"Supports/Top/Kind": "platen"}
     with tempfile.TemporaryDirectory() as path:
         folder = Folder(path)
         for n in (8, 16):

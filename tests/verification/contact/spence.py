@@ -97,9 +97,9 @@ def meshed(folder, friction, cells, extent):
     box, width = body(HALF_WIDTH / cells, extent)
     box.write(folder("body.msh"))
     folder.write("spence.prm", "set Dimension = 2\n" + prm({
-        "Analysis": "static contact", "Mesh/File": "body.msh", "Mesh/Scale": 0.001, "Mesh/Held in x": "Middle", "Phases/Names": "rubber",
-        "Phases/rubber/Density": 1000, "Phases/rubber/Young modulus": YOUNG, "Phases/rubber/Poisson ratio": POISSON, "Top/Kind": "pressure",
-        "Top/Lateral held": "false", "Top/Pressure": 1e6 / width, "Friction/Coefficient": friction, "Flat/Velocity": 0}))
+        "Analysis": "static contact", "Mesh/File": "body.msh", "Mesh/Scale": 0.001, "Supports/Middle/Held": "u_x", "Phases/Names": "rubber",
+        "Phases/rubber/Density": 1000, "Phases/rubber/Young modulus": YOUNG, "Phases/rubber/Poisson ratio": POISSON, "Supports/Top/Kind": "pressure",
+        "Supports/Top/Held": "", "Supports/Top/Pressure": 1e6 / width, "Friction/Coefficient": friction, "Flat/Velocity": 0}))
     folder.run(0, "contact_dynamics", "spence.prm", "--output", "out")
     with open(folder("out", "static_contact.csv"), encoding="ascii") as file:
         rows = list(csv.DictReader(file))

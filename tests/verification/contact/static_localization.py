@@ -11,7 +11,7 @@ import tempfile
 from scenes import Folder, prm
 
 PIN = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "prm", "pin", "10-rve_homogenization.prm")
-COMPRESSION = {"Analysis": "static contact", "Body/RVE file": "rve/rve.h5", "Top/Kind": "platen", "Top/Pressure": 5e5, "Friction/Coefficient": 0}
+COMPRESSION = {"Analysis": "static contact", "Body/RVE file": "rve/rve.h5", "Supports/Top/Kind": "platen", "Supports/Top/Pressure": 5e5, "Friction/Coefficient": 0}
 LOCALIZATION = {"Input/RVE file": "rve/rve.h5", "Input/Homogeneous run": "homogeneous/dynamics.h5",
                 "Input/Direct run": "heterogeneous/dynamics.h5", "Comparison/Edge distance": 1.6e-3}
 

@@ -100,7 +100,7 @@ TEST(Energy, ClosesUnderEveryTop)
   setup.top.kind        = TopSetup::Kind::pressure;
   setup.top.platen_mass = 0.;
   expect_closed(setup, "pressure");
-  setup.top.lateral_held = true;
+  setup.top.lateral_held.fill(true);
   expect_closed(setup, "pressure, laterally held");
   setup.top.kind    = TopSetup::Kind::held;
   setup.contact.gap = -2e-6;
@@ -352,10 +352,10 @@ TEST(Momentum, IsWhatTheForcesAtTopAndBottomSay)
   for (const auto kind : {TopSetup::Kind::platen, TopSetup::Kind::pressure})
     for (const bool periodic : {false, true})
       {
-        BodySetup setup         = thrown_body();
-        setup.periodic          = periodic;
-        setup.top.kind          = kind;
-        setup.top.lateral_held  = true;
+        BodySetup setup = thrown_body();
+        setup.periodic  = periodic;
+        setup.top.kind  = kind;
+        setup.top.lateral_held.fill(true);
         setup.step.acceleration = {{1e5, -2e5}};
         setup.step.beta         = 1e-8;
         setup.choose_time_step(0.9);

@@ -53,7 +53,7 @@ inline BodySetup rectangle(const unsigned int n_vertical)
   s.sides.left_held  = {{true, false}};
   s.sides.right_held = {{true, false}};
   s.top.kind         = TopSetup::Kind::pressure;
-  s.top.lateral_held = true;
+  s.top.lateral_held.fill(true);
   return s;
 }
 

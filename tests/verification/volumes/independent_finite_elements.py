@@ -131,8 +131,8 @@ def check_stiffness(folder, phases):
 
 
 def check_modes(folder, phases):
-    tops = {"platen": {"Top/Kind": "platen", "Top/Platen mass": PLATEN_MASS}, "held": {"Top/Kind": "held"},
-            "lateral": {"Top/Kind": "pressure", "Top/Lateral held": "true"}, "free": {"Top/Kind": "pressure"}}
+    tops = {"platen": {"Supports/Top/Kind": "platen", "Supports/Top/Platen mass": PLATEN_MASS}, "held": {"Supports/Top/Kind": "held"},
+            "lateral": {"Supports/Top/Kind": "pressure", "Supports/Top/Held": "u_x"}, "free": {"Supports/Top/Kind": "pressure"}}
     for top, settings in tops.items():
         run(folder, "contact_dynamics", top, {"Analysis": "modal", "Body/Material": "heterogeneous", "Body/RVE file": "rve/rve.h5",
                                               "Modal/Number of modes": N_MODES, **settings})

@@ -16,7 +16,7 @@ G, M = E / (2 * (1 + NU)), E * (1 - NU) / ((1 + NU) * (1 - 2 * NU))
 BOX = "set Dimension = 3\n" + prm({
     "Analysis": "modal", "Body/Size": "{:g}, {:g}, {:g}".format(*SIZE), "Body/Density": RHO,
     "Body/Stiffness": ", ".join(repr(x) for x in (M, M - 2 * G, M - 2 * G, M, M - 2 * G, M, G, G, G)),
-    "Top/Kind": "pressure", "Top/Lateral held": "true", "Sides/Left": "u_x", "Sides/Right": "u_x", "Sides/Front": "u_y", "Sides/Back": "u_y",
+    "Supports/Top/Kind": "pressure", "Supports/Top/Held": "u_x, u_y", "Supports/Left/Held": "u_x", "Supports/Right/Held": "u_x", "Supports/Front/Held": "u_y", "Supports/Back/Held": "u_y",
     "Modal/Bottom": "held in z", "Modal/Number of modes": N_MODES, "Modal/Tolerance": 1e-9})
 
 

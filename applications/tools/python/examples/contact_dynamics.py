@@ -22,7 +22,7 @@ print(volume["stiffness/effective"].to("GPa").round(2))
 # %% Paths in settings start at the current folder.
 runs = {}
 for pressure in (2.5e6, 5e6, 10e6):
-    settings = {"Body/RVE file": os.path.abspath(volume.path), "Top/Pressure": pressure, "Snapshots/From": 0, "Snapshots/Interval": 0}
+    settings = {"Body/RVE file": os.path.abspath(volume.path), "Supports/Top/Pressure": pressure, "Snapshots/From": 0, "Snapshots/Interval": 0}
     runs[pressure] = mesoslip.run(CASES + "20-contact_dynamics-homogeneous.prm", settings, output=f"{OUTPUT}{pressure / 1e6:g}_MPa")
 
 # %% Key numbers are in the summary.

@@ -43,7 +43,7 @@ def find_program(name, programs=None):
 def run(prm, settings=None, output=None, ranks=None, resume=False, program=None, programs=None):
     """Runs the program that a .prm file is for, and returns its opened results: a ResultFile, or a RunFolder where the run leaves no HDF5.
 
-    `settings`: {"Top/Pressure": 4e5} goes before what the file says; lists become "a, b". `output`: folder of the results, else that of the
+    `settings`: {"Supports/Top/Pressure": 4e5} goes before what the file says; lists become "a, b". `output`: folder of the results, else that of the
     file's key `Output folder`, else output/NAME. `ranks`: number of MPI processes; without it one, or for a long run as many as there are
     idle cores. `program`: its name, where neither the file's name nor its keys tell. Warnings of the run become Python warnings. Raises
     RunError with the program's sentence."""

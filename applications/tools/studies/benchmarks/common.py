@@ -17,7 +17,7 @@ from study import Study  # noqa: E402
 
 # The pin of prm/pin at ten times the pressure and without a push, in the motion that the diagrams show: there V counts as
 # well as P/V, and modes of higher frequency grow, which needs finer grids and smaller time steps than regime 1.
-FROM_REST = {"Top/Pressure": 5e6, "Body/Initial velocity": [0, 0], "Observation/Steady from": "auto",
+FROM_REST = {"Supports/Top/Pressure": 5e6, "Body/Initial velocity": [0, 0], "Observation/Steady from": "auto",
              "Observation/Stop at limit cycle": False, "Snapshots/To": "auto"}
 
 

@@ -38,7 +38,7 @@ def prm(name):
 
 
 def loading(reading, pressure):
-    return {"Top/Pressure": reading.factor * pressure, "Body/Initial velocity": (reading.start, 0),
+    return {"Supports/Top/Pressure": reading.factor * pressure, "Body/Initial velocity": (reading.start, 0),
             "Time/End time": reading.end, "Observation/Steady from": reading.steady_from}
 
 
@@ -68,7 +68,7 @@ class Cases:
 
     def modes(self, top="platen", seed=None):
         """Of eq. (10), or of a morphology."""
-        settings = {"Top/Kind": top, "Top/Lateral held": top == "pressure"}
+        settings = {"Supports/Top/Kind": top, "Supports/Top/Held": "u_x" if top == "pressure" else ""}
         if seed is not None:
             settings.update({"Body/Material": "heterogeneous", **self._rve_file(seed)})
         return self._add(f"modes-{top}" + (f"-{seed}" if seed is not None else ""), DYNAMICS,

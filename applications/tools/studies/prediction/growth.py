@@ -19,7 +19,7 @@ DELTAS = (0.5e-6, 0.75e-6, 1e-6, 1.25e-6, 1.5e-6, 1.75e-6, 2e-6, 2.5e-6, 3e-6)
 START = 1.5e-6  # the morphologies' delta; the branches are named by their frequency here
 AT = DELTAS.index(START)
 # A run of the homogeneous pin that keeps sliding: its growth is that of the eigenvalues from WINDOW on, until nodes leave the flat.
-RAMPED = {"Flat/Velocity": 50, "Top/Ramp": "smooth", "Top/Ramp time": 1e-3, "Time/Time step": 4e-9, "Observation/History interval": 500,
+RAMPED = {"Flat/Velocity": 50, "Supports/Top/Ramp": "smooth", "Supports/Top/Ramp time": 1e-3, "Time/Time step": 4e-9, "Observation/History interval": 500,
           "Observation/Energy interval": 0}
 WINDOW = (1.05e-3, 1.6e-3)  # s
 

@@ -17,15 +17,15 @@ STRONGER = {"Time/Beta2": 1, "Time/Time step": 5e-9}  # the largest beta2 that t
 # name: (what is changed, settings)
 CHOICES = {
     "reading": ("platen, 5 MPa, from rest, at once", {}),
-    "printed": ("printed pressure, 0.5 MPa", {"Top/Pressure": PRINTED}),
-    "four": ("4 MPa, ten times that of regime 2", {"Top/Pressure": 4e6}),
-    "printed-pushed": ("0.5 MPa, pushed at 0.5 m/s ([paper](README.md))", {"Top/Pressure": PRINTED, **PUSHED}),
-    "lower-pushed": ("0.4 MPa, pushed at 0.5 m/s ([paper](README.md))", {"Top/Pressure": 0.4e6, **PUSHED}),
-    "literal": ("pressure on each node of the top, u_x = 0 there", {"Top/Kind": "pressure", "Top/Lateral held": True}),
+    "printed": ("printed pressure, 0.5 MPa", {"Supports/Top/Pressure": PRINTED}),
+    "four": ("4 MPa, ten times that of regime 2", {"Supports/Top/Pressure": 4e6}),
+    "printed-pushed": ("0.5 MPa, pushed at 0.5 m/s ([paper](README.md))", {"Supports/Top/Pressure": PRINTED, **PUSHED}),
+    "lower-pushed": ("0.4 MPa, pushed at 0.5 m/s ([paper](README.md))", {"Supports/Top/Pressure": 0.4e6, **PUSHED}),
+    "literal": ("pressure on each node of the top, u_x = 0 there", {"Supports/Top/Kind": "pressure", "Supports/Top/Held": "u_x"}),
     "literal-printed": ("the same at the printed pressure",
-                        {"Top/Kind": "pressure", "Top/Lateral held": True, "Top/Pressure": PRINTED}),
-    "free": ("pressure on each node, u_x free", {"Top/Kind": "pressure"}),
-    "held": ("top held from 0.3 ms on", {"Top/Hold from": 3e-4, **start_settings("ramped", PRESSURE)}),
+                        {"Supports/Top/Kind": "pressure", "Supports/Top/Held": "u_x", "Supports/Top/Pressure": PRINTED}),
+    "free": ("pressure on each node, u_x free", {"Supports/Top/Kind": "pressure"}),
+    "held": ("top held from 0.3 ms on", {"Supports/Top/Hold from": 3e-4, **start_settings("ramped", PRESSURE)}),
     "ramped": ("pressure ramped in 0.2 ms", start_settings("ramped", PRESSURE)),
     "pressed": ("pressed, then dragged", start_settings("pressed, then dragged", PRESSURE)),
     "struck": ("struck along x at the start", start_settings("struck", PRESSURE)),
@@ -40,7 +40,7 @@ CHOICES = {
 def add_runs(study, prm, confirm=False):
     """All choices on cells of 0.4 mm; the pressures, with `confirm`, also on cells of 0.1 mm."""
     for name, (_, settings) in CHOICES.items():
-        study.add(name, "contact_dynamics", prm, {"Body/Cells": list(CELLS), "Top/Pressure": PRESSURE, "Time/End time": END,
+        study.add(name, "contact_dynamics", prm, {"Body/Cells": list(CELLS), "Supports/Top/Pressure": PRESSURE, "Time/End time": END,
                                                   **settings})
     if confirm:
         for name in ("printed", "four"):

@@ -26,7 +26,7 @@ def start_settings(start, pressure, velocity=VELOCITY):
     """Settings of a start. at once: P and V from the first step. ramped: P grows smoothly in 0.2 ms under the moving flat.
     pressed, then dragged: P likewise on the flat at rest, which moves at once from 0.3 ms on. Those of
     PUSHES: at once, and the pin starts with a velocity along x."""
-    ramp = {"Top/Ramp": "smooth", "Top/Ramp time": PRESS_TIME}
+    ramp = {"Supports/Top/Ramp": "smooth", "Supports/Top/Ramp time": PRESS_TIME}
     if start == "at once":
         return {}
     if start == "ramped":
@@ -39,7 +39,7 @@ def start_settings(start, pressure, velocity=VELOCITY):
 
 
 def settings(pressure, delta, start, cells=CELLS, velocity=VELOCITY, end=END):
-    return {"Body/Cells": f"{cells[0]}, {cells[1]}", "Top/Pressure": pressure, "Flat/Velocity": velocity,
+    return {"Body/Cells": f"{cells[0]}, {cells[1]}", "Supports/Top/Pressure": pressure, "Flat/Velocity": velocity,
             "Friction/Regularization time": delta, "Time/End time": end, **start_settings(start, pressure, velocity)}
 
 

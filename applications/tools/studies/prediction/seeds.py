@@ -31,7 +31,7 @@ class Load:
     @property
     def settings(self):
         start = {"Body/Initial velocity": f"{self.push!r}, 0"} if self.push else {}
-        return {"Top/Pressure": self.pressure, **start}
+        return {"Supports/Top/Pressure": self.pressure, **start}
 
 
 # The paper's two pressures in the reading of doc/paper, which leads to its regimes 1 and 2; and another reading.

@@ -44,12 +44,12 @@ def bodies():
     yield "cells 10:1", {"Body/Cells": [22, 63]}, (0.5, 1.0), (0.0, 4.4e-9)
     # Four rows of cells: the platen holds a good part of the stiffest mode, which a free top does not.
     yield FEW_ROWS, {"Body/Cells": [140, 4]}, (0.5, 1.0), (0.0, 4.4e-9)
-    yield FEW_ROWS + ", free top", {"Body/Cells": [140, 4], "Top/Kind": "pressure"}, (0.5, 1.0), (0.0, 4.4e-9)
+    yield FEW_ROWS + ", free top", {"Body/Cells": [140, 4], "Supports/Top/Kind": "pressure"}, (0.5, 1.0), (0.0, 4.4e-9)
 
 
 def cells_if_held(settings):
     """Of a homogeneous body under a platen."""
-    return tuple(settings.get("Body/Cells", (70, 20))) if "Body/RVE file" not in settings and "Top/Kind" not in settings else None
+    return tuple(settings.get("Body/Cells", (70, 20))) if "Body/RVE file" not in settings and "Supports/Top/Kind" not in settings else None
 
 
 def at(settings, limit, share, steps=STEPS):

@@ -12,7 +12,7 @@ SMALL = {"Body/Cells": [28, 8], "Time/Rayleigh beta": 0, "Observation/Energy int
          "Observation/History interval": 1000}  # without damping sparse samples are exact
 
 CASES = {
-    "free vibration": {"Top/Kind": "held", "Flat/Gap": 1, "Body/Initial velocity": [0.1, 0.2]},
+    "free vibration": {"Supports/Top/Kind": "held", "Flat/Gap": 1, "Body/Initial velocity": [0.1, 0.2]},
     "sliding, slip and separation": {"Time/Rayleigh beta": 0},
     "sliding, Coulomb": {"Friction/Regularization time": 0},
     "sliding, stick and slip": {"Flat/Velocity": 0.2, "Friction/Coefficient": 0.5},

@@ -6,7 +6,7 @@ from judge import Verdict
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 PIN, COMPOSITE = os.path.join(HERE, "pin.prm"), os.path.join(HERE, "composite.prm")
-FREE = {"Top/Kind": "pressure", "Top/Pressure": 0}  # a body that nothing holds
+FREE = {"Supports/Top/Kind": "pressure", "Supports/Top/Pressure": 0}  # a body that nothing holds
 
 
 OPENING = ("1e6 + 6e6*sin(2*pi*20000*t)", "1e6 + 2e7*sin(2*pi*40000*t)", "2e6 + 1e7*sin(2*pi*15000*t)")
@@ -51,20 +51,20 @@ def contact_groups():
 
 
 def load_groups():
-    yield "pressure, ramp", "-", [("step", {})] + [(ramp, {"Top/Ramp": ramp, "Top/Ramp time": 2e-4}) for ramp in ("linear", "smooth")]
-    yield "pressure", "Pa", [(text, {"Top/Expression": text}) for text in (
+    yield "pressure, ramp", "-", [("step", {})] + [(ramp, {"Supports/Top/Ramp": ramp, "Supports/Top/Ramp time": 2e-4}) for ramp in ("linear", "smooth")]
+    yield "pressure", "Pa", [(text, {"Supports/Top/Expression": text}) for text in (
         "if(t < 2.5e-4, 5e6, 1e5)", "2.5e6*(1 + cos(2*pi*20000*t))",
         # The whole contact opens and closes, again and again.
         *OPENING)]
-    yield "top", "-", [("pressure", {"Top/Kind": "pressure"}), ("platen", {"Top/Kind": "platen"}),
-                       ("held from 0.1 ms", {"Top/Hold from": 1e-4})]
-    yield "sides", "-", [("periodic", {"Sides/Periodic": True}), ("held in x", {"Sides/Left": "u_x", "Sides/Right": "u_x"}),
-                         ("held", {"Sides/Left": "both", "Sides/Right": "both", "Top/Kind": "pressure"})]
+    yield "top", "-", [("pressure", {"Supports/Top/Kind": "pressure"}), ("platen", {"Supports/Top/Kind": "platen"}),
+                       ("held from 0.1 ms", {"Supports/Top/Hold from": 1e-4})]
+    yield "sides", "-", [("periodic", {"Sides/Periodic": True}), ("held in x", {"Supports/Left/Held": "u_x", "Supports/Right/Held": "u_x"}),
+                         ("held", {"Supports/Left/Held": "u_x, u_y", "Supports/Right/Held": "u_x, u_y", "Supports/Top/Kind": "pressure"})]
     yield "to be stopped", "-", [
         ("time step 1.05 of the limit", "1.05"),
         ("velocity sqrt(1e-4 - t)", {"Flat/Expression": "sqrt(1e-4 - t)"}),
-        ("pressure 1/(t - 1e-4)^2 at t = 1e-4", {"Top/Expression": "if(t < 1e-4, 5e6, 1/0)"}),
-        ("pressure 1e30 Pa", {"Top/Pressure": 1e30})]
+        ("pressure 1/(t - 1e-4)^2 at t = 1e-4", {"Supports/Top/Expression": "if(t < 1e-4, 5e6, 1/0)"}),
+        ("pressure 1e30 Pa", {"Supports/Top/Pressure": 1e30})]
 
 
 def groups():

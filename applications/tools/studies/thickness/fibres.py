@@ -11,11 +11,11 @@ PAPER, PLANE = "paper-rve", "plane_fibres-rve"
 FIBRE_COLUMNS = ["body", "material", "cells [mm]", "P [MPa]", "start [m/s]"]
 # Body: its homogenization, its file and dimension, further settings and cells in the plane and across it.
 BODIES = {"plane strain": (PLANE, "21-contact_dynamics-plane_fibres", 2, {}),
-          "long bars": ("long_bars-rve", "31-contact_dynamics-short_bars", 3, {"Sides/Front": "u_y"}),
+          "long bars": ("long_bars-rve", "31-contact_dynamics-short_bars", 3, {"Supports/Front/Held": "u_y"}),
           "short bars": ("short_bars-rve", "31-contact_dynamics-short_bars", 3, {})}
 FINE_LAYERS = 2  # cells of 0.1 mm across half the pin
 FINE_BODIES = {"plane strain": (PAPER, "21-contact_dynamics-plane_fibres", 2, {}),
-               "long bars": ("fine_bars-rve", "31-contact_dynamics-short_bars", 3, {"Sides/Front": "u_y"})}
+               "long bars": ("fine_bars-rve", "31-contact_dynamics-short_bars", 3, {"Supports/Front/Held": "u_y"})}
 
 
 def add_plane_morphologies(study):

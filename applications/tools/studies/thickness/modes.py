@@ -19,7 +19,7 @@ def add_modes(study):
         for half, name in ((1, "full"), (2, "half")):
             study.add(f"modes-{name}-{thickness:g}mm", "contact_dynamics", prm("40-contact_dynamics-modes"), {
                 "Body/Size": (56e-3, thickness * 1e-3 / half, HEIGHT), "Body/Cells": (nx, ny // half, nz),
-                **({"Sides/Front": "u_y", "Modal/Number of modes": 3} if half == 2 else {})})
+                **({"Supports/Front/Held": "u_y", "Modal/Number of modes": 3} if half == 2 else {})})
     study.add("modes-plane", "contact_dynamics", os.path.join(TOP, "prm", "paper", "20-contact_dynamics-modes.prm"), {
         "Modal/Bottom": "held in y", "Modal/Number of modes": 2, "Body/Cells": (112, 32)})
 

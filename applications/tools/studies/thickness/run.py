@@ -51,7 +51,7 @@ def add_runs(study):
     same = {"Time/Time step": 75e-9, "Observation/History interval": 1}
     study.add("plane-same_step", "contact_dynamics", prm("20-contact_dynamics-plane"), same)
     study.add("layer-same_step", "contact_dynamics", prm("30-contact_dynamics-thickness"), {
-        **same, "Body/Cells": (112, 1, 32), "Body/Size": (56e-3, 5e-4, 16e-3), "Sides/Back": "u_y"})
+        **same, "Body/Cells": (112, 1, 32), "Body/Size": (56e-3, 5e-4, 16e-3), "Supports/Back/Held": "u_y"})
     study.add("moduli", "rve_homogenization", prm("10-rve_homogenization-long_bars"))
     return runs
 

@@ -11,4 +11,4 @@ def prm(name):
 
 
 def loading(load, start, dimension):
-    return {"Top/Pressure": load * 1e6, "Body/Initial velocity": (start, *[0] * (dimension - 1))}
+    return {"Supports/Top/Pressure": load * 1e6, "Body/Initial velocity": (start, *[0] * (dimension - 1))}

@@ -110,8 +110,8 @@ def modal_analysis(bench, sizes):
     for n in sizes:
         study.add(f"modal-{n}", "contact_dynamics", prm("examples/modal.prm"), {
             "Body/Stiffness": stiffness, "Body/Density": 1900, "Body/Size": [LENGTH, HEIGHT],
-            "Body/Cells": [3 * n // 2, n], "Sides/Left": "u_x", "Sides/Right": "u_x", "Top/Kind": "pressure",
-            "Top/Lateral held": True, "Modal/Bottom": "held in y", "Modal/Number of modes": 4})
+            "Body/Cells": [3 * n // 2, n], "Supports/Left/Held": "u_x", "Supports/Right/Held": "u_x", "Supports/Top/Kind": "pressure",
+            "Supports/Top/Held": "u_x", "Modal/Bottom": "held in y", "Modal/Number of modes": 4})
     exact = C_T / 2 * ((1 / LENGTH) ** 2 + (1 / (2 * HEIGHT)) ** 2) ** 0.5
     results, rows = study.run(), []
     for n in sizes:

@@ -14,7 +14,7 @@ END, FROM = 3e-3, 2e-3  # s; high modes grow until about 1 ms and settle until a
 # Blocks of time for the scatter. Two modes at 124 and 120 kHz beat with 4.0 kHz: a block is one beat; shorter ones would
 # take the beat for scatter.
 BLOCKS = 4
-PRESSURE, VELOCITY, WIDTH = FROM_REST["Top/Pressure"], 2.0, 0.056
+PRESSURE, VELOCITY, WIDTH = FROM_REST["Supports/Top/Pressure"], 2.0, 0.056
 SEEDS = (1, 2, 3)
 FULL = {"homogeneous": (0.4, 0.2, 0.1, 0.05), "heterogeneous": (0.1,)}
 HISTORY = "pin-history"
@@ -41,7 +41,7 @@ def cases(quick):
 
 def starts():
     """Other starts of homogeneous-h0.2: the pressure grows for a while."""
-    return {f"homogeneous-h0.2-ramp{1e6 * ramp:g}": ("homogeneous", 0.2, 1, {"Top/Ramp": "linear", "Top/Ramp time": ramp})
+    return {f"homogeneous-h0.2-ramp{1e6 * ramp:g}": ("homogeneous", 0.2, 1, {"Supports/Top/Ramp": "linear", "Supports/Top/Ramp time": ramp})
             for ramp in RAMPS}
 
 

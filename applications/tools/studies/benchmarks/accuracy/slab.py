@@ -15,7 +15,7 @@ FINEST = {(0.95, 0.5): 30, (0.475, 0.5): 30, (0.95, 1.0): 20}
 END, STEADY = 3e-3, 1e-3
 SETTINGS = {"Body/Stiffness": "36.54e9, 9.1e9, 9.1e9, 36.54e9, 9.1e9, 47.26e9, 13.785e9, 13.785e9, 13.72e9", "Body/Density": 1770,
             "Body/Size": [1e-3 * length for length in SIZE], "Body/Initial velocity": [0.5, 0, 0], "Time/End time": END, "Time/Rayleigh beta": 4.4e-9,
-            "Flat/Velocity": [2, 0], "Top/Kind": "platen", "Top/Pressure": 0.5e6, "Friction/Coefficient": 0.25, "Friction/Regularization time": 1.5e-6,
+            "Flat/Velocity": [2, 0], "Supports/Top/Kind": "platen", "Supports/Top/Pressure": 0.5e6, "Friction/Coefficient": 0.25, "Friction/Regularization time": 1.5e-6,
             "Observation/Steady from": STEADY, "Observation/Blocks": 300}
 
 

@@ -158,9 +158,9 @@ ContactParameters oblique_box(const sliding_layer::ObliqueLayer &layer,
   p.contact.flat_velocity = LoadHistory(layer.flat_velocity);
   p.contact.law.time      = layer.delta;
   p.top.kind              = TopSetup::Kind::pressure;
-  p.top.lateral_held      = true;
-  p.top.pressure          = LoadHistory(P);
-  p.step.beta             = layer.beta;
+  p.top.lateral_held.fill(true);
+  p.top.pressure = LoadHistory(P);
+  p.step.beta    = layer.beta;
   return p;
 }
 

@@ -13,10 +13,10 @@ SMALL = 4  # what the programs take without a body
 RANKS = (1, 4)
 FORMATS = {"transient": (4.1, 2.2)}  # of the file; else 4.1, which is Gmsh's own
 MATERIAL = {"Names": "rock", "rock/Young modulus": 4e10, "rock/Poisson ratio": 0.2, "rock/Density": 1900}
-PRESSED = {"Top/Pressure": 1e6, "Flat/Velocity": 1, "Friction/Coefficient": 0.3}
+PRESSED = {"Supports/Top/Pressure": 1e6, "Flat/Velocity": 1, "Friction/Coefficient": 0.3}
 SETTINGS = {"homogenization": {"Homogenization/Boundary conditions": "KUBC", "Homogenization/Effective": "KUBC"},
             "transient": {"Time/End time": 1e-7, **PRESSED},
-            "modal": {"Analysis": "modal", "Modal/Number of modes": 4, "Top/Kind": "platen"},
+            "modal": {"Analysis": "modal", "Modal/Number of modes": 4, "Supports/Top/Kind": "platen"},
             "static contact": {"Analysis": "static contact", **PRESSED}}
 PROGRAMS = {"homogenization": "rve_homogenization", "localization": "stress_localization"}  # of the others contact_dynamics
 LIBRARIES = {"homogenization": 150e6, "localization": 160e6}  # bytes, which --validate of these adds

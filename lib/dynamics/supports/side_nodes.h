@@ -1,0 +1,39 @@
+#ifndef mesoslip_dynamics_side_nodes_h
+#define mesoslip_dynamics_side_nodes_h
+
+#include "base/serialize_members.h"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace mesoslip
+{
+/** What each node of a side stands for. */
+struct SideNodes
+{
+  std::vector<double> area; ///< m^2, in 2D m
+
+  /** Force of a pressure of 1 Pa, components x, y and z: the area along the normal into the body (m^2,
+   * in 2D m); components that are empty are 0. */
+  std::array<std::vector<double>, 3> push;
+
+  /** If the side absorbs, component (r, c) of the impedance of the phases behind it in [dim r + c] (Pa s/m). */
+  std::vector<std::vector<double>> impedance;
+
+  /** Component @p c of the force of a pressure of 1 Pa on node @p i (m^2, in 2D m). */
+  double push_of(const std::size_t i, const unsigned int c) const
+  {
+    return push[c].empty() ? 0. : push[c][i];
+  }
+
+  /** Of boost::serialization. */
+  template <class Archive>
+  void serialize(Archive &archive, const unsigned int)
+  {
+    serialize_members<3>(archive, *this);
+  }
+};
+} // namespace mesoslip
+
+#endif

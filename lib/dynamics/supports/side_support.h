@@ -1,0 +1,34 @@
+#ifndef mesoslip_dynamics_side_support_h
+#define mesoslip_dynamics_side_support_h
+
+#include "dynamics/supports/suspension.h"
+
+#include <array>
+#include <string>
+
+namespace mesoslip
+{
+/** What holds and loads a side of the body that is neither its contact nor its top. */
+struct SideSupport
+{
+  std::string name; ///< Left, Right, Front or Back of a grid, or a group of a mesh
+  std::array<bool, 3> held = {}; ///< components that do not move: x, y, z
+  LoadHistory pressure;          ///< Pa, along the normal into the body
+  Suspension suspension;         ///< to a far end
+
+  /** Whether any component is held. */
+  bool holds() const
+  {
+    return held != std::array<bool, 3>{};
+  }
+
+  /** Whether its nodes feel anything besides the forces of the body. */
+  bool is_loaded() const
+  {
+    return suspension.is_there() || pressure.is_expression() ||
+           pressure.amplitude() != 0.;
+  }
+};
+} // namespace mesoslip
+
+#endif

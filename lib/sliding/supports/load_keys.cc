@@ -1,0 +1,121 @@
+#include "sliding/supports/load_keys.h"
+
+#include "base/errors.h"
+#include "base/text.h"
+#include "parameters/keys.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+namespace mesoslip
+{
+namespace
+{
+/** An expression of t for each component of the far end, separated by semicolons. */
+void bind_motion(Keys &keys, Suspension &suspension, const unsigned int dim)
+{
+  std::string motion;
+  keys.bind(
+    "Motion", motion,
+    "Displacement of the far end of springs and dashpots along x, y and, in 3D, z "
+    "as expressions in the time t (s), separated by semicolons, e.g. 1e-3*t; 0. "
+    "Components that are left out do not move; static contact takes the values at t = 0 "
+    "[m]");
+  std::istringstream text(motion);
+  std::string expression;
+  for (unsigned int c = 0; std::getline(text, expression, ';'); ++c)
+    {
+      keys.require(c < dim, "Motion",
+                   "it has more than " + std::to_string(dim) +
+                     " expressions; give one for each component");
+      if (expression.find_first_not_of(" \t") == std::string::npos)
+        continue;
+      try
+        {
+          suspension.motion[c] = LoadHistory(1., expression);
+        }
+      catch (const std::invalid_argument &e)
+        {
+          throw UserError(keys.path("Motion") + ": " + e.what() +
+                          "; write for example 1e-3*t; 0");
+        }
+      const double at_start = suspension.motion[c](0.);
+      keys.require(std::isfinite(at_start), "Motion",
+                   "at t = 0 it is " + to_text(at_start) +
+                     "; write expressions that are finite at all times");
+    }
+}
+} // namespace
+
+LoadHistory bind_history(Keys &keys,
+                         const double amplitude,
+                         const std::string &what,
+                         const std::string &unit)
+{
+  Ramp ramp   = Ramp::step;
+  double time = 0.;
+  std::string expression;
+  keys.bind("Ramp", ramp, {"step", "linear", "smooth"},
+            "How the " + what +
+              " grows from zero: at once, as t / T or as (1 - cos(pi t / T)) / 2 in the "
+              "Ramp time T");
+  keys.bind("Ramp time", time, Range::non_negative(),
+            "Time T in which the " + what + " grows to its full value [s]");
+  keys.bind("Expression", expression,
+            "The " + what +
+              " as an expression in the time t (s), instead of a ramp, e.g. "
+              "2*cos(2*pi*1000*t) [" +
+              unit + "]");
+  keys.only_if(expression.empty(), {"Ramp", "Ramp time"},
+               keys.path("Expression") + " gives the load at all times",
+               "leave " + keys.path("Expression") + " empty");
+  keys.only_with("Ramp", {"linear", "smooth"}, {"Ramp time"});
+  keys.require(ramp == Ramp::step || time > 0., "Ramp time",
+               "it is 0, so that the " + what +
+                 " acts at once; give it in s, or set Ramp = step");
+  if (expression.empty())
+    return {amplitude, ramp, time};
+  try
+    {
+      LoadHistory history(amplitude, expression);
+      keys.require(std::isfinite(history(0.)), "Expression",
+                   "at t = 0 it is " + to_text(history(0.)) +
+                     "; write an expression that is finite at all times");
+      return history;
+    }
+  catch (const std::invalid_argument &e)
+    {
+      throw UserError(keys.path("Expression") + ": " + e.what() +
+                      "; write for example 2*cos(2*pi*1000*t)");
+    }
+}
+
+void bind_suspension(Keys &keys,
+                     Suspension &suspension,
+                     const std::string &side,
+                     const unsigned int dim)
+{
+  const auto bind = [&](const std::string &key, std::array<double, 3> &to,
+                        const std::string &meaning) {
+    std::vector<double> values = {0.};
+    keys.bind_list(key, values, Range::non_negative(), meaning, 1, 3);
+    keys.require(
+      values.size() <= dim, key,
+      "it has " + std::to_string(values.size()) + " components, but " +
+        (dim == 2 ? "Dimension is 2; give those along x and y" : "there are three"));
+    std::copy(values.begin(), values.end(), to.begin());
+  };
+  bind("Spring stiffness", suspension.stiffness,
+       "Stiffness for the area along x, y and, in 3D, z of springs from " + side +
+         " to a far end; 0 where it is left out" +
+         (side == "the top" ? ". A platen moves along the flat only on springs" : "") +
+         " [Pa/m]");
+  bind("Dashpot", suspension.dashpot, "The same of dashpots beside the springs [Pa s/m]");
+  keys.bind("Mass", suspension.mass, Range::non_negative(),
+            "Mass for the area that moves with each node of " + side +
+              "; Body/Acceleration acts on it [kg/m^2]");
+  bind_motion(keys, suspension, dim);
+}
+} // namespace mesoslip

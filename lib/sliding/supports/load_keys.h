@@ -1,0 +1,30 @@
+#ifndef mesoslip_sliding_supports_load_keys_h
+#define mesoslip_sliding_supports_load_keys_h
+
+#include "dynamics/supports/suspension.h"
+
+#include <string>
+
+namespace mesoslip
+{
+class Keys;
+
+/**
+ * Binds Ramp, Ramp time and Expression of a load called @p what, of this @p unit, in the current
+ * section; the key of its amplitude is bound already. @throws UserError for an expression that cannot
+ * be read or is infinite at the start
+ */
+LoadHistory bind_history(Keys &keys,
+                         const double amplitude,
+                         const std::string &what,
+                         const std::string &unit);
+
+/** Binds springs, dashpots, mass and moving far end of @p side, such as "the top".
+ * @throws UserError for more components than the body has, and for a motion that cannot be read */
+void bind_suspension(Keys &keys,
+                     Suspension &suspension,
+                     const std::string &side,
+                     const unsigned int dim);
+} // namespace mesoslip
+
+#endif

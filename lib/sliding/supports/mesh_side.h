@@ -1,0 +1,38 @@
+#ifndef mesoslip_sliding_supports_mesh_side_h
+#define mesoslip_sliding_supports_mesh_side_h
+
+#include "dynamics/supports/side_nodes.h"
+#include "mesh/boundary.h"
+
+#include <vector>
+
+namespace mesoslip
+{
+template <int dim>
+class BodyMesh;
+
+/** The points of a mesh that a SideSurface loads. */
+struct MeshSide
+{
+  std::vector<unsigned int> points; ///< of the whole mesh, originals
+  SideNodes nodes;                  ///< what they stand for
+
+  /** Of boost::serialization. */
+  template <class Archive>
+  void serialize(Archive &archive, const unsigned int)
+  {
+    serialize_members<2>(archive, *this);
+  }
+};
+
+/**
+ * The side of these @p faces. With @p absorbing the impedance of a point is the mean over the faces around
+ * it, each with its normal and the phase behind it.
+ */
+template <int dim>
+MeshSide mesh_side(const BodyMesh<dim> &morphology,
+                   const std::vector<BoundaryFace<dim>> &faces,
+                   const bool absorbing);
+} // namespace mesoslip
+
+#endif

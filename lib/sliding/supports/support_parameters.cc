@@ -1,0 +1,278 @@
+#include "parameters/keys.h"
+#include "sliding/contact_parameters.h"
+#include "sliding/supports/load_keys.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <string>
+#include <vector>
+
+namespace mesoslip
+{
+namespace
+{
+/** The sides of a grid besides contact and top; along x, then y. */
+const std::vector<std::string> sides_of_grid = {"Left", "Right", "Front", "Back"};
+
+bool is_side_of_grid(const std::string &name)
+{
+  return std::count(sides_of_grid.begin(), sides_of_grid.end(), name) > 0;
+}
+
+/** "side Front (lower y)", "group 'wall'". */
+std::string text_of(const std::string &name)
+{
+  if (!is_side_of_grid(name))
+    return "group '" + name + "'";
+  const bool lower = name == "Left" || name == "Front";
+  return "side " + name + (lower ? " (lower " : " (upper ") +
+         (name == "Left" || name == "Right" ? "x)" : "y)");
+}
+
+/** Binds the components that a side holds, of which Kind = @p kind may hold all. */
+void bind_held(Keys &keys,
+               SideSupport &side,
+               const std::string &kind,
+               const unsigned int dim)
+{
+  const std::vector<std::string> names = {"u_x", "u_y", "u_z"};
+  std::vector<std::string> held;
+  keys.bind_list("Held", held, names,
+                 "Displacement components of " + text_of(side.name) +
+                   " that are zero, whatever Kind says of the others; empty: none, or "
+                   "all with Kind = held [-]");
+  keys.only_with("Kind", {"free", "pressure", "springs", "absorbing"}, {"Held"});
+  for (unsigned int c = 0; c < 3; ++c)
+    side.held[c] = std::count(held.begin(), held.end(), names[c]) > 0;
+  keys.require(dim == 3 || !side.held[2], "Held", "u_z is held, but Dimension is 2");
+  if (kind == "held")
+    std::fill_n(side.held.begin(), dim, true);
+}
+
+/** The support in section @p name. */
+SideSupport bind_side(Keys &keys, const std::string &name, const unsigned int dim)
+{
+  const auto section = keys.section(name);
+  SideSupport side;
+  side.name             = name;
+  std::string kind      = "free";
+  double pressure       = 0.;
+  const std::string the = text_of(name);
+  keys.bind("Kind", kind, {"free", "pressure", "held", "springs", "absorbing"},
+            "What " + the +
+              " stands on: nothing; a pressure; no motion (u = 0); springs and dashpots, "
+              "with a pressure; or dashpots that absorb waves, with a pressure");
+  bind_held(keys, side, kind, dim);
+  keys.bind("Pressure", pressure, Range::any(),
+            "Pressure on " + the + ", positive when it presses into the body [Pa]");
+  side.pressure = bind_history(keys, pressure, "pressure", "Pa");
+  bind_suspension(keys, side.suspension, the, dim);
+  side.suspension.absorbing = kind == "absorbing";
+  keys.only_with("Kind", {"springs"}, {"Spring stiffness", "Dashpot", "Mass", "Motion"});
+  keys.only_with("Kind", {"pressure", "springs", "absorbing"},
+                 {"Pressure", "Ramp", "Ramp time", "Expression"});
+  keys.require(kind != "pressure" || side.is_loaded(), "Pressure",
+               "it is 0, but Kind is pressure; give it in Pa, or set Kind = free");
+  keys.require(kind != "springs" || side.suspension.is_there(), "Kind",
+               "it is springs, but Spring stiffness, Dashpot and Mass are 0; give one of "
+               "them, or set Kind = free");
+  for (unsigned int c = 0; c < dim; ++c)
+    keys.require(!side.suspension.motion[c].is_expression() || side.suspension.resists(c),
+                 "Motion",
+                 std::string("along ") + "xyz"[c] +
+                   " it has no effect, as there is neither Spring stiffness nor Dashpot; "
+                   "give one of them, or leave the expression empty");
+  return side;
+}
+} // namespace
+
+void ContactParameters::bind_top(Keys &keys)
+{
+  const auto section = keys.section("Supports/Top");
+  std::string kind   = "platen";
+  double pressure = 5e6, hold_from = automatic;
+  keys.bind("Kind", kind, {"free", "pressure", "platen", "held", "springs", "absorbing"},
+            "What the top stands on: nothing; a pressure on each node; a rigid platen "
+            "(u_x = 0, one common u_y) pushed by the resultant of the pressure; no "
+            "motion (u = 0); springs and dashpots of each node, with a pressure; or "
+            "dashpots that absorb waves, as if the body went on, with a pressure");
+  keys.bind("Pressure", pressure, Range::any(),
+            "Pressure on the top, positive when it presses the body on the flat [Pa]");
+  top.pressure = bind_history(keys, pressure, "pressure", "Pa");
+  std::vector<std::string> held;
+  keys.bind_list("Held", held, {"u_x", "u_y"},
+                 "Displacement components along the flat, u_x and, in 3D, u_y, that are "
+                 "zero on the top under Kind = pressure; empty: none [-]");
+  for (const std::string &component : held)
+    top.lateral_held[component == "u_x" ? 0 : 1] = true;
+  keys.require(mesh.mesh.dim == 3 || !top.lateral_held[1], "Held",
+               "u_y is along the normal of the flat; set Kind = held, or name u_x only");
+  keys.bind("Platen mass", top.platen_mass, Range::non_negative(),
+            "Mass of the platen, which moves with the top, in 2D per unit thickness; "
+            "Body/Acceleration does not act on it [kg/m, in 3D kg]");
+  bind_suspension(keys, top.suspension, "the top", mesh.mesh.dim);
+  keys.bind_or_auto("Hold from", hold_from, Range::non_negative(),
+                    "Time from which on the top stays where it is; auto: never [s]");
+  if (!std::isnan(hold_from))
+    top.hold_from = hold_from;
+  keys.only_with("Kind", {"pressure"}, {"Held"});
+  keys.only_with("Kind", {"platen"}, {"Platen mass"});
+  keys.only_with("Kind", {"springs"}, {"Mass"});
+  keys.only_with("Kind", {"springs", "platen"},
+                 {"Spring stiffness", "Dashpot", "Motion"});
+  keys.only_with("Kind", {"pressure", "platen", "springs", "absorbing"},
+                 {"Ramp", "Ramp time", "Expression"});
+  keys.only_with("Kind", {"pressure", "platen"}, {"Hold from"});
+  // Steady sliding under complex modes takes its pressure from there.
+  if (analysis == ContactAnalysis::transient)
+    keys.only_with("Kind", {"pressure", "platen", "springs", "absorbing"}, {"Pressure"});
+  set_top(keys, kind);
+}
+
+void ContactParameters::set_top(const Keys &keys, const std::string &kind)
+{
+  Suspension &suspension = top.suspension;
+  top.kind               = kind == "platen" ? TopSetup::Kind::platen
+                           : kind == "held" ? TopSetup::Kind::held
+                                            : TopSetup::Kind::pressure;
+  suspension.absorbing   = kind == "absorbing";
+  if (kind == "free")
+    top.pressure = LoadHistory();
+  keys.require(kind != "springs" || suspension.is_there(), "Kind",
+               "it is springs, but Spring stiffness, Dashpot and Mass are 0; give one of "
+               "them, or set Kind = pressure");
+  keys.require(!suspension.is_there() || !std::isfinite(top.hold_from), "Hold from",
+               "the top is held from then on, but there are springs or dashpots; leave "
+               "one of the two out");
+  keys.require(kind != "platen" || !suspension.is_there() ||
+                 analysis == ContactAnalysis::transient,
+               "Kind",
+               "it is a platen on springs, which transient runs alone know; set it to "
+               "springs, which hold each node by itself");
+  for (unsigned int c = 0; c < mesh.mesh.dim; ++c)
+    keys.require(!suspension.motion[c].is_expression() || suspension.stiffness[c] > 0. ||
+                   suspension.dashpot[c] > 0.,
+                 "Motion",
+                 std::string("along ") + "xyz"[c] +
+                   " it has no effect, as there is neither Spring stiffness nor Dashpot; "
+                   "give one of them, or leave the expression empty");
+  for (unsigned int c = 0; c + 1 < mesh.mesh.dim; ++c)
+    keys.require(kind != "platen" || suspension.stiffness[c] > 0. ||
+                   suspension.dashpot[c] == 0.,
+                 "Dashpot",
+                 std::string("along ") + "xy"[c] +
+                   " the platen moves on springs only; give a Spring stiffness there");
+}
+
+/** Sections of the sides, of a mesh those of its groups that the .prm names. */
+void ContactParameters::bind_sides(Keys &keys)
+{
+  const auto section             = keys.section("Supports");
+  std::vector<std::string> names = sides_of_grid;
+  for (const std::string &name : keys.typed_sections())
+    if (name != "Top" && !is_side_of_grid(name))
+      names.push_back(name);
+  supports.clear();
+  for (const std::string &name : names)
+    {
+      const SideSupport side = bind_side(keys, name, mesh.mesh.dim);
+      keys.require(mesh.is_given() || is_side_of_grid(name), name,
+                   "the body is a grid, whose sides are Left, Right, Front, Back and "
+                   "Top; name one of them, or set Mesh/File");
+      keys.require(!mesh.is_given() || name != mesh.top_boundary, name,
+                   "it is Mesh/Top boundary, whose section is Supports/Top; move its "
+                   "keys there");
+      if (side.holds() || side.is_loaded())
+        supports.push_back(side);
+    }
+  keys.only_if(mesh.mesh.dim == 3 || mesh.is_given(), {"Front/", "Back/"},
+               "the body is plane", "set Dimension = 3");
+  hold_sides();
+  if (!mesh.is_given())
+    check_platen(keys);
+}
+
+std::vector<SideSupport> ContactParameters::loaded_sides() const
+{
+  std::vector<SideSupport> loaded;
+  std::copy_if(supports.begin(), supports.end(), std::back_inserter(loaded),
+               [](const SideSupport &side) { return side.is_loaded(); });
+  return loaded;
+}
+
+std::vector<ContactParameters::Suspended> ContactParameters::suspended() const
+{
+  std::vector<Suspended> all = {{"Supports/Top", &top.suspension, &top.pressure}};
+  for (const SideSupport &side : supports)
+    if (side.is_loaded())
+      all.push_back({"Supports/" + side.name, &side.suspension, &side.pressure});
+  return all;
+}
+
+bool ContactParameters::has_suspensions() const
+{
+  const std::vector<Suspended> all = suspended();
+  return std::any_of(all.begin(), all.end(),
+                     [](const Suspended &side) { return side.suspension->is_there(); });
+}
+
+/** Puts what sides hold where plane grids and meshes look for it. */
+void ContactParameters::hold_sides()
+{
+  for (const SideSupport &side : supports)
+    for (unsigned int c = 0; c < 3; ++c)
+      if (side.held[c])
+        {
+          mesh.held[c].push_back(side.name);
+          if (c < 2 && side.name == "Left")
+            sides.left_held[c] = true;
+          if (c < 2 && side.name == "Right")
+            sides.right_held[c] = true;
+        }
+}
+
+void ContactParameters::bind_periodicity(Keys &keys)
+{
+  const auto section = keys.section("Sides");
+  bool in_y          = false;
+  keys.bind("Periodic", periodic,
+            "Periodic in x: the nodes of the left and the right side are the same");
+  keys.bind("Periodic in y", in_y, "The same for the front and the back side, in 3D");
+  keys.only_if(mesh.mesh.dim == 3, {"Periodic in y"}, "the body is plane",
+               "set Dimension = 3");
+  for (const std::string &side : sides_of_grid)
+    keys.renamed(side, "Supports/" + side + "/Held");
+  if (mesh.is_given())
+    return;
+  const std::array<bool, 2> is_periodic = {{periodic, in_y}};
+  for (std::size_t axis = 0; axis < 2; ++axis)
+    {
+      const std::string &lower = sides_of_grid[2 * axis],
+                        &upper = sides_of_grid[2 * axis + 1];
+      if (is_periodic[axis])
+        mesh.periodic[axis] = {lower, upper};
+      for (const SideSupport &side : supports)
+        keys.require(!is_periodic[axis] || (side.name != lower && side.name != upper),
+                     axis == 0 ? "Periodic" : "Periodic in y",
+                     "it is true, so " + lower + " and " + upper +
+                       " have to be free, but Supports/" + side.name + " is not");
+    }
+}
+
+/** The platen moves the corners of a grid. */
+void ContactParameters::check_platen(const Keys &keys) const
+{
+  const unsigned int normal = mesh.mesh.dim - 1;
+  for (const SideSupport &side : supports)
+    for (unsigned int c = 0; c < mesh.mesh.dim; ++c)
+      keys.require(
+        top.kind != TopSetup::Kind::platen || !side.held[c] ||
+          (c != normal && top.holds(c)),
+        side.name + "/Held",
+        std::string("u_") + "xyz"[c] +
+          " is held, but the platen of Supports/Top/Kind moves the corner; hold " +
+          (c == normal ? "u_x only" : "nothing there") + ", or set Supports/Top/Kind = " +
+          (top.suspension.is_there() ? "springs" : "pressure or held"));
+}
+} // namespace mesoslip

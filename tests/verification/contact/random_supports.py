@@ -1,0 +1,268 @@
+"""Random supports at the left, the right and the top against a dense code written apart, in numpy: modes, the static body pressed on the flat, and
+every step of runs that land on it, of random phase maps as a plane grid and as a mesh of the same cells, on one rank and on two.
+
+Each side is free, held, under a pressure, on springs with dashpots, mass and a far end that moves, or absorbs waves. Modes agree to 1e-8, static
+displacements to 1e-7 and steps to 1e-10 of the largest."""
+
+import csv
+import tempfile
+
+import h5py
+import numpy as np
+
+from mesh_files import Box
+from scenes import Folder, prm
+
+SEED, N_BODIES = 2044, 12
+NX, NY, HX, HY = 5, 4, 1.0e-3, 0.6e-3
+STIFFNESS = [[32e9, 8e9, 32e9, 12e9], [80e9, 20e9, 70e9, 30e9]]  # D11, D12, D22, D33
+DENSITY = [1770.0, 2500.0]
+PRESSURE, GAP, MU = 4e6, 2e-9, 0.0
+DT, N_STEPS = 2e-8, 150
+BETA, ALPHA = 3e-9, 2e4
+
+
+class Body:
+    """Of two phases in cells of HX x HY; node k = j (NX + 1) + i, degree of freedom 2 k + c."""
+
+    def __init__(self, random):
+        self.phases = random.choice(2, size=(NY, NX))
+        self.i, self.j = (a.ravel() for a in np.meshgrid(np.arange(NX + 1), np.arange(NY + 1)))
+        n = 2 * len(self.i)
+        self.K, self.mass = np.zeros((n, n)), np.zeros(n)
+        points = (0.5 - 0.5 / 3**0.5, 0.5 + 0.5 / 3**0.5)
+        for row in range(NY):
+            for column in range(NX):
+                a, b, c, d = STIFFNESS[self.phases[row, column]]
+                first = row * (NX + 1) + column
+                nodes = np.array([first, first + 1, first + NX + 1, first + NX + 2])
+                dofs = (2 * nodes[:, None] + np.arange(2)).ravel()
+                for x in points:
+                    for y in points:
+                        B = np.zeros((3, 8))
+                        B[0, 0::2] = B[2, 1::2] = np.array([y - 1, 1 - y, -y, y]) / HX
+                        B[1, 1::2] = B[2, 0::2] = np.array([x - 1, -x, 1 - x, x]) / HY
+                        self.K[np.ix_(dofs, dofs)] += HX * HY / 4 * B.T @ np.array([[a, b, 0], [b, c, 0], [0, 0, d]]) @ B
+                self.mass[dofs] += DENSITY[self.phases[row, column]] * HX * HY / 4
+
+    def side(self, name):
+        """Its nodes, their lengths, the axis of its normal, the sign of the normal into the body, and the diagonals of its impedances."""
+        axis = 1 if name == "Top" else 0
+        at = {"Left": self.i == 0, "Right": self.i == NX, "Top": self.j == NY}[name]
+        nodes, h = np.flatnonzero(at), HX if axis else HY
+        cells = {"Left": self.phases[:, 0], "Right": self.phases[:, -1], "Top": self.phases[-1]}[name]
+        waves = np.array([np.sqrt(DENSITY[p] * np.array([STIFFNESS[p][2 * axis], STIFFNESS[p][3]])) for p in cells])  # P, S
+        if axis:
+            waves = waves[:, ::-1]
+        length, impedance = np.zeros(len(nodes)), np.zeros((len(nodes), 2))
+        for cell, Z in enumerate(waves):
+            for node in (cell, cell + 1):
+                length[node] += h / 2
+                impedance[node] += h / 2 * Z
+        return nodes, length, axis, 1 if name == "Left" else -1, impedance / length[:, None]
+
+    def write(self, folder):
+        Box([NX * HX * 1e3, NY * HY * 1e3], [NX, NY], lambda x: "ab"[self.phases[min(int(x[1] / HY * 1e-3), NY - 1), min(int(x[0] / HX * 1e-3), NX - 1)]],
+            "cube").name_side("Contact", 1, False).name_side("Top", 1, True).name_side("Left", 0, False).name_side("Right", 0, True).write(folder("body.msh"))
+
+
+class Support:
+    """What one side stands on."""
+
+    def __init__(self, name, kind, random):
+        self.name, self.kind = name, kind
+        self.k, self.z, self.mass, self.motion, self.pressure, self.held = np.zeros(2), np.zeros(2), 0.0, [0.0, 0.0], 0.0, []
+        if kind == "springs":
+            self.k, self.z = 10 ** random.uniform(11, 13.5, 2), 10 ** random.uniform(4, 7, 2)
+            self.mass, self.motion = random.choice([0.0, 1.5]), [random.uniform(-1e-8, 1e-8), random.uniform(-1e-2, 1e-2)]
+        if kind in ("springs", "pressure", "absorbing"):
+            self.pressure = PRESSURE if name == "Top" else random.uniform(-0.3, 0.5) * PRESSURE
+        if kind == "held":
+            self.held = [0, 1]
+        elif random.random() < 0.3 and (name != "Top" or kind == "pressure"):
+            self.held = [0] if name == "Top" else [int(random.integers(2))]
+
+    def far(self, t):
+        """Displacement of the far end."""
+        return np.array([self.motion[0] + self.motion[1] * t, self.motion[0] - self.motion[1] * t])
+
+    def keys(self, analysis):
+        start = f"Supports/{self.name}/"
+        result = {start + "Kind": "free" if self.kind == "pressure" and analysis == "modal" and self.name != "Top" else self.kind}
+        if self.held and self.kind != "held":
+            result[start + "Held"] = ", ".join("u_" + "xy"[c] for c in self.held)
+        if self.pressure and analysis != "modal":
+            result[start + "Pressure"] = self.pressure
+        if self.kind == "springs":
+            result |= {start + "Spring stiffness": "%.17g, %.17g" % tuple(self.k), start + "Mass": self.mass}
+            if analysis != "modal":
+                result[start + "Motion"] = "%.17g + %.17g*t; %.17g - %.17g*t" % (2 * tuple(self.motion))
+            if analysis == "transient":
+                result[start + "Dashpot"] = "%.17g, %.17g" % tuple(self.z)
+        return result
+
+
+def supports_of(body, supports):
+    """Springs, dashpots and added masses of all degrees of freedom, which are held, and the force of pressures and far ends at a time."""
+    n = len(body.mass)
+    springs, dashpots, added, held = np.zeros(n), [], np.zeros(n), np.zeros(n, bool)
+    for support in supports:
+        nodes, length, axis, sign, impedance = body.side(support.name)
+        for c in range(2):
+            dofs = 2 * nodes + c
+            springs[dofs] += length * support.k[c]
+            dashpots.append((dofs, length * (impedance[:, c] if support.kind == "absorbing" else support.z[c]), support, c))
+            added[dofs] += length * support.mass
+            held[dofs] |= c in support.held
+
+    def load(t):
+        force = np.zeros(n)
+        for support in supports:
+            nodes, length, axis, sign, _ = body.side(support.name)
+            force[2 * nodes + axis] += sign * length * support.pressure
+            for c in range(2):
+                force[2 * nodes + c] += length * support.k[c] * support.far(t)[c]
+        return force
+
+    return springs, dashpots, added, held, load
+
+
+def modes(body, supports):
+    springs, _, added, held, _ = supports_of(body, supports)
+    root = 1 / np.sqrt((body.mass + added)[~held])
+    squares = np.linalg.eigvalsh(root[:, None] * (body.K + np.diag(springs))[np.ix_(~held, ~held)] * root)
+    return np.sqrt(squares[squares > 1e-9 * squares[-1]]) / (2 * np.pi)
+
+
+def statics(body, supports):
+    """On a flat without friction; nodes leave it where they would be pulled. None where a part of the body may float."""
+    springs, _, _, held, load = supports_of(body, supports)
+    K, force, bottom = body.K + np.diag(springs), load(0.0), 2 * np.flatnonzero(body.j == 0) + 1
+    touching = np.ones(len(bottom), bool)
+    for _ in range(100):
+        fixed = held.copy()
+        fixed[bottom[touching]] = True
+        u = np.zeros(len(force))
+        A = K[np.ix_(~fixed, ~fixed)]
+        if np.linalg.cond(A) > 1e11:
+            return None
+        u[~fixed] = np.linalg.solve(A, force[~fixed])
+        reaction = (K @ u - force)[bottom]
+        now = np.where(held[bottom], True, np.where(touching, reaction > 0, u[bottom] < 0))
+        if np.array_equal(now, touching):
+            return u
+        touching = now
+    return None
+
+
+def run(body, supports, velocity, weight):
+    """Displacements before each step. Dashpots act on w + dt a / 2; without friction the flat pushes so that no node is below it after the step."""
+    springs, dashpots, added, held, load = supports_of(body, supports)
+    n, m, Z, pull = len(body.mass), body.mass + added, np.zeros(len(body.mass)), np.zeros(len(body.mass))
+    for dofs, of_side, support, c in dashpots:
+        Z[dofs] += of_side
+        pull[dofs] += of_side * (support.far(1.0) - support.far(0.0))[c]
+    inertia, bottom = m * (1 + 0.5 * ALPHA * DT) + 0.5 * DT * Z, 2 * np.flatnonzero(body.j == 0) + 1
+    assert (DT * Z < 2 * m).all()
+    v, g = np.tile(velocity, n // 2), np.tile(weight, n // 2)
+    u, w = np.zeros(n), v - 0.5 * DT * (g + (load(0.0) + pull - Z * v) / m - ALPHA * v)
+    w[held] = 0
+    states = [u]
+    for step in range(N_STEPS):
+        force = load(step * DT) + pull + m * g - springs * u - body.K @ (u + BETA * w) - (Z + ALPHA * m) * w
+        a = np.where(held, 0, force / inertia)
+        for k in bottom[~held[bottom]]:
+            a[k] = max(a[k], ((-GAP - u[k]) / DT - w[k]) / DT)
+        w = w + DT * a
+        u = u + DT * w
+        states.append(u)
+    return np.array(states)
+
+
+def random_supports(random, analysis):
+    kinds = ["free", "pressure", "held", "springs", "absorbing"]
+    chosen = [Support(name, random.choice(kinds), random) for name in ("Left", "Right")]
+    top = Support("Top", random.choice(kinds if analysis != "static contact" else ["pressure", "springs"]), random)
+    return chosen + [top]
+
+
+def keys(body, name, supports, analysis):
+    result = {"Analysis": analysis}
+    for support in supports:
+        result |= support.keys(analysis)
+    if name == "grid":
+        result |= {"Body/RVE file": "rve/rve.h5", "Body/Material": "heterogeneous"}
+    else:
+        result |= {"Mesh/File": "body.msh", "Mesh/Scale": 0.001, "Phases/Names": "a, b"}
+        for phase in range(2):
+            result |= {f"Phases/{'ab'[phase]}/Type": "stiffness", f"Phases/{'ab'[phase]}/Density": DENSITY[phase],
+                       f"Phases/{'ab'[phase]}/Stiffness": ", ".join(map(str, STIFFNESS[phase]))}
+    return result
+
+
+def field(folder, run_name, body):
+    """Snapshots [time][2 k + c] in the order of the nodes of the body."""
+    with h5py.File(folder(run_name, "dynamics.h5")) as file:
+        values = file["snapshots/displacement"][()]
+        if "mesh" in file:
+            points = file["mesh/points"][()]
+            order = np.lexsort((np.round(points[:, 0] / HX), np.round(points[:, 1] / HY)))
+            values = values[:, order]
+    return values.reshape(len(values), -1)
+
+
+def check(folder, random, number):
+    body = Body(random)
+    body.write(folder)
+    np.savetxt(folder("map.txt"), body.phases[::-1], fmt="%d")  # an image: top row first
+    settings = {"Grid/Cells": f"{NX}, {NY}", "Grid/Spacing": f"{HX}, {HY}", "Phases/Names": "a, b", "Microstructure/Type": "image",
+                "Microstructure/File": "map.txt", "Microstructure/Oblong pixels": "true", "Homogenization/Boundary conditions": "KUBC"}
+    for phase in range(2):
+        settings |= {f"Phases/{'ab'[phase]}/Type": "stiffness", f"Phases/{'ab'[phase]}/Density": DENSITY[phase],
+                     f"Phases/{'ab'[phase]}/Stiffness": ", ".join(map(str, STIFFNESS[phase]))}
+    folder.write("rve.prm", prm(settings))
+    folder.run(0, "rve_homogenization", "rve.prm", "--output", "rve", "--quiet")
+    errors = {}
+    for analysis in ("modal", "static contact", "transient"):
+        supports = random_supports(random, analysis)
+        velocity, weight = random.uniform(-1, 1, 2) * [0.5, 1.0], random.uniform(-1, 1, 2) * 1e5
+        if analysis == "modal":
+            expected, more = modes(body, supports), {"Modal/Bottom": "free", "Modal/Number of modes": 5, "Modal/Tolerance": 1e-12}
+        elif analysis == "static contact":
+            expected, more = statics(body, supports), {"Flat/Velocity": 0, "Friction/Coefficient": 0, "Static contact/Tolerance": 1e-11}
+        else:
+            expected = run(body, supports, velocity, weight)
+            more = {"Flat/Velocity": 1, "Flat/Gap": GAP, "Friction/Coefficient": MU, "Time/Time step": DT, "Time/End time": N_STEPS * DT,
+                    "Time/Rayleigh beta": BETA, "Body/Rayleigh alpha": ALPHA, "Body/Initial velocity": "%.17g, %.17g" % tuple(velocity),
+                    "Body/Acceleration": "%.17g, %.17g" % tuple(weight), "Snapshots/Interval": DT, "Friction/Regularization time": 0}
+        if expected is None:
+            continue
+        for name in ("grid", "mesh"):
+            for ranks in (1, 2):
+                folder.write("run.prm", prm({**keys(body, name, supports, analysis), **more}))
+                folder.run(0, "contact_dynamics", "run.prm", "--output", analysis, "--quiet", ranks=ranks)
+                what = (number, analysis, name, ranks, [(s.name, s.kind, s.held) for s in supports])
+                if analysis == "modal":
+                    rows = csv.DictReader(folder.read(analysis, "modes.csv").decode().splitlines())
+                    found = np.array([float(row["frequency [Hz]"]) for row in rows])
+                    error = np.abs(found / expected[:len(found)] - 1).max()
+                    assert len(found) == 5 and error < 1e-8, (*what, found, expected[:5])
+                else:
+                    found = field(folder, analysis, body)
+                    wanted = expected[None] if analysis == "static contact" else expected[:len(found)]
+                    error = np.abs(found - wanted).max() / np.abs(wanted).max()
+                    assert error < (1e-7 if analysis == "static contact" else 1e-10), (*what, error)
+                errors[analysis] = max(error, errors.get(analysis, 0.0))
+    print(number, errors)
+
+
+def main():
+    print("seed", SEED)
+    random = np.random.default_rng(SEED)
+    with tempfile.TemporaryDirectory() as path:
+        for number in range(N_BODIES):
+            check(Folder(path), random, number)
+
+
+if __name__ == "__main__":
+    main()
