@@ -52,13 +52,14 @@ struct BodyScales
 /** What statistics and results need to know of a body, on a grid or a mesh. */
 struct BodySize
 {
-  unsigned int dim      = 2;  ///< of the body
-  double top_area       = 0.; ///< of the top, along the normal of the flat (m^2, in 2D m)
-  double mass           = 0.; ///< kg, in 2D kg/m
-  std::uint64_t n_cells = 0;  ///< of the whole body
-  std::vector<double> friction; ///< coefficient of each contact node
-  std::vector<double> area;     ///< tributary of each contact node (m^2, in 2D m)
-  double crossing = 0.;         ///< BodyScales::crossing() (s)
+  unsigned int dim = 2;  ///< of the body
+  double top_area  = 0.; ///< of the top, along the normal of the flat (m^2, in 2D m)
+  std::vector<double> side_area; ///< of ContactParameters::loaded_sides() (m^2, in 2D m)
+  double mass           = 0.;    ///< kg, in 2D kg/m
+  std::uint64_t n_cells = 0;     ///< of the whole body
+  std::vector<double> friction;  ///< coefficient of each contact node
+  std::vector<double> area;      ///< tributary of each contact node (m^2, in 2D m)
+  double crossing = 0.;          ///< BodyScales::crossing() (s)
   std::size_t n_contact_nodes =
     0;                     ///< with periodic sides the last one is the first again
   ReferenceNode reference; ///< M

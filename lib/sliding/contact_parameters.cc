@@ -173,11 +173,11 @@ void check_mesh(const Keys &keys, const ContactParameters &p)
       " as Dimension is " + std::to_string(p.mesh.mesh.dim) + "; use '" + held + "'");
 }
 
-/** The keys of these names in the sections of all supports. */
-std::vector<std::string> of_supports(const Keys &keys,
-                                     const std::vector<std::string> &names)
+/** @p paths and the keys of these names in the sections of all supports. */
+std::vector<std::string> and_of_supports(const Keys &keys,
+                                         const std::vector<std::string> &names,
+                                         std::vector<std::string> paths)
 {
-  std::vector<std::string> paths;
   for (const Key &key : keys.all())
     if (key.section.rfind("Supports/", 0) == 0 &&
         std::count(names.begin(), names.end(), key.name) > 0)
@@ -192,12 +192,14 @@ void check_analysis(const Keys &keys)
                              const std::vector<std::string> &paths) {
     keys.only_with("Analysis", analyses, paths);
   };
-  only_with({"transient"},
-            {"Body/Initial velocity", "Time/End time", "Time/Time step",
-             "Time/Safety factor", "Time/Beta2", "Time/Check time step", "Flat/Ramp",
-             "Flat/Ramp time", "Flat/Expression", "Observation/", "Snapshots/",
-             "Contact map/", "Checkpoints/", "Performance/Temporal blocking",
-             "Performance/Instruction set"});
+  only_with(
+    {"transient"},
+    and_of_supports(keys, {"Ramp", "Ramp time", "Expression"},
+                    {"Body/Initial velocity", "Time/End time", "Time/Time step",
+                     "Time/Safety factor", "Time/Beta2", "Time/Check time step",
+                     "Flat/Ramp", "Flat/Ramp time", "Flat/Expression", "Observation/",
+                     "Snapshots/", "Contact map/", "Checkpoints/",
+                     "Performance/Temporal blocking", "Performance/Instruction set"}));
   only_with({"transient", "complex modes"},
             {"Body/Rayleigh alpha", "Time/Rayleigh beta", "Friction/Law",
              "Friction/Regularization time", "Friction/Length",
@@ -208,12 +210,10 @@ void check_analysis(const Keys &keys)
             {"Friction/Coefficient law"});
   only_with({"transient", "modal", "complex modes"},
             {"Supports/Top/Platen mass", "Supports/Top/Hold from"});
-  only_with({"transient"}, of_supports(keys, {"Ramp", "Ramp time", "Expression"}));
-  only_with({"transient", "complex modes"}, of_supports(keys, {"Dashpot"}));
+  only_with({"transient", "complex modes"}, and_of_supports(keys, {"Dashpot"}, {}));
   only_with({"transient", "static contact", "complex modes"},
-            of_supports(keys, {"Motion", "Pressure"}));
-  only_with({"transient", "static contact", "complex modes"},
-            {"Body/Acceleration", "Flat/", "Friction/"});
+            and_of_supports(keys, {"Motion", "Pressure"},
+                            {"Body/Acceleration", "Flat/", "Friction/"}));
   only_with({"transient", "modal", "static contact", "complex modes"},
             {"Body/RVE file", "Body/Material", "Body/Stiffness from", "Body/Stiffness",
              "Body/Density", "Body/Size", "Body/Cells", "Supports/", "Sides/"});

@@ -170,6 +170,13 @@ struct ContactParameters : SlidingSetup
   /** Whether anything stands on springs, dashpots or masses. */
   bool has_suspensions() const;
 
+  /** Whether a side takes or gives forces along the normal of the flat. */
+  bool sides_carry_normally() const;
+
+  /** Whether the top takes all of the friction and of what presses on the flat, so that its forces tell the
+   * friction. */
+  bool friction_is_at_top() const;
+
   /** Whether the loads of the contact nodes are summed up in every step. */
   bool wants_node_loads() const;
 

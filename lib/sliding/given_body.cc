@@ -7,6 +7,7 @@
 #include "sliding/given_grid.h"
 #include "sliding/mesh/box_body.h"
 #include "sliding/mesh/given_mesh.h"
+#include "sliding/supports/support_text.h"
 
 #include <array>
 #include <cmath>
@@ -22,47 +23,13 @@ GivenBody<dim>::GivenBody(const ContactParameters &parameters)
 {
 }
 
-namespace
-{
-/** "1e+12, 0 Pa/m", or nothing if all are 0. */
-std::string components_text(const char *what,
-                            const std::array<double, 3> &values,
-                            const unsigned int dim,
-                            const char *unit)
-{
-  std::string text;
-  if (values == std::array<double, 3>{})
-    return text;
-  for (unsigned int c = 0; c < dim; ++c)
-    text += (c > 0 ? ", " : std::string(what) + " of ") + to_text(values[c]);
-  return text + " " + unit;
-}
-
-/** What a side stands on; empty without springs, dashpots and mass. */
-std::string suspension_line(const ContactParameters::Suspended &side,
-                            const unsigned int dim)
-{
-  const Suspension &suspension = *side.suspension;
-  std::string text;
-  for (const std::string &part :
-       {components_text("springs", suspension.stiffness, dim, "Pa/m"),
-        components_text("dashpots", suspension.dashpot, dim, "Pa s/m"),
-        std::string(suspension.absorbing ? "dashpots of the impedances behind it" : ""),
-        suspension.mass > 0. ? "a mass of " + to_text(suspension.mass) + " kg/m^2"
-                             : std::string()})
-    if (!part.empty())
-      text += (text.empty() ? side.section.substr(9) + ": " : "; ") + part;
-  return text;
-}
-} // namespace
-
 template <int dim>
 void GivenBody<dim>::describe(std::ostream &out, const double more_memory) const
 {
   for (const std::string &line : known.lines)
     out << line << '\n';
   for (const auto &side : parameters.suspended())
-    if (const std::string line = suspension_line(side, dim); !line.empty())
+    if (const std::string line = support_text(side, dim); !line.empty())
       out << line << '\n';
   BodyMemory memory = known.memory;
   memory.on_rank_0 += more_memory;
@@ -78,7 +45,7 @@ void GivenBody<dim>::log(RunContext &context) const
   for (const std::string &line : known.lines)
     context.log(line);
   for (const auto &side : parameters.suspended())
-    if (const std::string line = suspension_line(side, dim); !line.empty())
+    if (const std::string line = support_text(side, dim); !line.empty())
       context.log(line);
   for (const std::string &warning : known.warnings)
     context.warn(warning);

@@ -213,6 +213,7 @@ BodySize GivenGrid::size() const
   const UniformGrid<2> &grid = body.grid;
   BodySize size;
   size.top_area = grid.extent(0);
+  size.side_area.assign(parameters.loaded_sides().size(), grid.extent(1));
   size.n_cells  = grid.n_cells();
   size.crossing = known.scales.crossing();
   size.mass     = known.scales.mass;

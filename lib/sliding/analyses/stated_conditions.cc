@@ -1,5 +1,6 @@
 #include "base/text.h"
 #include "sliding/contact_parameters.h"
+#include "sliding/supports/support_text.h"
 
 #include <array>
 #include <cmath>
@@ -78,23 +79,6 @@ void add_mesh(RunConditions &conditions, const ContactParameters &p, const bool 
     }
 }
 
-void add_suspension(RunConditions &conditions,
-                    const Suspension &suspension,
-                    const unsigned int dim)
-{
-  for (unsigned int c = 0; c < dim; ++c)
-    {
-      const std::string axis(1, "xyz"[c]);
-      if (suspension.stiffness[c] > 0.)
-        conditions["spring_stiffness_" + axis] = suspension.stiffness[c];
-      if (suspension.dashpot[c] > 0.)
-        conditions["dashpot_" + axis] = suspension.dashpot[c];
-      if (suspension.motion[c].is_expression())
-        conditions["motion_" + axis] = suspension.motion[c].shape();
-    }
-  if (suspension.mass > 0.)
-    conditions["top_mass"] = suspension.mass;
-}
 } // namespace
 
 RunConditions ContactParameters::stated_conditions() const
@@ -121,7 +105,8 @@ RunConditions ContactParameters::stated_conditions() const
   add_friction(conditions, *this);
   if (top.kind == TopSetup::Kind::platen)
     conditions["platen_mass"] = top.platen_mass;
-  add_suspension(conditions, top.suspension, mesh.mesh.dim);
+  if (const std::string text = support_texts(*this); !text.empty())
+    conditions["supports"] = text;
   if (contact.is_compliant())
     conditions["normal_stiffness"] = contact.normal_stiffness;
   if (std::isfinite(top.hold_from))

@@ -1,6 +1,7 @@
 #include "sliding/analyses/static_load.h"
 
 #include "base/errors.h"
+#include "base/exchange.h"
 #include "material/plausibility.h"
 
 #include <algorithm>
@@ -125,7 +126,6 @@ std::vector<double> of_springs(const double stiffness, const std::vector<double>
 template <int dim>
 void check_static_load(const ContactParameters &p, const BodyFacts<dim> &body)
 {
-  const bool platen = p.top.kind == TopSetup::Kind::platen;
   const auto [least, most] =
     std::minmax_element(body.size.friction.begin(), body.size.friction.end());
   if (p.top.kind == TopSetup::Kind::held)
@@ -141,10 +141,6 @@ void check_static_load(const ContactParameters &p, const BodyFacts<dim> &body)
     throw UserError("Flat/Gap is " + to_text(p.contact.gap) +
                     " m; a static contact analysis starts from a body that touches the "
                     "flat, set it to 0");
-  if (platen && p.step.is_heavy())
-    throw UserError("Body/Acceleration is not zero, which a static contact analysis "
-                    "under a platen does not take; set it to 0, or Supports/Top/Kind = "
-                    "pressure, which loads each node by itself");
   check_lateral_support(p, *most > 0.);
   if constexpr (dim == 2)
     if (body.contact_height.empty())
@@ -221,7 +217,7 @@ StaticContactSolution StaticLoad<dim>::follow(const StaticContactOptions &given)
       for (std::size_t k = 0; k < problem.force.size(); ++k)
         problem.force.begin()[k] *= share;
       if (platen && facts.contact_height.empty() && !load.has_history() &&
-          !sides_push(parameters))
+          !parameters.step.is_heavy() && !sides_push(parameters))
         press_in_proportion();
       else if (platen)
         press(share);
@@ -278,12 +274,32 @@ double StaticLoad<dim>::normal_force() const
   return total_normal_force(solution, facts.size.n_contact_nodes);
 }
 
+/** Force of the platen on the body, from the equilibrium of its nodes (N, in 2D N/m): the flat carries it, with
+ * whatever else holds or loads the body along the normal. */
+template <int dim>
+double StaticLoad<dim>::platen_force() const
+{
+  NodalField<double> internal = elastic.zero_field();
+  elastic.vmult(internal, problem.displacement);
+  const auto &duplicates  = elastic.duplicate_nodes();
+  const auto is_duplicate = [&](const NodeIndex &node) {
+    return std::any_of(duplicates.begin(), duplicates.end(), [&](const auto &pair) {
+      return pair[0].i == node.i && pair[0].j == node.j;
+    });
+  };
+  double force = 0.;
+  for (const NodeIndex &node : top.nodes)
+    if (elastic.is_counted(node) && !is_duplicate(node))
+      force += problem.force(dim - 1, node) - internal(dim - 1, node);
+  return mpi::sum(force, elastic.communicator());
+}
+
 template <int dim>
 void StaticLoad<dim>::press_in_proportion()
 {
   solve();
   const double factor =
-    parameters.top.pressure.amplitude() * facts.size.top_area / normal_force();
+    parameters.top.pressure.amplitude() * facts.size.top_area / platen_force();
   NodalField<double> &u = solution.displacement;
   for (std::size_t k = 0; k < u.size(); ++k)
     u.begin()[k] *= factor;
@@ -305,7 +321,7 @@ void StaticLoad<dim>::press(const double share)
   else
     {
       lowered_before = lowered;
-      force_before   = normal_force();
+      force_before   = platen_force();
       lowered *= share / done.back().share;
     }
   for (unsigned int n = 0; n < most; ++n)
@@ -313,7 +329,7 @@ void StaticLoad<dim>::press(const double share)
       for (const NodeIndex &node : top.nodes)
         problem.displacement(dim - 1, node) = -lowered;
       solve();
-      const double force = normal_force();
+      const double force = platen_force();
       if (std::fabs(force - wanted) <= 10. * options.tolerance * wanted)
         return;
       const double next =
@@ -322,7 +338,7 @@ void StaticLoad<dim>::press(const double share)
       force_before   = force;
       lowered        = next;
     }
-  throw NotConverged(brief_text(6, "static contact: the flat carries ", force_before,
+  throw NotConverged(brief_text(6, "static contact: the body carries ", force_before,
                                 " of ", wanted, " N after lowering the platen ", most,
                                 " times"));
 }

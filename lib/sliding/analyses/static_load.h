@@ -74,6 +74,7 @@ private:
   void press_in_proportion();
 
   double normal_force() const;
+  double platen_force() const;
   void pull(const SupportNodes &support, const Suspension &suspension);
 
   /** Adds to steps(). */

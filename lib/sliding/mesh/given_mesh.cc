@@ -108,8 +108,11 @@ template <int dim>
 BodySize GivenMesh<dim>::size() const
 {
   BodySize size;
-  size.dim             = dim;
-  size.top_area        = std::accumulate(body.top.area.begin(), body.top.area.end(), 0.);
+  size.dim      = dim;
+  size.top_area = std::accumulate(body.top.area.begin(), body.top.area.end(), 0.);
+  for (const MeshSide &side : body.sides)
+    size.side_area.push_back(
+      std::accumulate(side.nodes.area.begin(), side.nodes.area.end(), 0.));
   size.n_cells         = body.n_cells;
   size.crossing        = body.scales.crossing();
   size.mass            = body.scales.mass;

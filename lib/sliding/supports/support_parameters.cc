@@ -217,6 +217,23 @@ bool ContactParameters::has_suspensions() const
                      [](const Suspended &side) { return side.suspension->is_there(); });
 }
 
+bool ContactParameters::sides_carry_normally() const
+{
+  return std::any_of(supports.begin(), supports.end(), [&](const SideSupport &side) {
+    return side.is_loaded() || side.held[mesh.mesh.dim - 1];
+  });
+}
+
+bool ContactParameters::friction_is_at_top() const
+{
+  for (const SideSupport &side : supports)
+    for (unsigned int c = 0; c < mesh.mesh.dim; ++c)
+      if (side.is_loaded() ||
+          (side.held[c] && (c + 1 == mesh.mesh.dim || top.direction[c] != 0.)))
+        return false;
+  return top.takes_friction();
+}
+
 /** Puts what sides hold where plane grids and meshes look for it. */
 void ContactParameters::hold_sides()
 {

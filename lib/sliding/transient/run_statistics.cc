@@ -21,6 +21,10 @@ LimitCycleCriterion limit_cycle_criterion(const ContactParameters &parameters,
   criterion.expected_period =
     std::max(crossings_of_a_period * size.crossing,
              top.suspension.period((size.mass + top.platen_mass) / size.top_area));
+  for (std::size_t k = 0; k < size.side_area.size(); ++k)
+    criterion.expected_period = std::max(
+      criterion.expected_period,
+      parameters.loaded_sides()[k].suspension.period(size.mass / size.side_area[k]));
   return criterion;
 }
 } // namespace
@@ -139,7 +143,7 @@ void RunStatistics<dim>::collect(TransientResult &all)
   all.series = record.series();
   // Where the top takes no tangential forces, they are those of the contact.
   const std::vector<double> at_the_top = of_top(record.top_friction());
-  if (parameters.top.takes_friction())
+  if (parameters.friction_is_at_top())
     all.series.apparent_friction = at_the_top;
   const double given      = parameters.observation.steady_from;
   all.limit_cycle_reached = limit_cycle.reached();

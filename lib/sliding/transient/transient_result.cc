@@ -54,6 +54,7 @@ double nominal_load(const TransientResult &run, const double begin, const double
   const LoadHistory &velocity = run.parameters.contact.flat_velocity;
   const bool pressed          = top.kind != TopSetup::Kind::held && top.hold_from > end &&
                        !top.suspension.resists(run.body.dim - 1) &&
+                       !run.parameters.sides_carry_normally() &&
                        run.parameters.step.acceleration[run.body.dim - 1] == 0.;
   return pressed && top.pressure.is_constant_from(begin) &&
              velocity.is_constant_from(begin)
@@ -158,7 +159,7 @@ void TransientResult::evaluate_energy()
 
 void TransientResult::evaluate()
 {
-  apparent_friction = parameters.top.takes_friction()
+  apparent_friction = parameters.friction_is_at_top()
                         ? quotients(top.tangential_force, top.normal_force)
                         : quotients(history.tangential_force, history.normal_force);
   evaluate_reference_node();

@@ -90,7 +90,7 @@ def check_askew(folder):
 
 def check_static(folder):
     """Along y as along x; at an angle friction is mu p along the motion."""
-    solid = {**LOADS, "Mesh/File": "mesh.msh", "Mesh/Scale": 0.001, **STEEL}
+    solid = {**LOADS, "Supports/Top/Held": "u_x, u_y", "Mesh/File": "mesh.msh", "Mesh/Scale": 0.001, **STEEL}
     names = ("pressure [Pa]", "shear_traction [Pa]", "shear_traction_y [Pa]", "displacement_x [m]", "displacement_y [m]")
     box = Box([4, 4, 2], [4, 4, 3], lambda x: "body").name_side("Contact", 2, False).name_side("Top", 2, True)
     box.write(folder("mesh.msh"))

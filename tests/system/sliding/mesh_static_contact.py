@@ -178,7 +178,7 @@ def check_along_the_motion(folder):
     box = Box([6, 6, 2], [4, 4, 2], lambda x: "body")
     box.name_side("Contact", 2, False).name_side("Top", 2, True).write(folder("mesh.msh"))
     for direction in ((1, 0), (0, -1), (0.6, 0.8)):
-        folder.write("askew.prm", "set Dimension = 3\n" + prm({**LOADS, **MESH, "Flat/Velocity": "%g, %g" % direction}))
+        folder.write("askew.prm", "set Dimension = 3\n" + prm({**LOADS, **MESH, "Flat/Velocity": "%g, %g" % direction, "Supports/Top/Held": "u_x, u_y"}))
         folder.run(0, "contact_dynamics", "askew.prm", "--output", "askew")
         found = folder.summary("askew")
         force = np.array([found["tangential_force"], found["tangential_force_y"]]) / found["normal_force"]

@@ -165,7 +165,7 @@ def check_scale(folder):
     steady = {**growing, "Time/End time": 4e-3, "Flat/Ramp time": 5e-4, "Supports/Top/Ramp time": 5e-4}
     moduli = np.array([36.54e9, 9.1e9, 47.26e9, 13.785e9])
     for settings in (steady, growing):
-        ramps, runs = {f"{of}/Ramp": "smooth" for of in ("Flat", "Top") if settings is steady}, []
+        ramps, runs = {f"{of}/Ramp": "smooth" for of in ("Flat", "Supports/Top") if settings is steady}, []
         for softer, time in ((1, 1), (2**14, 256)):
             scaled = {key: value * time for key, value in settings.items()}
             scaled.update({**ramps, "Body/Stiffness": ", ".join(repr(float(x)) for x in moduli / softer), "Supports/Top/Pressure": 5e6 / softer,

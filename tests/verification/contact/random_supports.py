@@ -1,8 +1,8 @@
 """Random supports at the left, the right and the top against a dense code written apart, in numpy: modes, the static body pressed on the flat, and
 every step of runs that land on it, of random phase maps as a plane grid and as a mesh of the same cells, on one rank and on two.
 
-Each side is free, held, under a pressure, on springs with dashpots, mass and a far end that moves, or absorbs waves. Modes agree to 1e-8, static
-displacements to 1e-7 and steps to 1e-10 of the largest."""
+Each side is free, held, under a pressure, on springs with dashpots, mass and a far end that moves, or absorbs waves; the top may be a platen, too.
+Modes agree to 1e-8, static displacements to 1e-7 and steps to 1e-10 of the largest."""
 
 import csv
 import tempfile
@@ -17,7 +17,7 @@ SEED, N_BODIES = 2044, 12
 NX, NY, HX, HY = 5, 4, 1.0e-3, 0.6e-3
 STIFFNESS = [[32e9, 8e9, 32e9, 12e9], [80e9, 20e9, 70e9, 30e9]]  # D11, D12, D22, D33
 DENSITY = [1770.0, 2500.0]
-PRESSURE, GAP, MU = 4e6, 2e-9, 0.0
+PRESSURE, GAP, PLATEN_MASS = 4e6, 2e-9, 0.004
 DT, N_STEPS = 2e-8, 150
 BETA, ALPHA = 3e-9, 2e4
 
@@ -75,10 +75,12 @@ class Support:
         if kind == "springs":
             self.k, self.z = 10 ** random.uniform(11, 13.5, 2), 10 ** random.uniform(4, 7, 2)
             self.mass, self.motion = random.choice([0.0, 1.5]), [random.uniform(-1e-8, 1e-8), random.uniform(-1e-2, 1e-2)]
-        if kind in ("springs", "pressure", "absorbing"):
+        if kind in ("springs", "pressure", "absorbing", "platen"):
             self.pressure = PRESSURE if name == "Top" else random.uniform(-0.3, 0.5) * PRESSURE
         if kind == "held":
             self.held = [0, 1]
+        elif kind == "platen":
+            self.held = [0]
         elif random.random() < 0.3 and (name != "Top" or kind == "pressure"):
             self.held = [0] if name == "Top" else [int(random.integers(2))]
 
@@ -89,7 +91,9 @@ class Support:
     def keys(self, analysis):
         start = f"Supports/{self.name}/"
         result = {start + "Kind": "free" if self.kind == "pressure" and analysis == "modal" and self.name != "Top" else self.kind}
-        if self.held and self.kind != "held":
+        if self.kind == "platen" and analysis != "static contact":
+            result[start + "Platen mass"] = PLATEN_MASS
+        if self.held and self.kind not in ("held", "platen"):
             result[start + "Held"] = ", ".join("u_" + "xy"[c] for c in self.held)
         if self.pressure and analysis != "modal":
             result[start + "Pressure"] = self.pressure
@@ -127,28 +131,43 @@ def supports_of(body, supports):
     return springs, dashpots, added, held, load
 
 
+def basis(body, supports, held):
+    """From unknowns to degrees of freedom; the last unknown is the platen's if there is one."""
+    if supports[-1].kind != "platen":
+        return np.eye(len(held))[:, ~held]
+    lowered = np.zeros(len(held))
+    lowered[2 * np.flatnonzero(body.j == NY) + 1] = 1
+    return np.hstack([np.eye(len(held))[:, ~held & (lowered == 0)], lowered[:, None]])
+
+
 def modes(body, supports):
     springs, _, added, held, _ = supports_of(body, supports)
-    root = 1 / np.sqrt((body.mass + added)[~held])
-    squares = np.linalg.eigvalsh(root[:, None] * (body.K + np.diag(springs))[np.ix_(~held, ~held)] * root)
+    T = basis(body, supports, held)
+    mass = T.T @ (body.mass + added)
+    if supports[-1].kind == "platen":
+        mass[-1] += PLATEN_MASS
+    root = 1 / np.sqrt(mass)
+    squares = np.linalg.eigvalsh(root[:, None] * (T.T @ (body.K + np.diag(springs)) @ T) * root)
     return np.sqrt(squares[squares > 1e-9 * squares[-1]]) / (2 * np.pi)
 
 
-def statics(body, supports):
+def statics(body, supports, weight):
     """On a flat without friction; nodes leave it where they would be pulled. None where a part of the body may float."""
-    springs, _, _, held, load = supports_of(body, supports)
-    K, force, bottom = body.K + np.diag(springs), load(0.0), 2 * np.flatnonzero(body.j == 0) + 1
+    springs, _, added, held, load = supports_of(body, supports)
+    K, force, bottom = body.K + np.diag(springs), load(0.0) + (body.mass + added) * np.tile(weight, len(body.mass) // 2), 2 * np.flatnonzero(body.j == 0) + 1
     touching = np.ones(len(bottom), bool)
     for _ in range(100):
         fixed = held.copy()
         fixed[bottom[touching]] = True
-        u = np.zeros(len(force))
-        A = K[np.ix_(~fixed, ~fixed)]
+        T = basis(body, supports, fixed)
+        A = T.T @ K @ T
         if np.linalg.cond(A) > 1e11:
             return None
-        u[~fixed] = np.linalg.solve(A, force[~fixed])
+        u = T @ np.linalg.solve(A, T.T @ force)
         reaction = (K @ u - force)[bottom]
         now = np.where(held[bottom], True, np.where(touching, reaction > 0, u[bottom] < 0))
+        if now.sum() < 2:  # it lifts off, or tips
+            return None
         if np.array_equal(now, touching):
             return u
         touching = now
@@ -164,13 +183,19 @@ def run(body, supports, velocity, weight):
         pull[dofs] += of_side * (support.far(1.0) - support.far(0.0))[c]
     inertia, bottom = m * (1 + 0.5 * ALPHA * DT) + 0.5 * DT * Z, 2 * np.flatnonzero(body.j == 0) + 1
     assert (DT * Z < 2 * m).all()
+    top, platen = 2 * np.flatnonzero(body.j == NY) + 1, supports[-1].kind == "platen"
     v, g = np.tile(velocity, n // 2), np.tile(weight, n // 2)
-    u, w = np.zeros(n), v - 0.5 * DT * (g + (load(0.0) + pull - Z * v) / m - ALPHA * v)
+    at_start = g + (load(0.0) + pull - Z * v) / m
+    if platen:
+        at_start[top] = (body.mass[top].sum() * weight[1] - PRESSURE * NX * HX) / (body.mass[top].sum() + PLATEN_MASS)
+    u, w = np.zeros(n), v - 0.5 * DT * (at_start - ALPHA * v)
     w[held] = 0
     states = [u]
     for step in range(N_STEPS):
         force = load(step * DT) + pull + m * g - springs * u - body.K @ (u + BETA * w) - (Z + ALPHA * m) * w
         a = np.where(held, 0, force / inertia)
+        if platen:
+            a[top] = force[top].sum() / (inertia[top].sum() + PLATEN_MASS)
         for k in bottom[~held[bottom]]:
             a[k] = max(a[k], ((-GAP - u[k]) / DT - w[k]) / DT)
         w = w + DT * a
@@ -182,7 +207,10 @@ def run(body, supports, velocity, weight):
 def random_supports(random, analysis):
     kinds = ["free", "pressure", "held", "springs", "absorbing"]
     chosen = [Support(name, random.choice(kinds), random) for name in ("Left", "Right")]
-    top = Support("Top", random.choice(kinds if analysis != "static contact" else ["pressure", "springs"]), random)
+    top = Support("Top", random.choice([*kinds, "platen"] if analysis != "static contact" else ["pressure", "springs", "platen"]), random)
+    for side in chosen:
+        if top.kind == "platen":  # which moves the corners along y
+            side.kind, side.held = "free" if side.kind == "held" else side.kind, [c for c in side.held if side.kind != "held" and c == 0]
     return chosen + [top]
 
 
@@ -229,10 +257,11 @@ def check(folder, random, number):
         if analysis == "modal":
             expected, more = modes(body, supports), {"Modal/Bottom": "free", "Modal/Number of modes": 5, "Modal/Tolerance": 1e-12}
         elif analysis == "static contact":
-            expected, more = statics(body, supports), {"Flat/Velocity": 0, "Friction/Coefficient": 0, "Static contact/Tolerance": 1e-11}
+            expected, more = statics(body, supports, 5 * weight), {
+                "Flat/Velocity": 0, "Friction/Coefficient": 0, "Static contact/Tolerance": 1e-11, "Body/Acceleration": "%.17g, %.17g" % tuple(5 * weight)}
         else:
             expected = run(body, supports, velocity, weight)
-            more = {"Flat/Velocity": 1, "Flat/Gap": GAP, "Friction/Coefficient": MU, "Time/Time step": DT, "Time/End time": N_STEPS * DT,
+            more = {"Flat/Velocity": 1, "Flat/Gap": GAP, "Friction/Coefficient": 0, "Time/Time step": DT, "Time/End time": N_STEPS * DT,
                     "Time/Rayleigh beta": BETA, "Body/Rayleigh alpha": ALPHA, "Body/Initial velocity": "%.17g, %.17g" % tuple(velocity),
                     "Body/Acceleration": "%.17g, %.17g" % tuple(weight), "Snapshots/Interval": DT, "Friction/Regularization time": 0}
         if expected is None:

@@ -1,0 +1,77 @@
+#include "sliding/supports/support_text.h"
+
+#include "base/text.h"
+
+#include <array>
+
+namespace mesoslip
+{
+namespace
+{
+/** "springs of 1e+12, 0 Pa/m", or nothing if all are 0. */
+std::string components_text(const char *what,
+                            const std::array<double, 3> &values,
+                            const unsigned int dim,
+                            const char *unit)
+{
+  std::string text;
+  if (values == std::array<double, 3>{})
+    return text;
+  for (unsigned int c = 0; c < dim; ++c)
+    text += (c > 0 ? ", " : std::string(what) + " of ") + to_text(values[c]);
+  return text + " " + unit;
+}
+
+/** "a far end at t, 0 m". */
+std::string motion_text(const Suspension &suspension, const unsigned int dim)
+{
+  std::string text;
+  bool moves = false;
+  for (unsigned int c = 0; c < dim; ++c)
+    {
+      const LoadHistory &motion = suspension.motion[c];
+      moves                     = moves || motion.is_expression();
+      text += (c > 0 ? ", " : "") + (motion.is_expression() ? motion.shape() : "0");
+    }
+  return moves ? "a far end at " + text + " m" : "";
+}
+
+std::string pressure_text(const LoadHistory &pressure)
+{
+  if (pressure.is_expression())
+    return "a pressure of " + pressure.shape() + " Pa";
+  if (pressure.amplitude() == 0.)
+    return "";
+  return "a pressure of " + to_text(pressure.amplitude()) + " Pa" +
+         (pressure.duration() > 0. ? " after a " + pressure.shape() + " ramp of " +
+                                       to_text(pressure.duration()) + " s"
+                                   : "");
+}
+} // namespace
+
+std::string support_text(const ContactParameters::Suspended &side, const unsigned int dim)
+{
+  const Suspension &on   = *side.suspension;
+  const std::string name = side.section.substr(side.section.find('/') + 1);
+  std::string text;
+  for (const std::string &part :
+       {components_text("springs", on.stiffness, dim, "Pa/m"),
+        components_text("dashpots", on.dashpot, dim, "Pa s/m"),
+        std::string(on.absorbing ? "dashpots of the impedances behind it" : ""),
+        on.mass > 0. ? "a mass of " + to_text(on.mass) + " kg/m^2" : std::string(),
+        motion_text(on, dim), name == "Top" ? "" : pressure_text(*side.pressure)})
+    if (!part.empty())
+      text += (text.empty() ? name + ": " : "; ") + part;
+  return text;
+}
+
+std::string support_texts(const ContactParameters &parameters)
+{
+  std::string all;
+  for (const auto &side : parameters.suspended())
+    if (const std::string text = support_text(side, parameters.mesh.mesh.dim);
+        !text.empty())
+      all += (all.empty() ? "" : " | ") + text;
+  return all;
+}
+} // namespace mesoslip
