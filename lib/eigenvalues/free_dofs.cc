@@ -10,6 +10,7 @@ FreeDofs<dim>::FreeDofs(const ElasticBody<dim> &body,
                         const std::optional<double> &platen_mass)
   : body(body)
   , with_platen(platen_mass.has_value())
+  , of_platen_alone(platen_mass.value_or(0.))
 {
   DofMask duplicate(body.n_columns(), body.n_rows());
   for (const auto &pair : body.duplicate_nodes())

@@ -54,6 +54,12 @@ public:
     return with_platen;
   }
 
+  /** Mass of the platen without that of the top (kg, in 2D kg/m). */
+  double platen_mass() const
+  {
+    return of_platen_alone;
+  }
+
   /** The platen's entry of @p x, on all ranks. Collective. */
   double of_platen(const Vector &x) const;
 
@@ -88,6 +94,7 @@ private:
 
   const ElasticBody<dim> &body;
   const bool with_platen;
+  const double of_platen_alone; ///< see platen_mass()
   std::shared_ptr<const dealii::Utilities::MPI::Partitioner> partitioner;
   unsigned int platen_rank = 0;        ///< that has its degree of freedom
   std::vector<NodeIndex> platen_nodes; ///< that this rank counts, without duplicates

@@ -63,9 +63,10 @@ void add_target(const std::size_t node,
     target.emplace_back(q, entry.row(), coupling * entry.value());
 }
 
-/** The springs below the nodes, foundation and alpha. */
+/** The springs below the nodes, foundation and alpha, which does not act on a platen. */
 template <int dim>
 void add_supports(const ElasticBody<dim> &body,
+                  const FreeDofs<dim> &dofs,
                   const std::vector<std::int64_t> &number,
                   const SlidingNodesAtRest &contact,
                   SlidingPencil &pencil)
@@ -89,7 +90,12 @@ void add_supports(const ElasticBody<dim> &body,
   pencil.springs = gather(springs, {});
   std::vector<Triplet> of_mass;
   for (Eigen::Index k = 0; k < pencil.size() && pencil.law.alpha > 0.; ++k)
-    of_mass.emplace_back(k, k, pencil.law.alpha * pencil.mass[k]);
+    {
+      const bool is_platen = dofs.has_platen() && k + 1 == pencil.size();
+      of_mass.emplace_back(k, k,
+                           pencil.law.alpha *
+                             (pencil.mass[k] - (is_platen ? dofs.platen_mass() : 0.)));
+    }
   pencil.resistances = gather(body.foundation().dashpots, of_mass);
 }
 
@@ -274,7 +280,7 @@ SlidingPencil make_sliding_pencil(const ElasticBody<dim> &body,
   pencil.mass = Eigen::Map<const Eigen::VectorXd>(masses.begin(), n);
   RealMatrix of_nodes(n, static_cast<Eigen::Index>(contact.nodes.size()));
   of_nodes.setFromTriplets(reactions.begin(), reactions.end());
-  add_supports(body, number, contact, pencil);
+  add_supports(body, dofs, number, contact, pencil);
   add_contact(body, of_nodes, number, contact, pencil);
   return pencil;
 }

@@ -14,11 +14,12 @@ from mesh_files import Box
 from scenes import Folder, prm
 
 SEED, N_BODIES = 2044, 12
-NX, NY, HX, HY = 5, 4, 1.0e-3, 0.6e-3
+NX, NY, HX, HY = 6, 5, 1.0e-3, 0.6e-3
 STIFFNESS = [[32e9, 8e9, 32e9, 12e9], [80e9, 20e9, 70e9, 30e9]]  # D11, D12, D22, D33
 DENSITY = [1770.0, 2500.0]
 PRESSURE, GAP, PLATEN_MASS = 4e6, 2e-9, 0.004
 DT, N_STEPS = 2e-8, 150
+HIGHEST, FASTEST = 5e5, 1e6  # of complex modes (Hz, 1/s)
 BETA, ALPHA = 3e-9, 2e4
 
 
@@ -101,7 +102,7 @@ class Support:
             result |= {start + "Spring stiffness": "%.17g, %.17g" % tuple(self.k), start + "Mass": self.mass}
             if analysis != "modal":
                 result[start + "Motion"] = "%.17g + %.17g*t; %.17g - %.17g*t" % (2 * tuple(self.motion))
-            if analysis == "transient":
+            if analysis in ("transient", "complex modes"):
                 result[start + "Dashpot"] = "%.17g, %.17g" % tuple(self.z)
         return result
 
@@ -152,7 +153,8 @@ def modes(body, supports):
 
 
 def statics(body, supports, weight):
-    """On a flat without friction; nodes leave it where they would be pulled. None where a part of the body may float."""
+    """Displacement on a flat without friction, and which bottom nodes touch it: they leave it where they would be pulled. None where a part of the
+    body may float."""
     springs, _, added, held, load = supports_of(body, supports)
     K, force, bottom = body.K + np.diag(springs), load(0.0) + (body.mass + added) * np.tile(weight, len(body.mass) // 2), 2 * np.flatnonzero(body.j == 0) + 1
     touching = np.ones(len(bottom), bool)
@@ -169,9 +171,26 @@ def statics(body, supports, weight):
         if now.sum() < 2:  # it lifts off, or tips
             return None
         if np.array_equal(now, touching):
-            return u
+            return u, touching
         touching = now
     return None
+
+
+def complex_modes(body, supports, touching):
+    """Eigenvalues above the real axis (1/s) about sliding without friction: no touching node leaves the flat."""
+    springs, dashpots, added, held, _ = supports_of(body, supports)
+    fixed, C = held.copy(), ALPHA * np.diag(body.mass + added) + BETA * body.K
+    fixed[(2 * np.flatnonzero(body.j == 0) + 1)[touching]] = True
+    for dofs, Z, _, _ in dashpots:
+        C[dofs, dofs] += Z
+    T = basis(body, supports, fixed)
+    K, C, mass = T.T @ (body.K + np.diag(springs)) @ T, T.T @ C @ T, T.T @ (body.mass + added)
+    if supports[-1].kind == "platen":
+        mass[-1] += PLATEN_MASS
+    n = len(mass)
+    A = np.block([[np.zeros((n, n)), np.eye(n)], [-K / mass[:, None], -C / mass[:, None]]])
+    s = np.linalg.eigvals(A)
+    return s[s.imag > 1e-6 * np.abs(s).max()]
 
 
 def run(body, supports, velocity, weight):
@@ -207,7 +226,7 @@ def run(body, supports, velocity, weight):
 def random_supports(random, analysis):
     kinds = ["free", "pressure", "held", "springs", "absorbing"]
     chosen = [Support(name, random.choice(kinds), random) for name in ("Left", "Right")]
-    top = Support("Top", random.choice([*kinds, "platen"] if analysis != "static contact" else ["pressure", "springs", "platen"]), random)
+    top = Support("Top", random.choice([*kinds, "platen"] if analysis in ("modal", "transient") else ["pressure", "springs", "platen"]), random)
     for side in chosen:
         if top.kind == "platen":  # which moves the corners along y
             side.kind, side.held = "free" if side.kind == "held" else side.kind, [c for c in side.held if side.kind != "held" and c == 0]
@@ -251,14 +270,20 @@ def check(folder, random, number):
     folder.write("rve.prm", prm(settings))
     folder.run(0, "rve_homogenization", "rve.prm", "--output", "rve", "--quiet")
     errors = {}
-    for analysis in ("modal", "static contact", "transient"):
+    for analysis in ("modal", "static contact", "complex modes", "transient"):
         supports = random_supports(random, analysis)
         velocity, weight = random.uniform(-1, 1, 2) * [0.5, 1.0], random.uniform(-1, 1, 2) * 1e5
         if analysis == "modal":
             expected, more = modes(body, supports), {"Modal/Bottom": "free", "Modal/Number of modes": 5, "Modal/Tolerance": 1e-12}
         elif analysis == "static contact":
-            expected, more = statics(body, supports, 5 * weight), {
+            expected, more = (statics(body, supports, 5 * weight) or [None])[0], {
                 "Flat/Velocity": 0, "Friction/Coefficient": 0, "Static contact/Tolerance": 1e-11, "Body/Acceleration": "%.17g, %.17g" % tuple(5 * weight)}
+        elif analysis == "complex modes":
+            state = statics(body, supports, 5 * weight)
+            expected = None if state is None else complex_modes(body, supports, state[1])
+            more = {"Friction/Coefficient": 0, "Friction/Regularization time": 0, "Time/Rayleigh beta": BETA, "Body/Rayleigh alpha": ALPHA,
+                    "Body/Acceleration": "%.17g, %.17g" % tuple(5 * weight), "Complex modes/Highest frequency": HIGHEST,
+                    "Complex modes/Fastest decay": FASTEST}
         else:
             expected = run(body, supports, velocity, weight)
             more = {"Flat/Velocity": 1, "Flat/Gap": GAP, "Friction/Coefficient": 0, "Time/Time step": DT, "Time/End time": N_STEPS * DT,
@@ -271,7 +296,13 @@ def check(folder, random, number):
                 folder.write("run.prm", prm({**keys(body, name, supports, analysis), **more}))
                 folder.run(0, "contact_dynamics", "run.prm", "--output", analysis, "--quiet", ranks=ranks)
                 what = (number, analysis, name, ranks, [(s.name, s.kind, s.held) for s in supports])
-                if analysis == "modal":
+                if analysis == "complex modes":
+                    rows = list(csv.DictReader(folder.read(analysis, "complex_modes.csv").decode().splitlines()))
+                    found = np.array([float(row["growth_rate [1/s]"]) + 2j * np.pi * float(row["frequency [Hz]"]) for row in rows])
+                    wanted = expected[(expected.imag < 2 * np.pi * HIGHEST * 0.999) & (expected.real > -0.999 * FASTEST) & (expected.imag > 1.001 * -expected.real)]
+                    error = max([np.abs(found / s - 1).min() for s in wanted] + [np.abs(expected / s - 1).min() for s in found] + [0.0])
+                    assert error < 1e-6, (*what, found, wanted)
+                elif analysis == "modal":
                     rows = csv.DictReader(folder.read(analysis, "modes.csv").decode().splitlines())
                     found = np.array([float(row["frequency [Hz]"]) for row in rows])
                     error = np.abs(found / expected[:len(found)] - 1).max()
