@@ -283,6 +283,11 @@ void Keys::bind_names(const std::string &key,
     }
 }
 
+bool Keys::is_typed(const std::string &path) const
+{
+  return raw.find(path) != nullptr;
+}
+
 std::vector<std::string> Keys::typed_sections() const
 {
   const std::string start = current_section + "/";

@@ -193,8 +193,7 @@ public:
                   const std::string &meaning,
                   const std::size_t most = 10000);
 
-  /** Names of subsections of the current section that the .prm or --set has, in their order; the caller
-   * binds those that it knows nothing about. */
+  /** Names of the subsections of the current section that the .prm or --set has, in their order. */
   std::vector<std::string> typed_sections() const;
 
   /**
@@ -248,21 +247,15 @@ public:
   /** @throws UserError "Section/Key: what" unless @p holds, whatever comes later in the .prm. */
   void require(const bool holds, const std::string &key, const std::string &what) const;
 
-  /**
-   * The key @p old of the current section is called @p now; with "Key = value" for @p old
-   * one of its values is; with "Section/" for both of them the whole subsection is. Whoever uses the old
-   * name is told so.
-   */
+  /** The key @p old of the current section is called @p now; with "Key = value" for @p old one of its
+   * values is, with "Section/" for both the whole subsection. Whoever uses the old name is told so. */
   void renamed(const std::string &old, const std::string &now)
   {
     renames[path(old)] = now;
   }
 
   /** Whether the .prm or --set names the key. */
-  bool is_typed(const std::string &path) const
-  {
-    return raw.find(path) != nullptr;
-  }
+  bool is_typed(const std::string &path) const;
 
   /** The same, and it is not empty. */
   bool has_text(const std::string &path) const

@@ -51,7 +51,7 @@ void bind_statics(Keys &keys, ContactParameters &p)
     keys.bind(
       "Bottom", p.modal_bottom, {"free", "held in y", "held in z", "both"},
       "Support of the bottom: free (BC1 of the paper), u_y = 0 (BC2; in 3D u_z = 0), or "
-      "one after the other; the top is that of section Top at the start of a run");
+      "one after the other; the top is that of Supports/Top at the start of a run");
     keys.bind("Tolerance", p.modal.tolerance, Range::open(0., 1.),
               "Relative residual of the static solves within the Lanczos iteration [-]");
   }

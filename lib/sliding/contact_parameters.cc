@@ -212,7 +212,7 @@ void check_analysis(const Keys &keys)
             {"Supports/Top/Platen mass", "Supports/Top/Hold from"});
   only_with({"transient", "complex modes"}, and_of_supports(keys, {"Dashpot"}, {}));
   only_with({"transient", "static contact", "complex modes"},
-            and_of_supports(keys, {"Motion", "Pressure"},
+            and_of_supports(keys, {"Motion", "Pressure", "Traction"},
                             {"Body/Acceleration", "Flat/", "Friction/"}));
   only_with({"transient", "modal", "static contact", "complex modes"},
             {"Body/RVE file", "Body/Material", "Body/Stiffness from", "Body/Stiffness",

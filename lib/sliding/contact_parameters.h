@@ -170,6 +170,9 @@ struct ContactParameters : SlidingSetup
   /** Whether anything stands on springs, dashpots or masses. */
   bool has_suspensions() const;
 
+  /** Whether the far end of a suspension moves, or a traction acts, along the normal of the flat. */
+  bool is_moved_normally() const;
+
   /** Whether a side takes or gives forces along the normal of the flat. */
   bool sides_carry_normally() const;
 

@@ -229,7 +229,9 @@ BodyInMotion<2> GivenGrid::start(const SlidingSetup &given, RunContext &context)
 {
   const std::vector<ProbePoint> &probes = parameters.observation.probes;
   SlidingSetup setup                    = given;
-  setup.top.impedance                   = top_nodes().carried.impedance;
+  const SideNodes of_top                = top_nodes().carried;
+  setup.top.impedance                   = of_top.impedance;
+  setup.top.position                    = of_top.position;
   for (const SideSupport &side : parameters.loaded_sides())
     setup.loaded.push_back({side, column_of(side), {}, {}});
   auto sliding =

@@ -44,16 +44,6 @@ struct Load
   }
 };
 
-/** Whether the far end of a suspension moves along the normal of the flat. */
-bool is_pushed_by_far_end(const ContactParameters &p)
-{
-  const auto suspended = p.suspended();
-  return std::any_of(
-    suspended.begin(), suspended.end(), [&](const ContactParameters::Suspended &side) {
-      return side.suspension->motion[p.mesh.mesh.dim - 1].is_expression();
-    });
-}
-
 /** Collects what is to be judged of a transient run. */
 class RunJudge
 {
@@ -69,7 +59,7 @@ public:
     , velocity{p.contact.flat_velocity, "Flat", "Velocity"}
     , pressures(load_range(p.top.pressure, end))
     , flat_speed(load_range(p.contact.flat_velocity, end).largest_size())
-    , is_pushed(is_pushed_by_far_end(p))
+    , is_pushed(p.is_moved_normally())
   {
   }
 

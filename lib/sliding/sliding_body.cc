@@ -20,8 +20,11 @@ void restrict_side(LoadedSide &side, const NodeRows &rows)
                 values.begin() + rows.first() + rows.n_local()};
   };
   here(side.nodes.area);
-  for (std::vector<double> &component : side.nodes.push)
-    here(component);
+  for (unsigned int c = 0; c < 3; ++c)
+    {
+      here(side.nodes.push[c]);
+      here(side.nodes.position[c]);
+    }
   for (std::vector<double> &component : side.nodes.impedance)
     here(component);
   for (unsigned int l = 0; l < rows.n_local(); ++l)
@@ -232,7 +235,7 @@ void SlidingGrid::start_sides(const std::array<double, 3> &v)
               starts_with[c] = held[c] ? 0. : v[c];
               a[c]           = (w.row(c, l)[i] - v[c]) / back + alpha * v[c];
             }
-          const bool rests = j == 0 && w.row(1, l)[i] == v[1];
+          const bool rests  = j == 0 && w.row(1, l)[i] == v[1];
           const double more = j + 1 == rows.n_global ? top.suspended_mass(i) : 0.;
           sides[k].accelerate(l, mass[i] + more, starts_with, a);
           for (unsigned int c = 0; c < 2; ++c)

@@ -18,8 +18,21 @@ struct SideNodes
    * in 2D m); components that are empty are 0. */
   std::array<std::vector<double>, 3> push;
 
+  /** Where the nodes are, x, y and z (m), if there is a traction; components that are empty are 0. */
+  std::array<std::vector<double>, 3> position;
+
   /** If the side absorbs, component (r, c) of the impedance of the phases behind it in [dim r + c] (Pa s/m). */
   std::vector<std::vector<double>> impedance;
+
+  /** Where node @p i is (m). */
+  std::array<double, 3> place_of(const std::size_t i) const
+  {
+    std::array<double, 3> place = {};
+    for (unsigned int c = 0; c < 3; ++c)
+      if (!position[c].empty())
+        place[c] = position[c][i];
+    return place;
+  }
 
   /** Component @p c of the force of a pressure of 1 Pa on node @p i (m^2, in 2D m). */
   double push_of(const std::size_t i, const unsigned int c) const
@@ -31,7 +44,7 @@ struct SideNodes
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    serialize_members<3>(archive, *this);
+    serialize_members<4>(archive, *this);
   }
 };
 } // namespace mesoslip

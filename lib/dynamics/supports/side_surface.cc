@@ -28,9 +28,8 @@ const SuspensionLoad<dim> &SideSurface<dim>::load_at(const SurfaceView<dim> &sur
 {
   std::optional<LoadOfStep> &place = loads[surface.step % steps_under_way];
   if (!place || place->step != surface.step)
-    place = LoadOfStep{
-      surface.step,
-      {support.pressure(surface.time), {support.suspension, surface.time, step.dt}}};
+    place = LoadOfStep{surface.step,
+                       nodes.load_at(surface.time, support.pressure(surface.time))};
   return place->load;
 }
 

@@ -21,6 +21,45 @@ SuspendedNodes<dim>::SuspendedNodes(const Suspension &suspension,
   , ledger(nodes.area.size())
 {
   assert(!suspension.absorbing || nodes.impedance.size() == std::size_t{dim} * dim);
+  const Traction &traction = suspension.traction;
+  for (std::size_t k = 0; k < nodes.area.size() && traction.is_there(); ++k)
+    {
+      Vector &here = lasting.emplace_back(Vector::Zero());
+      for (unsigned int c = 0; c < dim; ++c)
+        if (!traction.varies_in_time(c))
+          here[c] = traction(c, nodes.place_of(k), 0.);
+    }
+}
+
+template <int dim>
+SuspensionLoad<dim> SuspendedNodes<dim>::load_at(const double time,
+                                                 const double pressure) const
+{
+  SuspensionLoad<dim> load = {time, pressure, {suspension, time, step.dt}, {}};
+  const Traction &traction = suspension.traction;
+  for (unsigned int c = 0; c < dim; ++c)
+    if (traction.varies_in_time(c) && !traction.varies_in_place(c))
+      load.traction[c] = traction(c, {}, time);
+  return load;
+}
+
+/** Force of pressure and traction (N, in 2D N/m). */
+template <int dim>
+typename SuspendedNodes<dim>::Vector
+SuspendedNodes<dim>::push_on(const unsigned int k, const SuspensionLoad<dim> &load) const
+{
+  const Traction &traction = suspension.traction;
+  Vector force;
+  for (unsigned int c = 0; c < dim; ++c)
+    {
+      force[c] = load.pressure * nodes.push_of(k, c);
+      if (!traction.acts(c))
+        continue;
+      const bool is_local = traction.varies_in_time(c) && traction.varies_in_place(c);
+      force[c] += nodes.area[k] * (is_local ? traction(c, nodes.place_of(k), load.time)
+                                            : lasting[k][c] + load.traction[c]);
+    }
+  return force;
 }
 
 /** Of the node, for its area (N s/m, in 2D Pa s). */
@@ -116,14 +155,13 @@ SuspendedNodes<dim>::force(const unsigned int k,
                            const unsigned int i,
                            const SuspensionLoad<dim> &load) const
 {
-  Vector slid, f;
+  Vector slid, f = push_on(k, load);
   for (unsigned int c = 0; c < dim; ++c)
     {
       const double w = surface.w[c][i];
       slid[c]        = w - load.far.velocity[c];
-      f[c]           = mass(k) * (step.acceleration[c] - step.alpha * w) +
-             load.pressure * nodes.push_of(k, c) -
-             nodes.area[k] * stiffness[c] * (surface.u[c][i] - load.far.now[c]);
+      f[c] += mass(k) * (step.acceleration[c] - step.alpha * w) -
+              nodes.area[k] * stiffness[c] * (surface.u[c][i] - load.far.now[c]);
     }
   return f - dashpots_of(k) * slid;
 }
@@ -171,8 +209,9 @@ SuspendedNodes<dim>::account(const unsigned int k,
       slid[c] = moved.w_before[c] - far.velocity[c];
       a[c]    = (moved.w_after[c] - moved.w_before[c]) / dt;
     }
-  const Vector drag = dashpots_of(k) * slid + dt * implicit[k] * a;
-  Ledger next       = ledger[k];
+  const Vector drag   = dashpots_of(k) * slid + dt * implicit[k] * a,
+               pushed = push_on(k, load);
+  Ledger next         = ledger[k];
   next.stored = next.kinetic = 0.;
   double of_inertia          = 0.;
   for (unsigned int c = 0; c < dim; ++c)
@@ -180,8 +219,8 @@ SuspendedNodes<dim>::account(const unsigned int k,
       const double w = moved.w_after[c], f = pull[c] + drag[c],
                    by      = moved.u_after[c] - moved.u_before[c],
                    central = 0.5 * (by + increment[c][k]),
-                   push = m * step.acceleration[c] + load.pressure * nodes.push_of(k, c);
-      increment[c][k]   = by;
+                   push    = m * step.acceleration[c] + pushed[c];
+      increment[c][k]      = by;
       next.work += push * central - f * far.moved(c);
       next.lost += drag[c] * (central - far.moved(c)) +
                    m * step.alpha * 0.5 * (w + moved.w_before[c]) * central;
@@ -192,7 +231,7 @@ SuspendedNodes<dim>::account(const unsigned int k,
   next.lost += of_inertia - (next.kinetic - ledger[k].kinetic);
   if (counted[k])
     ledger[k] = next;
-  return -pull - drag;
+  return pushed - pull - drag;
 }
 
 template <int dim>
@@ -220,15 +259,17 @@ void SuspendedNodes<dim>::accelerate(const unsigned int k,
                                      const std::array<double, dim> &velocity,
                                      std::array<double, dim> &acceleration) const
 {
-  const FarEnd<dim> far(suspension, 0., step.dt);
-  const Matrix Z     = dashpots_of(k);
+  const SuspensionLoad<dim> load = load_at(0., pressure);
+  const FarEnd<dim> &far         = load.far;
+  const Vector pushed            = push_on(k, load);
+  const Matrix Z                 = dashpots_of(k);
   const double other = this->mass(k), m = mass + other;
   Vector slid, f;
   for (unsigned int c = 0; c < dim; ++c)
     {
       slid[c] = (velocity[c] - far.velocity[c]) * dashpot_at_start(step.dt * Z(c, c) / m);
-      f[c]    = mass * acceleration[c] + other * step.acceleration[c] +
-             pressure * nodes.push_of(k, c) + nodes.area[k] * stiffness[c] * far.now[c];
+      f[c]    = mass * acceleration[c] + other * step.acceleration[c] + pushed[c] +
+             nodes.area[k] * stiffness[c] * far.now[c];
     }
   Vector::Map(acceleration.data()) = (f - Z * slid) / m;
 }

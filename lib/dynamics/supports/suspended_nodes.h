@@ -16,8 +16,10 @@ namespace mesoslip
 template <int dim>
 struct SuspensionLoad
 {
-  double pressure = 0.; ///< Pa
-  FarEnd<dim> far;      ///< its motion
+  double time     = 0.;                  ///< s
+  double pressure = 0.;                  ///< Pa
+  FarEnd<dim> far;                       ///< its motion
+  std::array<double, dim> traction = {}; ///< that is the same everywhere (Pa)
 };
 
 /** A node before and after a step. */
@@ -57,6 +59,9 @@ public:
                  const SideNodes &nodes,
                  const std::vector<bool> &counted = {});
 
+  /** What acts in the step from @p time (s) on under a @p pressure (Pa). */
+  SuspensionLoad<dim> load_at(const double time, const double pressure) const;
+
   /** Takes the mass and the energies at the start of node @p k from node @p i of @p surface before its
    * first step. */
   void start(const unsigned int k, const SurfaceView<dim> &surface, const unsigned int i);
@@ -78,8 +83,7 @@ public:
                const SuspensionLoad<dim> &load) const;
 
   /** One step of node @p k, which is node @p i of @p surface, under a load; @p increment is that of the
-   * step before (m), and becomes that of this step. Returns the force of springs and dashpots on the side (N,
-   * in 2D N/m). */
+   * step before (m), and becomes that of this step. Returns the force on the side without weight (N, in 2D N/m). */
   Vector advance(const unsigned int k,
                  const SurfaceView<dim> &surface,
                  const unsigned int i,
@@ -129,6 +133,7 @@ private:
   using Matrix = Eigen::Matrix<double, dim, dim>;
 
   Matrix dashpots_of(const unsigned int k) const;
+  Vector push_on(const unsigned int k, const SuspensionLoad<dim> &load) const;
   double theta(const unsigned int k, const unsigned int c, const double mass) const;
   void start_ledger(const unsigned int k,
                     const SurfaceView<dim> &surface,
@@ -152,6 +157,8 @@ private:
   std::vector<Matrix> mobilities; ///< of each node, a of a force (m/kg)
   std::vector<Matrix> implicit;   ///< of each node, A Z theta, or its diagonal
   std::vector<Ledger> ledger;
+  std::vector<Vector>
+    lasting; ///< of each node, traction that depends on the place alone (Pa)
 };
 } // namespace mesoslip
 

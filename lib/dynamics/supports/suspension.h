@@ -1,6 +1,7 @@
 #ifndef mesoslip_dynamics_suspension_h
 #define mesoslip_dynamics_suspension_h
 
+#include "dynamics/supports/traction.h"
 #include "parameters/load_history.h"
 
 #include <algorithm>
@@ -11,7 +12,7 @@ namespace mesoslip
 {
 /**
  * What is between a side and a far end: springs and dashpots for the area (in 2D: for the length and a
- * thickness of one), and a mass that moves with the side. Components are x, y and z, in 2D x and y.
+ * thickness of one), and a mass that moves with the side; and a traction. Components are x, y and z, in 2D x and y.
  */
 struct Suspension
 {
@@ -19,6 +20,7 @@ struct Suspension
   std::array<double, 3> dashpot   = {}; ///< Pa s/m
   double mass                     = 0.; ///< kg/m^2
   std::array<LoadHistory, 3> motion;    ///< displacement of the far end (m)
+  Traction traction;                    ///< on the side besides
   bool absorbing = false; ///< dashpots have the impedances of the phases behind the side
 
   /** Whether there are springs. */
@@ -51,10 +53,16 @@ struct Suspension
     return softest > 0. ? 2. * M_PI * std::sqrt((mass_of_area + mass) / softest) : 0.;
   }
 
+  /** Whether there are springs, dashpots or a mass. */
+  bool is_suspended() const
+  {
+    return has_springs() || dashpot != std::array<double, 3>{} || mass > 0. || absorbing;
+  }
+
   /** Whether there is anything. */
   bool is_there() const
   {
-    return has_springs() || dashpot != std::array<double, 3>{} || mass > 0. || absorbing;
+    return is_suspended() || traction.is_there();
   }
 };
 

@@ -39,6 +39,7 @@ SideNodes nodes_of(const TopSetup &setup, const std::vector<double> &area)
   SideNodes nodes;
   nodes.area      = area;
   nodes.impedance = setup.impedance;
+  nodes.position  = setup.position;
   for (const double a : area)
     nodes.push[dim - 1].push_back(-a);
   return nodes;
@@ -240,17 +241,17 @@ TopLoad TopSurface<dim>::push_nodes(const SurfaceView<dim> &surface)
 template <int dim>
 TopLoad TopSurface<dim>::push_suspended(const SurfaceView<dim> &surface)
 {
-  constexpr unsigned int y       = dim - 1;
-  const SuspensionLoad<dim> load = {setup.pressure(surface.time),
-                                    {setup.suspension, surface.time, step.dt}};
-  std::array<double, dim> force  = {};
+  constexpr unsigned int y = dim - 1;
+  const SuspensionLoad<dim> load =
+    nodes.load_at(surface.time, setup.pressure(surface.time));
+  std::array<double, dim> force = {};
   for (unsigned int i = 0; i < surface.n; ++i)
     {
       const auto of_node = nodes.advance(i, surface, i, load, increment);
       for (unsigned int c = 0; c < dim && i < n_distinct; ++c)
         force[c] += of_node[c];
     }
-  return {load.pressure * area - force[y], -along_flat(force)};
+  return {-force[y], -along_flat(force)};
 }
 
 template <int dim>

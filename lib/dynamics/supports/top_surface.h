@@ -43,6 +43,9 @@ struct TopSetup
   /** Of each node, if the suspension absorbs: see SuspendedNodes. */
   std::vector<std::vector<double>> impedance;
 
+  /** Of each node, where it is, x, y and z (m), if there is a traction. */
+  std::array<std::vector<double>, 3> position;
+
   /** Whether component @p c along the flat does not move from the start. */
   bool holds(const unsigned int c) const
   {

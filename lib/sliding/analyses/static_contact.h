@@ -19,7 +19,7 @@ namespace mesoslip
 template <int dim>
 struct StaticContactResult
 {
-  StaticContactSolution solution;    ///< under the pressure of section Top
+  StaticContactSolution solution;    ///< under the pressure of Supports/Top
   std::vector<StaticLoadStep> steps; ///< one for each increment of the load
 
   double normal_force = 0.; ///< on the flat (N, in 2D N/m)

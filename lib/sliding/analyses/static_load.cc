@@ -31,69 +31,6 @@ double total_tangential_force(const StaticContactSolution &solution,
 
 namespace
 {
-/** The body beyond a top that absorbs carries the friction, so that nothing moves along the flat there. */
-TopSetup top_at_rest(const ContactParameters &parameters)
-{
-  TopSetup top = parameters.top;
-  if (top.suspension.absorbing)
-    top.lateral_held.fill(true);
-  return top;
-}
-
-/** That something holds the body along the flat. */
-void check_lateral_support(const ContactParameters &p, const bool rubs)
-{
-  const double speed                 = p.contact.flat_velocity.amplitude();
-  const std::vector<double> &of_flat = p.static_load.of_flat;
-  for (unsigned int c = 0; c + 1 < p.mesh.mesh.dim; ++c)
-    {
-      const std::string side = std::string(p.mesh.is_given() ? "a group" : "a side") +
-                               " in u_" + "xy"[c] + " (Supports)";
-      const auto suspended = p.suspended();
-      if (top_at_rest(p).holds(c) || !p.mesh.held[c].empty() ||
-          std::any_of(suspended.begin(), suspended.end(),
-                      [&](const ContactParameters::Suspended &s) {
-                        return s.suspension->stiffness[c] > 0.;
-                      }))
-        continue;
-      const std::string remedy =
-        p.top.suspension.is_there()
-          ? std::string("give a Supports/Top/Spring stiffness along ") + "xy"[c] +
-              ", hold " + side
-          : "set Supports/Top/Held, hold " + side + ", use a platen";
-      if (rubs && speed * p.contact.flat_direction[c] != 0.)
-        throw UserError(
-          "Nothing holds the body against the friction of the sliding flat: " + remedy +
-          ", or set Friction/Coefficient = 0 or Flat/Velocity = 0");
-      if (c < of_flat.size() && of_flat[c] != 0.)
-        throw UserError(
-          "Static contact/Flat displacement: nothing holds the body against the flat; " +
-          remedy);
-    }
-}
-
-/** That the friction under a flat contact does not tip the body: the resultant of the pressure acts in the
- * middle, the reaction at most half the width from there, and their moment has to hold that of the friction
- * between the flat and the top. */
-void check_tipping(const ContactParameters &p,
-                   const BodyFacts<2> &body,
-                   const double least_friction)
-{
-  const double height = body.scales.height, half = 0.5 * body.scales.area;
-  const bool held = !p.mesh.held[0].empty() || !p.mesh.held[1].empty() ||
-                    p.suspended().size() > 1,
-             may_tip = p.top.kind != TopSetup::Kind::platen &&
-                       top_at_rest(p).lateral_held[0] && !p.periodic && !held &&
-                       !p.step.is_heavy() && p.contact.flat_velocity.amplitude() != 0.;
-  if (may_tip && least_friction * height > half)
-    throw UserError(
-      "Friction/Coefficient: the friction of the sliding flat tips the body, as a "
-      "coefficient of " +
-      to_text(least_friction) + " times the height of " + to_text(height) +
-      " m is more than half the width, " + to_text(half) +
-      " m: there is no equilibrium; reduce it, or set Supports/Top/Kind = platen");
-}
-
 /** Whether sides load the body, and not only the platen. */
 bool sides_push(const ContactParameters &p)
 {
@@ -102,7 +39,8 @@ bool sides_push(const ContactParameters &p)
       if (side.pressure.amplitude() != 0.)
         return true;
       for (unsigned int c = 0; c < 3; ++c)
-        if (side.suspension.stiffness[c] * side.suspension.motion[c](0.) != 0.)
+        if (side.suspension.stiffness[c] * side.suspension.motion[c](0.) != 0. ||
+            side.suspension.traction.acts(c))
           return true;
     }
   return false;
@@ -122,30 +60,6 @@ std::vector<double> of_springs(const double stiffness, const std::vector<double>
   return springs;
 }
 } // namespace
-
-template <int dim>
-void check_static_load(const ContactParameters &p, const BodyFacts<dim> &body)
-{
-  const auto [least, most] =
-    std::minmax_element(body.size.friction.begin(), body.size.friction.end());
-  if (p.top.kind == TopSetup::Kind::held)
-    throw UserError(
-      "Supports/Top/Kind is held, so nothing presses the body on the flat; use "
-      "platen or pressure for a static contact analysis");
-  if (!(p.top.pressure.amplitude() > 0.))
-    throw UserError(
-      "Supports/Top/Pressure is " + to_text(p.top.pressure.amplitude()) +
-      " Pa; a static contact analysis needs a positive one, with Supports/Top/Kind "
-      "= platen, pressure, springs or absorbing");
-  if (p.contact.gap != 0.)
-    throw UserError("Flat/Gap is " + to_text(p.contact.gap) +
-                    " m; a static contact analysis starts from a body that touches the "
-                    "flat, set it to 0");
-  check_lateral_support(p, *most > 0.);
-  if constexpr (dim == 2)
-    if (body.contact_height.empty())
-      check_tipping(p, body, *least);
-}
 
 template <int dim>
 StaticLoad<dim>::StaticLoad(const GivenBody<dim> &body,
@@ -193,14 +107,16 @@ StaticLoad<dim>::StaticLoad(const GivenBody<dim> &body,
     }
 }
 
-/** Adds the forces of springs whose far ends have moved at t = 0. */
+/** Adds tractions, and the forces of springs whose far ends have moved, at t = 0. */
 template <int dim>
 void StaticLoad<dim>::pull(const SupportNodes &support, const Suspension &suspension)
 {
   for (std::size_t k = 0; k < support.nodes.size(); ++k)
     for (unsigned int c = 0; c < dim; ++c)
       whole_load(c, support.nodes[k]) +=
-        suspension.stiffness[c] * suspension.motion[c](0.) * support.carried.area[k];
+        support.carried.area[k] *
+        (suspension.stiffness[c] * suspension.motion[c](0.) +
+         suspension.traction(c, support.carried.place_of(k), 0.));
 }
 
 template <int dim>
@@ -231,6 +147,9 @@ StaticContactSolution StaticLoad<dim>::follow(const StaticContactOptions &given)
       solve();
       record(1., static_cast<double>(n) / load.steps);
     }
+  if (!(normal_force() > 0.))
+    throw NotConverged("static contact: no node touches the flat, as the supports carry "
+                       "all of the load");
   return solution;
 }
 
@@ -370,8 +289,6 @@ void StaticLoad<dim>::record(const double share, const double share_of_flat)
   done.push_back(step);
 }
 
-template void check_static_load(const ContactParameters &, const BodyFacts<2> &);
-template void check_static_load(const ContactParameters &, const BodyFacts<3> &);
 template class StaticLoad<2>;
 template class StaticLoad<3>;
 } // namespace mesoslip

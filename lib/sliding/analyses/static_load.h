@@ -31,6 +31,10 @@ double total_tangential_force(const StaticContactSolution &solution,
                               const unsigned int c,
                               const unsigned int n_tangents);
 
+/** The top in the static state: the body beyond one that absorbs carries the friction, so that nothing
+ * moves along the flat there. */
+TopSetup top_at_rest(const ContactParameters &parameters);
+
 /** @throws UserError if supports and loads of @p p allow no equilibrium */
 template <int dim>
 void check_static_load(const ContactParameters &p, const BodyFacts<dim> &body);

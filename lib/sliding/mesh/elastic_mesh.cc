@@ -1,7 +1,10 @@
 #include "sliding/mesh/elastic_mesh.h"
 
+#include "base/exchange.h"
 #include "base/object_exchange.h"
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <utility>
@@ -56,6 +59,55 @@ std::size_t n_free_on_mesh(const Mesh<dim> &mesh,
 }
 
 template <int dim>
+SupportNodes nodes_of(const MeshSide &side, const PointBody<dim> &elastic)
+{
+  SupportNodes found;
+  SideNodes &here       = found.carried;
+  const SideNodes &from = side.nodes;
+  here.impedance.resize(from.impedance.size());
+  for (std::size_t k = 0; k < side.points.size(); ++k)
+    if (const auto node = elastic.find(side.points[k]))
+      {
+        found.nodes.push_back(*node);
+        here.area.push_back(from.area[k]);
+        for (unsigned int c = 0; c < dim; ++c)
+          {
+            here.push[c].push_back(from.push_of(k, c));
+            here.position[c].push_back(from.place_of(k)[c]);
+          }
+        for (std::size_t m = 0; m < here.impedance.size(); ++m)
+          here.impedance[m].push_back(from.impedance[m][k]);
+      }
+  return found;
+}
+
+template <int dim>
+double frequency_of_springs(const DistributedBody<dim> &distributed,
+                            const MeshBodyDescription &body,
+                            const ContactParameters &parameters)
+{
+  std::map<unsigned int, double> squared; // of points of this rank
+  const std::vector<double> &mass = distributed.lumped_mass();
+  const auto add                  = [&](const Suspension &suspension,
+                       const std::vector<unsigned int> &points,
+                       const std::vector<double> &area) {
+    const PointIndex index(distributed.part(), points);
+    for (std::size_t k = 0; k < points.size() && suspension.has_springs(); ++k)
+      for (const unsigned int i : index.find(points[k]))
+        if (area[k] > 0.)
+          squared[i] += suspension.squared_frequency(mass[i] / area[k]);
+  };
+  add(parameters.top.suspension, body.top.points, body.top.area);
+  const std::vector<SideSupport> loaded = parameters.loaded_sides();
+  for (std::size_t k = 0; k < loaded.size(); ++k)
+    add(loaded[k].suspension, body.sides[k].points, body.sides[k].nodes.area);
+  double largest = 0.;
+  for (const auto &[point, of_point] : squared)
+    largest = std::max(largest, of_point);
+  return std::sqrt(mpi::max(largest, distributed.communicator()));
+}
+
+template <int dim>
 void order_contact(MeshBodyDescription &body, const PointBody<dim> &elastic)
 {
   const MeshBoundary contact         = body.contact;
@@ -82,6 +134,10 @@ void order_contact(MeshBodyDescription &body, const PointBody<dim> &elastic)
                                 const bool, const PointBody<dim> &);                  \
   template std::size_t n_free_on_mesh(const Mesh<dim> &, const MeshBodyDescription &, \
                                       const TopSetup &, const bool);                  \
+  template SupportNodes nodes_of(const MeshSide &, const PointBody<dim> &);           \
+  template double frequency_of_springs(const DistributedBody<dim> &,                  \
+                                       const MeshBodyDescription &,                   \
+                                       const ContactParameters &);                    \
   template void order_contact(MeshBodyDescription &, const PointBody<dim> &);
 MESOSLIP_INSTANTIATE(2)
 MESOSLIP_INSTANTIATE(3)

@@ -34,6 +34,16 @@ std::size_t n_free_on_mesh(const Mesh<dim> &mesh,
                            const TopSetup &top,
                            const bool contact_held);
 
+/** The nodes of a side that a rank has in @p elastic. */
+template <int dim>
+SupportNodes nodes_of(const MeshSide &side, const PointBody<dim> &elastic);
+
+/** Circular, of a node of top or sides that moves alone on its springs, the fastest one (1/s). Collective. */
+template <int dim>
+double frequency_of_springs(const DistributedBody<dim> &distributed,
+                            const MeshBodyDescription &body,
+                            const ContactParameters &parameters);
+
 /** Puts the contact nodes of the description into the order of @p elastic. */
 template <int dim>
 void order_contact(MeshBodyDescription &body, const PointBody<dim> &elastic);

@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numeric>
 
 namespace mesoslip
@@ -57,7 +56,8 @@ GivenMesh<dim>::GivenMesh(const ContactParameters &given,
       distributed = mesh->distribute(body.contact.points, body.probes, phases,
                                      parameters.sweep.isa, MPI_COMM_WORLD);
       body.scales.highest_frequency =
-        std::hypot(distributed->largest_frequency().upper, frequency_of_springs());
+        std::hypot(distributed->largest_frequency().upper,
+                   frequency_of_springs(*distributed, body, parameters));
       if (parameters.map.interval > 0. || parameters.wants_node_loads())
         require_contact_area(body);
     }
@@ -124,31 +124,6 @@ BodySize GivenMesh<dim>::size() const
   return size;
 }
 
-/** Circular, of a node of top or sides that moves alone on its springs, the fastest one (1/s). */
-template <int dim>
-double GivenMesh<dim>::frequency_of_springs() const
-{
-  std::map<unsigned int, double> squared; // of points of this rank
-  const std::vector<double> &mass = distributed->lumped_mass();
-  const auto add                  = [&](const Suspension &suspension,
-                       const std::vector<unsigned int> &points,
-                       const std::vector<double> &area) {
-    const PointIndex index(distributed->part(), points);
-    for (std::size_t k = 0; k < points.size() && suspension.has_springs(); ++k)
-      for (const unsigned int i : index.find(points[k]))
-        if (area[k] > 0.)
-          squared[i] += suspension.squared_frequency(mass[i] / area[k]);
-  };
-  add(parameters.top.suspension, body.top.points, body.top.area);
-  const std::vector<SideSupport> loaded = parameters.loaded_sides();
-  for (std::size_t k = 0; k < loaded.size(); ++k)
-    add(loaded[k].suspension, body.sides[k].points, body.sides[k].nodes.area);
-  double largest = 0.;
-  for (const auto &[point, of_point] : squared)
-    largest = std::max(largest, of_point);
-  return std::sqrt(mpi::max(largest, distributed->communicator()));
-}
-
 template <int dim>
 unsigned int GivenMesh<dim>::most_ranks() const
 {
@@ -162,7 +137,8 @@ BodyInMotion<dim> GivenMesh<dim>::start(const SlidingSetup &given,
                                         RunContext &context) const
 {
   SlidingSetup setup                    = given;
-  setup.top.impedance                   = body.top_impedance;
+  setup.top.impedance                   = body.top_nodes.impedance;
+  setup.top.position                    = body.top_nodes.position;
   const std::vector<SideSupport> loaded = parameters.loaded_sides();
   for (std::size_t k = 0; k < loaded.size(); ++k)
     setup.loaded.push_back({loaded[k], body.sides[k].nodes, body.sides[k].points, {}});
@@ -270,7 +246,7 @@ std::size_t GivenMesh<dim>::n_free(const TopSetup &top, const bool contact_held)
 template <int dim>
 SupportNodes GivenMesh<dim>::top_nodes() const
 {
-  return nodes_here({body.top.points, {body.top.area, {}, body.top_impedance}});
+  return nodes_of<dim>({body.top.points, body.top_nodes}, *of_statics);
 }
 
 template <int dim>
@@ -278,28 +254,8 @@ std::vector<SupportNodes> GivenMesh<dim>::side_nodes() const
 {
   std::vector<SupportNodes> sides;
   for (const MeshSide &side : body.sides)
-    sides.push_back(nodes_here(side));
+    sides.push_back(nodes_of(side, *of_statics));
   return sides;
-}
-
-template <int dim>
-SupportNodes GivenMesh<dim>::nodes_here(const MeshSide &side) const
-{
-  SupportNodes found;
-  SideNodes &here       = found.carried;
-  const SideNodes &from = side.nodes;
-  here.impedance.resize(from.impedance.size());
-  for (std::size_t k = 0; k < side.points.size(); ++k)
-    if (const auto node = of_statics->find(side.points[k]))
-      {
-        found.nodes.push_back(*node);
-        here.area.push_back(from.area[k]);
-        for (unsigned int c = 0; c < dim; ++c)
-          here.push[c].push_back(from.push_of(k, c));
-        for (std::size_t m = 0; m < here.impedance.size(); ++m)
-          here.impedance[m].push_back(from.impedance[m][k]);
-      }
-  return found;
 }
 
 template <int dim>

@@ -61,11 +61,9 @@ private:
   std::vector<std::string> lines() const;
   BodySize size() const;
   std::vector<ProbePoint> probe_places() const;
-  double frequency_of_springs() const;
   unsigned int most_ranks() const;
   std::function<FieldRows()> displacement_rows(const SlidingMesh<dim> &moving) const;
   void describe_contact();
-  SupportNodes nodes_here(const MeshSide &side) const;
 
   std::unique_ptr<DistributedBody<dim>> distributed; ///< of steps
   std::unique_ptr<PointBody<dim>> of_statics;        ///< see make_elastic()

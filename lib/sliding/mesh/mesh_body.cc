@@ -296,7 +296,11 @@ MeshBodyDescription describe_body(const BodyMesh<dim> &morphology,
       const auto top = faces_with("Mesh/Top boundary", parameters.top_boundary);
       body.top       = mesh_boundary(mesh, top);
       if (given.top.suspension.absorbing)
-        body.top_impedance = impedance_of_points(morphology, top, body.top);
+        body.top_nodes.impedance = impedance_of_points(morphology, top, body.top);
+      body.top_nodes.area = body.top.area;
+      for (const unsigned int point : body.top.points)
+        for (unsigned int c = 0; c < dim; ++c)
+          body.top_nodes.position[c].push_back(mesh.points[point][c]);
       if (!(sum_of(body.top.area) > 0.))
         throw UserError("Mesh/Top boundary: '" + parameters.top_boundary +
                         "' does not face up, along " + normal);

@@ -81,7 +81,7 @@ struct MeshBodyDescription
   /** Of each phase its share of the tributary area of the contact nodes. */
   std::vector<std::vector<double>> shares;
 
-  std::vector<std::vector<double>> top_impedance; ///< TopSetup::impedance
+  SideNodes top_nodes;         ///< impedance and position of TopSetup
   std::vector<MeshSide> sides; ///< of ContactParameters::loaded_sides()
 
   std::vector<HeldComponent> held; ///< never moved

@@ -45,6 +45,9 @@ SlidingSetup restricted(SlidingSetup setup,
   setup.top.n_owned   = top_nodes.n_owned();
   for (std::vector<double> &component : setup.top.impedance)
     component = top_nodes.of(component, 0.);
+  for (std::vector<double> &component : setup.top.position)
+    if (!component.empty())
+      component = top_nodes.of(component, 0.);
   setup.loaded.clear();
   for (const SharedSide &side : shared.sides)
     setup.loaded.push_back(side.here);

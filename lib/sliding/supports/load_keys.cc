@@ -13,40 +13,43 @@ namespace mesoslip
 {
 namespace
 {
-/** An expression of t for each component of the far end, separated by semicolons. */
-void bind_motion(Keys &keys, Suspension &suspension, const unsigned int dim)
+/** Expressions for the components of a vector, separated by semicolons: calls @p use (c, expression) for those that are
+ * there. @p example is advice. */
+template <typename Use>
+void bind_components(Keys &keys,
+                     const std::string &key,
+                     const unsigned int dim,
+                     const std::string &example,
+                     const std::string &meaning,
+                     const Use &use)
 {
-  std::string motion;
-  keys.bind(
-    "Motion", motion,
-    "Displacement of the far end of springs and dashpots along x, y and, in 3D, z "
-    "as expressions in the time t (s), separated by semicolons, e.g. 1e-3*t; 0. "
-    "Components that are left out do not move; static contact takes the values at t = 0 "
-    "[m]");
-  std::istringstream text(motion);
+  std::string all;
+  keys.bind(key, all, meaning);
+  std::istringstream text(all);
   std::string expression;
   for (unsigned int c = 0; std::getline(text, expression, ';'); ++c)
     {
-      keys.require(c < dim, "Motion",
+      keys.require(c < dim, key,
                    "it has more than " + std::to_string(dim) +
                      " expressions; give one for each component");
       if (expression.find_first_not_of(" \t") == std::string::npos)
         continue;
+      double at_start = 0.;
       try
         {
-          suspension.motion[c] = LoadHistory(1., expression);
+          at_start = use(c, expression);
         }
       catch (const std::invalid_argument &e)
         {
-          throw UserError(keys.path("Motion") + ": " + e.what() +
-                          "; write for example 1e-3*t; 0");
+          throw UserError(keys.path(key) + ": " + e.what() + "; write for example " +
+                          example);
         }
-      const double at_start = suspension.motion[c](0.);
-      keys.require(std::isfinite(at_start), "Motion",
+      keys.require(std::isfinite(at_start), key,
                    "at t = 0 it is " + to_text(at_start) +
                      "; write expressions that are finite at all times");
     }
 }
+
 } // namespace
 
 LoadHistory bind_history(Keys &keys,
@@ -116,6 +119,24 @@ void bind_suspension(Keys &keys,
   keys.bind("Mass", suspension.mass, Range::non_negative(),
             "Mass for the area that moves with each node of " + side +
               "; Body/Acceleration acts on it [kg/m^2]");
-  bind_motion(keys, suspension, dim);
+  bind_components(
+    keys, "Motion", dim, "1e-3*t; 0",
+    "Displacement of the far end of springs and dashpots along x, y and, in 3D, z "
+    "as expressions in the time t (s), separated by semicolons, e.g. 1e-3*t; 0. "
+    "Components that are left out do not move; static contact takes the values at t = 0 "
+    "[m]",
+    [&](const unsigned int c, const std::string &expression) {
+      suspension.motion[c] = LoadHistory(1., expression);
+      return suspension.motion[c](0.);
+    });
+  bind_components(
+    keys, "Traction", dim, "1e6*sin(pi*x/0.01); 0",
+    "Traction on " + side +
+      " besides its pressure, along x, y and, in 3D, z as expressions in x, y, z (m) and "
+      "the time t (s), separated by semicolons; static contact takes it at t = 0 [Pa]",
+    [&](const unsigned int c, const std::string &expression) {
+      suspension.traction.set(c, expression);
+      return suspension.traction(c, {}, 0.);
+    });
 }
 } // namespace mesoslip

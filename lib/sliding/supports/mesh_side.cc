@@ -62,7 +62,10 @@ MeshSide mesh_side(const BodyMesh<dim> &morphology,
       side.points.push_back(point);
       side.nodes.area.push_back(sum.area);
       for (unsigned int c = 0; c < dim; ++c)
-        side.nodes.push[c].push_back(sum.push[c]);
+        {
+          side.nodes.push[c].push_back(sum.push[c]);
+          side.nodes.position[c].push_back(mesh.points[point][c]);
+        }
       for (std::size_t m = 0; m < side.nodes.impedance.size(); ++m)
         side.nodes.impedance[m].push_back(sum.impedance(m / dim, m % dim) / sum.area);
     }

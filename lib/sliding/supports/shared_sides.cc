@@ -24,8 +24,12 @@ SideNodes nodes_at(const SideNodes &whole, const std::vector<unsigned int> &numb
   SideNodes nodes;
   nodes.area = values_at(whole.area, numbers);
   for (unsigned int c = 0; c < 3; ++c)
-    if (!whole.push[c].empty())
-      nodes.push[c] = values_at(whole.push[c], numbers);
+    {
+      if (!whole.push[c].empty())
+        nodes.push[c] = values_at(whole.push[c], numbers);
+      if (!whole.position[c].empty())
+        nodes.position[c] = values_at(whole.position[c], numbers);
+    }
   for (const std::vector<double> &component : whole.impedance)
     nodes.impedance.push_back(values_at(component, numbers));
   return nodes;

@@ -71,10 +71,12 @@ SideSupport bind_side(Keys &keys, const std::string &name, const unsigned int di
   side.suspension.absorbing = kind == "absorbing";
   keys.only_with("Kind", {"springs"}, {"Spring stiffness", "Dashpot", "Mass", "Motion"});
   keys.only_with("Kind", {"pressure", "springs", "absorbing"},
-                 {"Pressure", "Ramp", "Ramp time", "Expression"});
-  keys.require(kind != "pressure" || side.is_loaded(), "Pressure",
-               "it is 0, but Kind is pressure; give it in Pa, or set Kind = free");
-  keys.require(kind != "springs" || side.suspension.is_there(), "Kind",
+                 {"Pressure", "Ramp", "Ramp time", "Expression", "Traction"});
+  keys.require(
+    kind != "pressure" || side.is_loaded(), "Pressure",
+    "it is 0, but Kind is pressure; give it or a Traction in Pa, or set Kind = "
+    "free");
+  keys.require(kind != "springs" || side.suspension.is_suspended(), "Kind",
                "it is springs, but Spring stiffness, Dashpot and Mass are 0; give one of "
                "them, or set Kind = free");
   for (unsigned int c = 0; c < dim; ++c)
@@ -124,6 +126,9 @@ void ContactParameters::bind_top(Keys &keys)
   keys.only_with("Kind", {"pressure", "platen", "springs", "absorbing"},
                  {"Ramp", "Ramp time", "Expression"});
   keys.only_with("Kind", {"pressure", "platen"}, {"Hold from"});
+  keys.only_with("Kind", {"pressure", "springs", "absorbing"}, {"Traction"});
+  keys.require(held.empty() || !top.suspension.traction.is_there(), "Traction",
+               "the top has one, and Held; hold another side, or leave one of them out");
   // Steady sliding under complex modes takes its pressure from there.
   if (analysis == ContactAnalysis::transient)
     keys.only_with("Kind", {"pressure", "platen", "springs", "absorbing"}, {"Pressure"});
@@ -139,12 +144,12 @@ void ContactParameters::set_top(const Keys &keys, const std::string &kind)
   suspension.absorbing   = kind == "absorbing";
   if (kind == "free")
     top.pressure = LoadHistory();
-  keys.require(kind != "springs" || suspension.is_there(), "Kind",
+  keys.require(kind != "springs" || suspension.is_suspended(), "Kind",
                "it is springs, but Spring stiffness, Dashpot and Mass are 0; give one of "
                "them, or set Kind = pressure");
   keys.require(!suspension.is_there() || !std::isfinite(top.hold_from), "Hold from",
-               "the top is held from then on, but there are springs or dashpots; leave "
-               "one of the two out");
+               "the top is held from then on, but there are springs, dashpots or a "
+               "traction; leave one of the two out");
   keys.require(kind != "platen" || !suspension.is_there() ||
                  analysis == ContactAnalysis::transient,
                "Kind",
@@ -215,6 +220,15 @@ bool ContactParameters::has_suspensions() const
   const std::vector<Suspended> all = suspended();
   return std::any_of(all.begin(), all.end(),
                      [](const Suspended &side) { return side.suspension->is_there(); });
+}
+
+bool ContactParameters::is_moved_normally() const
+{
+  const std::vector<Suspended> all = suspended();
+  return std::any_of(all.begin(), all.end(), [&](const Suspended &side) {
+    return side.suspension->motion[mesh.mesh.dim - 1].is_expression() ||
+           side.suspension->traction.acts(mesh.mesh.dim - 1);
+  });
 }
 
 bool ContactParameters::sides_carry_normally() const

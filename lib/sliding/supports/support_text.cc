@@ -36,6 +36,15 @@ std::string motion_text(const Suspension &suspension, const unsigned int dim)
   return moves ? "a far end at " + text + " m" : "";
 }
 
+/** "a traction of x, 0 Pa". */
+std::string traction_text(const Traction &traction, const unsigned int dim)
+{
+  std::string text;
+  for (unsigned int c = 0; c < dim; ++c)
+    text += (c > 0 ? ", " : "") + (traction.acts(c) ? traction.text(c) : "0");
+  return traction.is_there() ? "a traction of " + text + " Pa" : "";
+}
+
 std::string pressure_text(const LoadHistory &pressure)
 {
   if (pressure.is_expression())
@@ -59,7 +68,8 @@ std::string support_text(const ContactParameters::Suspended &side, const unsigne
         components_text("dashpots", on.dashpot, dim, "Pa s/m"),
         std::string(on.absorbing ? "dashpots of the impedances behind it" : ""),
         on.mass > 0. ? "a mass of " + to_text(on.mass) + " kg/m^2" : std::string(),
-        motion_text(on, dim), name == "Top" ? "" : pressure_text(*side.pressure)})
+        motion_text(on, dim), traction_text(on.traction, dim),
+        name == "Top" ? "" : pressure_text(*side.pressure)})
     if (!part.empty())
       text += (text.empty() ? name + ": " : "; ") + part;
   return text;

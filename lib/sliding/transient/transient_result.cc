@@ -54,6 +54,7 @@ double nominal_load(const TransientResult &run, const double begin, const double
   const LoadHistory &velocity = run.parameters.contact.flat_velocity;
   const bool pressed          = top.kind != TopSetup::Kind::held && top.hold_from > end &&
                        !top.suspension.resists(run.body.dim - 1) &&
+                       !top.suspension.traction.acts(run.body.dim - 1) &&
                        !run.parameters.sides_carry_normally() &&
                        run.parameters.step.acceleration[run.body.dim - 1] == 0.;
   return pressed && top.pressure.is_constant_from(begin) &&

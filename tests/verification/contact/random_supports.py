@@ -73,21 +73,28 @@ class Support:
     def __init__(self, name, kind, random):
         self.name, self.kind = name, kind
         self.k, self.z, self.mass, self.motion, self.pressure, self.held = np.zeros(2), np.zeros(2), 0.0, [0.0, 0.0], 0.0, []
+        self.shear, self.rate = np.zeros(2), np.zeros(2)  # traction: shear[c] (1 + 100 x + 200 y) + rate[c] t
         if kind == "springs":
             self.k, self.z = 10 ** random.uniform(11, 13.5, 2), 10 ** random.uniform(4, 7, 2)
             self.mass, self.motion = random.choice([0.0, 1.5]), [random.uniform(-1e-8, 1e-8), random.uniform(-1e-2, 1e-2)]
         if kind in ("springs", "pressure", "absorbing", "platen"):
             self.pressure = PRESSURE if name == "Top" else random.uniform(-0.3, 0.5) * PRESSURE
+            if kind != "platen" and random.random() < 0.5:
+                self.shear, self.rate = random.uniform(-0.2, 0.2, 2) * PRESSURE * (random.random(2) < 0.7), random.uniform(-1e11, 1e11, 2) * (random.random(2) < 0.7)
         if kind == "held":
             self.held = [0, 1]
         elif kind == "platen":
             self.held = [0]
-        elif random.random() < 0.3 and (name != "Top" or kind == "pressure"):
+        elif random.random() < 0.3 and (name != "Top" or kind == "pressure" and not (self.shear.any() or self.rate.any())):
             self.held = [0] if name == "Top" else [int(random.integers(2))]
 
     def far(self, t):
         """Displacement of the far end."""
         return np.array([self.motion[0] + self.motion[1] * t, self.motion[0] - self.motion[1] * t])
+
+    def traction(self, x, y, t):
+        """By component, at places."""
+        return [self.shear[c] * (1 + 100 * x + 200 * y) + self.rate[c] * t for c in range(2)]
 
     def keys(self, analysis):
         start = f"Supports/{self.name}/"
@@ -98,6 +105,9 @@ class Support:
             result[start + "Held"] = ", ".join("u_" + "xy"[c] for c in self.held)
         if self.pressure and analysis != "modal":
             result[start + "Pressure"] = self.pressure
+        if analysis != "modal" and (self.shear.any() or self.rate.any()):
+            result[start + "Traction"] = "; ".join(" + ".join([f"{s:.17g}*(1 + 100*x + 200*y)"] * bool(s) + [f"{r:.17g}*t"] * bool(r)) or "0"
+                                                   for s, r in zip(self.shear, self.rate)).replace("+ -", "- ")
         if self.kind == "springs":
             result |= {start + "Spring stiffness": "%.17g, %.17g" % tuple(self.k), start + "Mass": self.mass}
             if analysis != "modal":
@@ -126,7 +136,7 @@ def supports_of(body, supports):
             nodes, length, axis, sign, _ = body.side(support.name)
             force[2 * nodes + axis] += sign * length * support.pressure
             for c in range(2):
-                force[2 * nodes + c] += length * support.k[c] * support.far(t)[c]
+                force[2 * nodes + c] += length * (support.k[c] * support.far(t)[c] + support.traction(body.i[nodes] * HX, body.j[nodes] * HY, t)[c])
         return force
 
     return springs, dashpots, added, held, load
@@ -168,7 +178,7 @@ def statics(body, supports, weight):
         u = T @ np.linalg.solve(A, T.T @ force)
         reaction = (K @ u - force)[bottom]
         now = np.where(held[bottom], True, np.where(touching, reaction > 0, u[bottom] < 0))
-        if now.sum() < 2:  # it lifts off, or tips
+        if now[~held[bottom]].sum() < 2:  # it lifts off, or tips
             return None
         if np.array_equal(now, touching):
             return u, touching

@@ -49,6 +49,8 @@ EXAMPLES = (
             ("tribometer.prm",), "Apparent friction", CONTACT),
     Example("Ruptures under slip weakening", "A pad is sheared by the flat; ruptures run through its contact and heal. Every contact node over time.",
             ("friction_laws/rupture.prm",), "Contact states", CONTACT),
+    Example("A rupture in a half-space", "A body whose top and sides absorb waves is pressed on the flat and dragged along: a rupture runs through the contact once, and "
+            "nothing comes back ([theory](theory.md), section 4).", ("half_space.prm",), "Map of the contact", CONTACT),
     Example("A step of velocity under rate-and-state friction", "The friction of a block in 3D jumps and falls as the velocity of the flat rises tenfold.",
             ("friction_laws/rate_and_state.prm",), "Apparent friction", CONTACT),
     Example("Five more laws of friction",

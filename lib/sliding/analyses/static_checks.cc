@@ -1,0 +1,100 @@
+#include "base/errors.h"
+#include "sliding/analyses/static_load.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace mesoslip
+{
+TopSetup top_at_rest(const ContactParameters &parameters)
+{
+  TopSetup top = parameters.top;
+  if (top.suspension.absorbing)
+    top.lateral_held.fill(true);
+  return top;
+}
+
+namespace
+{
+/** That something holds the body along the flat. */
+void check_lateral_support(const ContactParameters &p, const bool rubs)
+{
+  const double speed                 = p.contact.flat_velocity.amplitude();
+  const std::vector<double> &of_flat = p.static_load.of_flat;
+  for (unsigned int c = 0; c + 1 < p.mesh.mesh.dim; ++c)
+    {
+      const std::string side = std::string(p.mesh.is_given() ? "a group" : "a side") +
+                               " in u_" + "xy"[c] + " (Supports)";
+      const auto suspended = p.suspended();
+      if (top_at_rest(p).holds(c) || !p.mesh.held[c].empty() ||
+          std::any_of(suspended.begin(), suspended.end(),
+                      [&](const ContactParameters::Suspended &s) {
+                        return s.suspension->stiffness[c] > 0.;
+                      }))
+        continue;
+      const std::string remedy =
+        p.top.suspension.is_there()
+          ? std::string("give a Supports/Top/Spring stiffness along ") + "xy"[c] +
+              ", hold " + side
+          : "set Supports/Top/Held, hold " + side + ", use a platen";
+      if (rubs && speed * p.contact.flat_direction[c] != 0.)
+        throw UserError(
+          "Nothing holds the body against the friction of the sliding flat: " + remedy +
+          ", or set Friction/Coefficient = 0 or Flat/Velocity = 0");
+      if (c < of_flat.size() && of_flat[c] != 0.)
+        throw UserError(
+          "Static contact/Flat displacement: nothing holds the body against the flat; " +
+          remedy);
+    }
+}
+
+/** That the friction under a flat contact does not tip the body: the resultant of the pressure acts in the
+ * middle, the reaction at most half the width from there, and their moment has to hold that of the friction
+ * between the flat and the top. */
+void check_tipping(const ContactParameters &p,
+                   const BodyFacts<2> &body,
+                   const double least_friction)
+{
+  const double height = body.scales.height, half = 0.5 * body.scales.area;
+  const bool held = !p.mesh.held[0].empty() || !p.mesh.held[1].empty() ||
+                    p.suspended().size() > 1,
+             may_tip = p.top.kind != TopSetup::Kind::platen &&
+                       top_at_rest(p).lateral_held[0] && !p.periodic && !held &&
+                       !p.step.is_heavy() && p.contact.flat_velocity.amplitude() != 0.;
+  if (may_tip && least_friction * height > half)
+    throw UserError(
+      "Friction/Coefficient: the friction of the sliding flat tips the body, as a "
+      "coefficient of " +
+      to_text(least_friction) + " times the height of " + to_text(height) +
+      " m is more than half the width, " + to_text(half) +
+      " m: there is no equilibrium; reduce it, or set Supports/Top/Kind = platen");
+}
+} // namespace
+
+template <int dim>
+void check_static_load(const ContactParameters &p, const BodyFacts<dim> &body)
+{
+  const auto [least, most] =
+    std::minmax_element(body.size.friction.begin(), body.size.friction.end());
+  if (p.top.kind == TopSetup::Kind::held)
+    throw UserError(
+      "Supports/Top/Kind is held, so nothing presses the body on the flat; use "
+      "platen or pressure for a static contact analysis");
+  if (!(p.top.pressure.amplitude() > 0.))
+    throw UserError(
+      "Supports/Top/Pressure is " + to_text(p.top.pressure.amplitude()) +
+      " Pa; a static contact analysis needs a positive one, with Supports/Top/Kind "
+      "= platen, pressure, springs or absorbing");
+  if (p.contact.gap != 0.)
+    throw UserError("Flat/Gap is " + to_text(p.contact.gap) +
+                    " m; a static contact analysis starts from a body that touches the "
+                    "flat, set it to 0");
+  check_lateral_support(p, *most > 0.);
+  if constexpr (dim == 2)
+    if (body.contact_height.empty())
+      check_tipping(p, body, *least);
+}
+
+template void check_static_load(const ContactParameters &, const BodyFacts<2> &);
+template void check_static_load(const ContactParameters &, const BodyFacts<3> &);
+} // namespace mesoslip
