@@ -21,6 +21,14 @@ SuspendedNodes<dim>::SuspendedNodes(const Suspension &suspension,
   , ledger(nodes.area.size())
 {
   assert(!suspension.absorbing || nodes.impedance.size() == std::size_t{dim} * dim);
+  for (std::size_t k = 0; k < nodes.area.size(); ++k)
+    {
+      Matrix Z = Vector::Map(suspension.dashpot.data()).asDiagonal();
+      for (unsigned int r = 0; r < dim && suspension.absorbing; ++r)
+        for (unsigned int c = 0; c < dim; ++c)
+          Z(r, c) += nodes.impedance[dim * r + c][k];
+      dashpots.push_back(nodes.area[k] * Z);
+    }
   const Traction &traction = suspension.traction;
   for (std::size_t k = 0; k < nodes.area.size() && traction.is_there(); ++k)
     {
@@ -62,25 +70,13 @@ SuspendedNodes<dim>::push_on(const unsigned int k, const SuspensionLoad<dim> &lo
   return force;
 }
 
-/** Of the node, for its area (N s/m, in 2D Pa s). */
-template <int dim>
-typename SuspendedNodes<dim>::Matrix
-SuspendedNodes<dim>::dashpots_of(const unsigned int k) const
-{
-  Matrix Z = Vector::Map(suspension.dashpot.data()).asDiagonal();
-  for (unsigned int r = 0; r < dim && suspension.absorbing; ++r)
-    for (unsigned int c = 0; c < dim; ++c)
-      Z(r, c) += nodes.impedance[dim * r + c][k];
-  return nodes.area[k] * Z;
-}
-
 /** Of component @p c of a node of this @p mass with that of the suspension (kg, in 2D kg/m). */
 template <int dim>
 double SuspendedNodes<dim>::theta(const unsigned int k,
                                   const unsigned int c,
                                   const double mass) const
 {
-  return dashpot_theta(step.dt * dashpots_of(k)(c, c) / mass);
+  return dashpot_theta(step.dt * dashpots[k](c, c) / mass);
 }
 
 template <int dim>
@@ -91,7 +87,7 @@ void SuspendedNodes<dim>::start(const unsigned int k,
   // Held components move neither by themselves nor by the dashpots of others.
   const double more = mass(k) * step.inertia();
   Matrix inertia    = Matrix::Identity();
-  implicit[k]       = dashpots_of(k);
+  implicit[k]       = dashpots[k];
   for (unsigned int c = 0; c < dim; ++c)
     if (const double inverse = surface.inverse_mass[c][i]; inverse > 0.)
       {
@@ -117,7 +113,7 @@ double SuspendedNodes<dim>::guest_mass(const unsigned int k,
                                        const double inertia)
 {
   const double more = mass(k) * step.inertia();
-  implicit[k](c, c) = dashpots_of(k)(c, c) * theta(k, c, inertia + more);
+  implicit[k](c, c) = dashpots[k](c, c) * theta(k, c, inertia + more);
   return more + step.dt * implicit[k](c, c);
 }
 
@@ -163,7 +159,7 @@ SuspendedNodes<dim>::force(const unsigned int k,
       f[c] += mass(k) * (step.acceleration[c] - step.alpha * w) -
               nodes.area[k] * stiffness[c] * (surface.u[c][i] - load.far.now[c]);
     }
-  return f - dashpots_of(k) * slid;
+  return f - dashpots[k] * slid;
 }
 
 template <int dim>
@@ -209,7 +205,7 @@ SuspendedNodes<dim>::account(const unsigned int k,
       slid[c] = moved.w_before[c] - far.velocity[c];
       a[c]    = (moved.w_after[c] - moved.w_before[c]) / dt;
     }
-  const Vector drag   = dashpots_of(k) * slid + dt * implicit[k] * a,
+  const Vector drag   = dashpots[k] * slid + dt * implicit[k] * a,
                pushed = push_on(k, load);
   Ledger next         = ledger[k];
   next.stored = next.kinetic = 0.;
@@ -262,7 +258,7 @@ void SuspendedNodes<dim>::accelerate(const unsigned int k,
   const SuspensionLoad<dim> load = load_at(0., pressure);
   const FarEnd<dim> &far         = load.far;
   const Vector pushed            = push_on(k, load);
-  const Matrix Z                 = dashpots_of(k);
+  const Matrix Z                 = dashpots[k];
   const double other = this->mass(k), m = mass + other;
   Vector slid, f;
   for (unsigned int c = 0; c < dim; ++c)

@@ -132,7 +132,6 @@ public:
 private:
   using Matrix = Eigen::Matrix<double, dim, dim>;
 
-  Matrix dashpots_of(const unsigned int k) const;
   Vector push_on(const unsigned int k, const SuspensionLoad<dim> &load) const;
   double theta(const unsigned int k, const unsigned int c, const double mass) const;
   void start_ledger(const unsigned int k,
@@ -154,6 +153,7 @@ private:
   const SideNodes nodes;
   const std::vector<bool> counted;
   Vector stiffness;               ///< Pa/m
+  std::vector<Matrix> dashpots;   ///< of each node, A Z (N s/m, in 2D Pa s)
   std::vector<Matrix> mobilities; ///< of each node, a of a force (m/kg)
   std::vector<Matrix> implicit;   ///< of each node, A Z theta, or its diagonal
   std::vector<Ledger> ledger;
