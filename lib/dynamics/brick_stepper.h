@@ -29,6 +29,8 @@ public:
   /** The nodes have to be the whole bottom or the whole top. @throws std::invalid_argument */
   MeshSurface<3> &add_surface(const SharedNodes &nodes,
                               SurfaceCondition<3> &condition) override;
+
+  /** The sweep has moved these nodes as if nothing acted on the side; they are moved again. */
   MeshSurface<3> &add_side(const SharedNodes &nodes,
                            SurfaceCondition<3> &condition) override;
   void advance(const std::uint64_t n_steps) override;

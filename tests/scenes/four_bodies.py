@@ -1,6 +1,7 @@
 """The same solid as a plane grid, a box of bricks, and meshes in 2D and 3D, 4 mm high, whose sides are held along their normals."""
 
 import h5py
+import numpy as np
 
 from mesh_files import Box
 
@@ -30,3 +31,19 @@ def bodies(folder):
 def histories(folder, run):
     with h5py.File(folder(run, "dynamics.h5")) as file:
         return {f"{group}/{name}": values[()] for group in ("history", "energy") for name, values in file[group].items()}
+
+
+def check_ranks_and_restart(folder, what):
+    """Of the run in run1: the same on 2 and 3 ranks, and continued from the middle bit for bit. Returns its histories."""
+    one = histories(folder, "run1")
+    scale = np.abs(one["energy/elastic"]).max()
+    for ranks in (2, 3):
+        folder.run(0, "contact_dynamics", "run.prm", "--output", "run", ranks=ranks)
+        for key, values in histories(folder, "run").items():
+            size = max(np.abs(one[key]).max(), scale if "energy" in key else 0)
+            assert np.abs(values - one[key]).max() <= 1e-9 * size, (what, ranks, key, np.abs(values - one[key]).max(), size)
+    folder.run(0, "contact_dynamics", "run.prm", "--output", "half", "--set", "Time/End time=1e-5")
+    folder.run(0, "contact_dynamics", "run.prm", "--output", "half", "--resume")
+    for key, values in histories(folder, "half").items():
+        assert np.array_equal(values, one[key]), (what, key)
+    return one
