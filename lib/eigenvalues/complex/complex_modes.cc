@@ -194,17 +194,23 @@ ComplexModes find_complex_modes(const SlidingPencil &pencil,
         break;
     }
 
-  // Neutral modes have growth rates of the size of round-off.
-  const double neutral = options.least_growth < 0. ? 0. : 100. * options.tolerance;
+  // Neutral modes have growth rates of the size of round-off, and rigid motions that nothing but dashpots holds are
+  // nothing else.
+  const double neutral = options.least_growth < 0. ? 0. : 100. * options.tolerance,
+               allowed = std::max(1e-6, 100. * options.tolerance);
+  const auto is_rigid  = [&](const ComplexMode &mode) {
+    return std::abs(mode.s) < 1e-7 * top && !(mode.residual <= allowed);
+  };
   for (const FoundMode &mode : search.found())
     if (mode.s.real() >= options.least_growth + neutral * std::abs(mode.s) &&
         mode.s.imag() >= bottom && mode.s.imag() <= top && mode.s.imag() > -mode.s.real())
-      result.modes.push_back(finish(pencil, mode));
+      if (const ComplexMode done = finish(pencil, mode); !is_rigid(done))
+        result.modes.push_back(done);
   std::sort(
     result.modes.begin(), result.modes.end(),
     [](const ComplexMode &a, const ComplexMode &b) { return a.s.real() > b.s.real(); });
   for (const ComplexMode &mode : result.modes)
-    if (!(mode.residual <= std::max(1e-6, 100. * options.tolerance)))
+    if (!(mode.residual <= allowed))
       throw NotConverged(brief_text(4, "the Arnoldi iteration left a mode at ",
                                     mode.frequency(), " Hz with a relative residual of ",
                                     mode.residual));

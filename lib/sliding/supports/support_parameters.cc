@@ -62,7 +62,10 @@ SideSupport bind_side(Keys &keys, const std::string &name, const unsigned int di
   keys.bind("Kind", kind, {"free", "pressure", "held", "springs", "absorbing"},
             "What " + the +
               " stands on: nothing; a pressure; no motion (u = 0); springs and dashpots, "
-              "with a pressure; or dashpots that absorb waves, with a pressure");
+              "with a pressure; or dashpots that absorb waves, with a pressure" +
+              (name == "Left"
+                 ? ". On a mesh sections have the names of its physical groups"
+                 : ""));
   bind_held(keys, side, kind, dim);
   keys.bind("Pressure", pressure, Range::any(),
             "Pressure on " + the + ", positive when it presses into the body [Pa]");

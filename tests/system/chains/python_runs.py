@@ -53,7 +53,7 @@ def check_run(folder):
         table = plain.table("nodes.csv")
         assert table["x [m]"][0] == 0.5 and np.isnan(table["x [m]"][1]) and list(table["state"]) == ["slip", "stick"]
         raises(KeyError, "there is: nodes.csv", lambda: plain.table("nix.csv"))
-    error = raises(mesoslip.RunError, "there is no key 'Pressur'", lambda: mesoslip.run("contact_dynamics.prm", {"Top/Pressur": 1}))
+    error = raises(mesoslip.RunError, "there is no key 'Pressur'", lambda: mesoslip.run("contact_dynamics.prm", {"Supports/Top/Pressur": 1}))
     assert error.status == 2 and not str(error).startswith("contact_dynamics"), error
     raises(mesoslip.RunError, "there is no file nix.prm", lambda: mesoslip.run("nix.prm"))
     write(folder, "typo.prm", "set Analysi = modal\n")

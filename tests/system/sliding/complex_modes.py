@@ -265,7 +265,6 @@ def check_refused(folder):
                             (memory, ["Friction/Normal stress is slip rate", "linearize", "transient"]),
                             ({**memory, "Analysis": "static contact", "Friction/Regularization time": None, "Complex modes/Highest frequency": None,
                               "Complex modes/Fastest decay": None}, ["Friction/Normal stress has no effect"]),
-                            ({"Body/Acceleration": "0, -9.81"}, ["Body/Acceleration", "set it to 0", "each node"]),
                             ({"Body/Cells": "200000, 100000"}, ["GB", "Body/Cells"])):
         text = {key: value for key, value in {**COMMON, **BODY, **settings}.items() if value is not None}
         folder.write("bad.prm", prm(text))

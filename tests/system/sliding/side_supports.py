@@ -33,14 +33,12 @@ def without_sides(body):
 def check_run(folder, name, first, body, top):
     in_3d = {key: value for key, value in IN_3D.items() if top != "platen" or "Held" not in key} if "3" in first else {}
     folder.write("run.prm", first + prm({**RUN, **SIDES, **in_3d, **TOPS[top], **without_sides(body)}))
-    folder.run(0, "contact_dynamics", "run.p    one, summary = check_ranks_and_restart(folder, (name, top)), folder.summary("run1")
+    folder.run(0, "contact_dynamics", "run.prm", "--output", "run1")
+    one, summary = check_ranks_and_restart(folder, (name, top)), folder.summary("run1")
     assert summary["energy_balance_residual"] < 1e-12, (name, top, summary["energy_balance_residual"])
     assert summary["supports"]["Right"]["absorbing"] and summary["supports"]["Left"]["mass"] == 1.5, summary["supports"]
     scale = np.abs(one["energy/elastic"]).max()
     assert one["energy/dashpots"].max() > 1e-3 * scale and np.diff(one["energy/dashpots"]).min() > -1e-12 * scale, (name, top)
-
-
-ey]), (name, top, key)
 
 
 def check_box_and_mesh(folder, body):
