@@ -100,23 +100,30 @@ MESOSLIP_INLINE Friction<2> friction(const ContactArrays &a,
   return {sticks, {sticks ? to_stick : sliding}, {target}};
 }
 
-/** What Coulomb's force leaves of @p slip where the node slides by @p across whatever the
- * force across is: y of y + push y / sqrt(across^2 + y^2) = |slip| by Newton's method, which
- * approaches it from below. @p push is what the whole force would move the node. */
-MESOSLIP_INLINE vdouble slip_left(const vdouble slip,
-                                  const vdouble across,
-                                  const vdouble push)
+/** Of what @p slip Coulomb's force leaves where it moves the node by @p push along each axis: y of y_k + push_k y_k / |y|
+ * = slip_k, so that y_k = slip_k r / (r + push_k) with r = |y|. By Newton's method for 1 / |slip / (r + push)| = 1,
+ * which is linear in r where both are pushed alike, and approaches r from below. Returns y / r. */
+MESOSLIP_INLINE void
+slip_left(const vdouble (&slip)[2], const vdouble (&push)[2], vdouble (&left)[2])
 {
-  const vdouble zero = {}, one = splat(1.);
-  vdouble y = zero;
-  for (int n = 0; n < 5; ++n)
+  const vdouble most  = push[0] > push[1] ? push[0] : push[1];
+  vdouble r           = at_least_smallest(length_of(slip[0], slip[1]) - most);
+  const vdouble least = r;
+  for (int n = 0; n < 6; ++n)
     {
-      const vdouble distance = at_least_smallest(length_of(across, y)),
-                    share    = across / distance;
-      y += (absolute(slip) - y - push * y / distance) /
-           (one + push * share * share / distance);
+      vdouble squares = {}, cubes = {};
+      for (int k = 0; k < 2; ++k)
+        {
+          const vdouble reach = at_least_smallest(r + push[k]), share = slip[k] / reach;
+          squares += share * share;
+          cubes += share * share / reach;
+        }
+      const vdouble next =
+        r + (square_root(squares) - 1.) * squares / at_least_smallest(cubes);
+      r = next > least ? next : least;
     }
-  return slip < zero ? -y : y;
+  for (int k = 0; k < 2; ++k)
+    left[k] = slip[k] / at_least_smallest(r + push[k]);
 }
 
 /** The same with two tangential components. Coulomb's force is along the slip at its instant: of
@@ -139,10 +146,9 @@ MESOSLIP_INLINE Friction<3> friction(const ContactArrays &a,
                                    at(Arrays::lateral_force)};
   const vdouble decay = at(Arrays::decay), lag = at(Arrays::lag);
   Friction<3> result;
-  const vdouble zero    = {};
-  const vint64 moves[2] = {compliance[0] > zero, compliance[1] > zero};
-  const vint64 one_held =
-    (moves[0] ^ moves[1]) & (absolute(slip[0]) > zero) & (absolute(slip[1]) > zero);
+  const vdouble zero = {};
+  // Masses of their own along each axis, as at corners with dashpots, or one that is held.
+  const vint64 differ = compliance[0] != compliance[1];
 
   // With what friction remembers, without what the new target adds: K (1 - lag) limit along e.
   vdouble free[2], added[2], both[2], left[2];
@@ -163,12 +169,14 @@ MESOSLIP_INLINE Friction<3> friction(const ContactArrays &a,
   const vint64 goes_on = both[0] * slip[0] + both[1] * slip[1] > zero;
   for (int k = 0; k < 2; ++k)
     left[k] = both[k] = goes_on ? both[k] : after * slip[k];
-  if (any(one_held)) // of few bodies; takes ten times as long as all else
-    for (int k = 0; k < 2; ++k)
-      {
-        const vdouble found = slip_left(both[k], both[1 - k], after * added[k]);
-        left[k]             = one_held & moves[k] ? found : both[k];
-      }
+  if (any(differ)) // of few bodies; takes ten times as long as all else
+    {
+      const vdouble push[2] = {after * added[0], after * added[1]};
+      vdouble found[2];
+      slip_left(both, push, found);
+      for (int k = 0; k < 2; ++k)
+        left[k] = differ ? found[k] : both[k];
+    }
   const vdouble distance_left = length_of(left[0], left[1]);
   vdouble to_stick[2], direction[2], pull[2];
   // Along the force: by friction, by a unit force, and of the slip.

@@ -64,7 +64,7 @@ void bind_statics(Keys &keys, ContactParameters &p)
   StaticLoadParameters &load = p.static_load;
   keys.bind(
     "Load steps", load.steps, 1, 100000,
-    "Increments in which the load of the top grows, and then those of "
+    "Increments in which the loads grow, and then those of "
     "Flat displacement; friction opposes the displacement since the last one [-]");
   keys.bind_list("Flat displacement", load.of_flat, Range::any(),
                  "Displacement of the flat along x and, in 3D, y under the "

@@ -2,6 +2,7 @@
 
 #include "base/exchange.h"
 #include "base/text.h"
+#include "body/elastic_body.h"
 #include "material/plausibility.h"
 #include "program/run_context.h"
 #include "sliding/given_grid.h"
@@ -14,6 +15,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <ostream>
+#include <set>
 
 namespace mesoslip
 {
@@ -148,10 +150,14 @@ void GivenBody<dim>::add_implausible(std::vector<std::string> &sentences,
 
 namespace
 {
+/** Nodes that others move, which have the diagonal of the dashpots of a side alone, see SuspendedNodes. */
+using Movers = std::set<std::array<unsigned int, 2>>;
+
 template <int dim>
 void add_to(Foundation &foundation,
             const SupportNodes &support,
-            const Suspension &suspension)
+            const Suspension &suspension,
+            const Movers &movers)
 {
   for (std::size_t k = 0; k < support.nodes.size(); ++k)
     {
@@ -166,8 +172,10 @@ void add_to(Foundation &foundation,
           if (suspension.dashpot[c] > 0.)
             foundation.dashpots.push_back({node, c, c, area * suspension.dashpot[c]});
           for (unsigned int d = 0; d < dim && suspension.absorbing; ++d)
-            foundation.dashpots.push_back(
-              {node, c, d, area * support.carried.impedance[dim * c + d][k]});
+            if (c == d ||
+                movers.count(std::array<unsigned int, 2>{{node.i, node.j}}) == 0)
+              foundation.dashpots.push_back(
+                {node, c, d, area * support.carried.impedance[dim * c + d][k]});
         }
       if (suspension.mass > 0.)
         foundation.masses.emplace_back(node, area * suspension.mass);
@@ -179,13 +187,24 @@ template <int dim>
 Foundation GivenBody<dim>::foundation() const
 {
   Foundation foundation;
+  const SupportNodes top = top_nodes();
+  Movers movers; // before the side
   // A platen on springs is for transient runs alone.
   if (parameters.top.kind == TopSetup::Kind::pressure)
-    add_to<dim>(foundation, top_nodes(), parameters.top.suspension);
+    add_to<dim>(foundation, top, parameters.top.suspension, movers);
+  const auto take = [&](const std::vector<NodeIndex> &nodes) {
+    for (const NodeIndex &node : nodes)
+      movers.insert(std::array<unsigned int, 2>{{node.i, node.j}});
+  };
+  take(elastic().surface(ElasticBody<dim>::bottom).nodes);
+  take(top.nodes);
   const std::vector<SideSupport> sides  = parameters.loaded_sides();
   const std::vector<SupportNodes> nodes = side_nodes();
   for (std::size_t k = 0; k < sides.size(); ++k)
-    add_to<dim>(foundation, nodes[k], sides[k].suspension);
+    {
+      add_to<dim>(foundation, nodes[k], sides[k].suspension, movers);
+      take(nodes[k].nodes);
+    }
   return foundation;
 }
 

@@ -21,15 +21,6 @@ double lower_bound(const BodyScales &scales, const StepParameters &step)
   return critical_time_step(scales.highest_frequency, step.beta2, step.beta);
 }
 
-/** A load, and the strain that it alone causes in a body of that stiffness. */
-struct LoadEstimate
-{
-  std::string key;  ///< that gives it
-  double value;     ///< its largest size, in its unit
-  const char *unit; ///< Pa, m/s or m/s^2
-  double strain;    ///< P / D22, v / c, or rho a H / D22 [-]
-};
-
 /** Ends the run if @p load, given as an expression, stopped being a number up to step @p n. */
 void require_finite(const LoadHistory &load,
                     const std::string &key,
@@ -229,38 +220,6 @@ double field_memory(const ContactParameters &parameters, const UniformGrid<2> &g
                                     parameters.static_solver == StaticSolverKind::ml);
 }
 
-std::string likely_cause(const ContactParameters &parameters, const BodyScales &body)
-{
-  const auto size_of = [](const auto &v) { return std::hypot(v[0], v[1], v[2]); };
-  const double end   = parameters.time.end_time,
-               v     = size_of(parameters.body.initial_velocity),
-               g     = size_of(parameters.step.acceleration);
-  std::vector<LoadEstimate> loads = {
-    {"Body/Initial velocity", v, "m/s", v / body.wave_speed},
-    {"Body/Acceleration", g, "m/s^2", body.density * g * body.height / body.stiffness}};
-  for (const auto &[section, on, of_side] : parameters.suspended())
-    {
-      for (unsigned int c = 0; c < 3; ++c)
-        if (const double by = load_range(on->motion[c], end).largest_size(); by > 0.)
-          loads.push_back(
-            {section + "/Motion", by, "m", on->stiffness[c] * by / body.stiffness});
-      const bool acts = of_side != &parameters.top.pressure ||
-                        parameters.top.kind != TopSetup::Kind::held;
-      const double p = acts ? load_range(*of_side, end).largest_size() : 0.;
-      loads.push_back({section + "/Pressure", p, "Pa", p / body.stiffness});
-    }
-  const LoadEstimate &worst = *std::max_element(
-    loads.begin(), loads.end(),
-    [](const LoadEstimate &a, const LoadEstimate &b) { return a.strain < b.strain; });
-  if (!(worst.strain > 0.1 * largest_small_strain))
-    return "the motion of the body, as its loads alone strain it little: it is thrown, "
-           "turns freely, or is dragged along by the flat; hold it, lower the friction, "
-           "or shorten the run";
-  return worst.key + " = " + quantity_text(worst.value, worst.unit) +
-         ", which alone strains the body by about " +
-         quantity_text(100. * worst.strain, "%") + "; reduce it, or check its unit";
-}
-
 std::string large_strain_warning(const Deformation &found,
                                  const ContactParameters &parameters,
                                  const BodyScales &scales,
@@ -281,15 +240,15 @@ std::string large_strain_warning(const Deformation &found,
 
 std::string crossing_text(const ContactParameters &parameters, const BodyScales &scales)
 {
-  return "a wave takes " + quantity_text(1e3 * scales.crossing(), "ms") +
-         " from the flat to the top, the run " +
-         quantity_text(1e3 * parameters.time.end_time, "ms");
+  return brief_text(4, "a wave takes ", 1e3 * scales.crossing(),
+                    " ms from the flat to the top, the run ",
+                    1e3 * parameters.time.end_time, " ms");
 }
 
-std::string undefined_friction(const ContactParameters &parameters, const double energy)
+std::string undefined_friction(const ContactParameters &p, const double energy)
 {
   return std::isnan(energy) &&
-             parameters.friction.slip_law.kind == SlipLawParameters::Kind::expression
+             p.friction.slip_law.kind == SlipLawParameters::Kind::expression
            ? "Friction/Coefficient expression where it is negative or no number; or "
            : "";
 }
@@ -315,7 +274,7 @@ void report_runaway(const Runaway &found,
       for (const LoadHistory &motion : suspension->motion)
         require_finite(motion, section + "/Motion", time.step.dt, n);
     }
-  const std::string joule = parameters.mesh.mesh.dim == 2 ? " J/m" : " J";
+  const char *joule = parameters.mesh.mesh.dim == 2 ? " J/m" : " J";
   throw NumericalFailure(
     brief_text(
       3, "the run blew up: its energy is ",

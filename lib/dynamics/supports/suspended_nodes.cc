@@ -113,6 +113,7 @@ double SuspendedNodes<dim>::guest_mass(const unsigned int k,
                                        const double inertia)
 {
   const double more = mass(k) * step.inertia();
+  dashpots[k]       = Matrix(dashpots[k].diagonal().asDiagonal());
   implicit[k](c, c) = dashpots[k](c, c) * theta(k, c, inertia + more);
   return more + step.dt * implicit[k](c, c);
 }

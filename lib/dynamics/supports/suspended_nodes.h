@@ -45,7 +45,7 @@ struct NodeStep
  * springs keep A (u_n - X_n).K (u_(n+1) - X_(n+1)) / 2, dashpots lose A (w_n + theta dt a_n - V_n).Z (d - dt V_n).
  *
  * A node that something else moves, the contact or another side, gets the forces of w_n and, as a mass, what a_n has
- * in them; of Z this has the diagonal, so that the rest of an anisotropic side acts a step late there.
+ * in them. Of Z it has the diagonal alone: the rest would act a step late, and make the node swing.
  */
 template <int dim>
 class SuspendedNodes

@@ -42,10 +42,13 @@ PhasePressures phase_pressures(const ContactParameters &parameters,
   PhasePressures result;
   result.surface_fraction              = surface_fraction;
   std::vector<ContactPhase> in_contact = contact_phases<dim>(phases, surface_fraction);
-  // Springs along the normal carry a part of the pressure on the top.
+  // Springs and sides carry a part of the pressure on the top, and tractions add to it.
   const TopSetup &top                   = parameters.top;
   const std::vector<double> repartition = static_pressure_repartition(
-    top.suspension.stiffness[dim - 1] > 0. ? mean_pressure : top.pressure.amplitude(),
+    parameters.sides_carry_normally() || top.suspension.stiffness[dim - 1] > 0. ||
+        top.suspension.traction.acts(dim - 1)
+      ? mean_pressure
+      : top.pressure.amplitude(),
     in_contact);
   std::vector<double> pressures;
   for (std::size_t p = 0; p < phases.size(); ++p)

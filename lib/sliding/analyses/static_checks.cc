@@ -80,7 +80,9 @@ void check_static_load(const ContactParameters &p, const BodyFacts<dim> &body)
     throw UserError(
       "Supports/Top/Kind is held, so nothing presses the body on the flat; use "
       "platen or pressure for a static contact analysis");
-  if (!(p.top.pressure.amplitude() > 0.))
+  if (!(p.top.pressure.amplitude() > 0.) &&
+      !(p.top.pressure.amplitude() == 0. && p.is_moved_normally() &&
+        p.top.kind == TopSetup::Kind::pressure))
     throw UserError(
       "Supports/Top/Pressure is " + to_text(p.top.pressure.amplitude()) +
       " Pa; a static contact analysis needs a positive one, with Supports/Top/Kind "

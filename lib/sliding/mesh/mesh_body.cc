@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <set>
 #include <unordered_map>
@@ -68,23 +69,27 @@ shares_of_phases(const BodyMesh<dim> &morphology,
   return shares;
 }
 
-/** TopSetup::impedance of the points of @p top, if it absorbs. */
+/** TopSetup::impedance of the points of @p top, if it absorbs: for the area seen from above that of the true one. */
 template <int dim>
 std::vector<std::vector<double>>
 impedance_of_points(const BodyMesh<dim> &morphology,
                     const std::vector<BoundaryFace<dim>> &faces,
                     const MeshBoundary &top)
 {
-  const std::size_t n = morphology.materials().size();
+  const MeshSide side = mesh_side(morphology, faces, true);
+  std::map<unsigned int, std::size_t> place;
+  for (std::size_t k = 0; k < side.points.size(); ++k)
+    place[side.points[k]] = k;
   std::vector<std::vector<double>> result;
-  for (unsigned int k = 0; k < dim * dim; ++k)
+  for (const std::vector<double> &component : side.nodes.impedance)
     {
-      std::vector<double> of_phase;
-      for (const Phase<dim> &phase : morphology.materials())
-        of_phase.push_back(
-          impedance<dim>(phase.stiffness, phase.density)(k / dim, k % dim));
-      result.push_back(mean_of_phases(morphology.mesh, faces, top, of_phase,
-                                      std::vector<double>(n, 1.)));
+      std::vector<double> &values = result.emplace_back();
+      for (std::size_t i = 0; i < top.points.size(); ++i)
+        {
+          const std::size_t k = place.at(top.points[i]);
+          values.push_back(
+            top.area[i] > 0. ? component[k] * side.nodes.area[k] / top.area[i] : 0.);
+        }
     }
   return result;
 }

@@ -32,8 +32,8 @@ void bind_components(Keys &keys,
       keys.require(c < dim, key,
                    "it has more than " + std::to_string(dim) +
                      " expressions; give one for each component");
-      if (expression.find_first_not_of(" \t") == std::string::npos)
-        continue;
+      if (expression.find_first_not_of(" \t0") == std::string::npos)
+        continue; // none, or 0
       double at_start = 0.;
       try
         {

@@ -83,6 +83,18 @@ SideSupport bind_side(Keys &keys, const std::string &name, const unsigned int di
                "it is springs, but Spring stiffness, Dashpot and Mass are 0; give one of "
                "them, or set Kind = free");
   for (unsigned int c = 0; c < dim; ++c)
+    keys.require(kind == "held" || !side.held[c] ||
+                   !(side.suspension.stiffness[c] > 0. ||
+                     side.suspension.dashpot[c] > 0. || side.suspension.traction.acts(c)),
+                 "Held",
+                 std::string("u_") + "xyz"[c] +
+                   " is held, so that Spring stiffness, Dashpot and Traction along " +
+                   "xyz"[c] + " have no effect; leave one of the two out");
+  const std::size_t normal = name == "Left" || name == "Right" ? 0 : 1;
+  keys.require(!is_side_of_grid(name) || !side.held[normal] || pressure == 0., "Pressure",
+               std::string("it has no effect, as u_") + "xy"[normal] +
+                 " is held; leave one of the two out");
+  for (unsigned int c = 0; c < dim; ++c)
     keys.require(!side.suspension.motion[c].is_expression() || side.suspension.resists(c),
                  "Motion",
                  std::string("along ") + "xyz"[c] +
@@ -140,6 +152,13 @@ void ContactParameters::bind_top(Keys &keys)
 
 void ContactParameters::set_top(const Keys &keys, const std::string &kind)
 {
+  for (unsigned int c = 0; c + 1 < mesh.mesh.dim; ++c)
+    keys.require(
+      analysis == ContactAnalysis::transient || kind != "absorbing" ||
+        !top.suspension.traction.acts(c),
+      "Traction",
+      "a top that absorbs is held along the flat in the static state, so that "
+      "a traction along it has no effect; leave it out, or set Kind = springs");
   Suspension &suspension = top.suspension;
   top.kind               = kind == "platen" ? TopSetup::Kind::platen
                            : kind == "held" ? TopSetup::Kind::held
@@ -191,6 +210,10 @@ void ContactParameters::bind_sides(Keys &keys)
       keys.require(!mesh.is_given() || name != mesh.top_boundary, name,
                    "it is Mesh/Top boundary, whose section is Supports/Top; move its "
                    "keys there");
+      keys.require(
+        !std::isfinite(top.hold_from) || !(side.suspension.mass > 0.), name + "/Mass",
+        "the top is held from Supports/Top/Hold from on, and a corner has this "
+        "mass, too; leave one of the two out");
       if (side.holds() || side.is_loaded())
         supports.push_back(side);
     }

@@ -95,6 +95,31 @@ def check_absorption(folder, name, first, body):
     assert abs(arrived - 6e-3 * (0.5 if "3" in first else 1) / speed - 0.5 * period) < 0.05 * period, (name, arrived)
 
 
+def check_corners(folder):
+    """Friction is along the slip where sides give a contact node another inertia along each axis; corners of absorbing sides of a composite turned
+    by 45 degrees, whose impedance couples the components, do not swing."""
+    solid = {"Body/Density": 1180, "Body/Stiffness": "3.6e9, 1.2e9, 1.2e9, 3.6e9, 1.2e9, 3.6e9, 1.2e9, 1.2e9, 1.2e9", "Body/Size": "6e-3, 6e-3, 4.5e-3",
+             "Body/Cells": "8, 8, 6", "Body/Rayleigh alpha": 1e5, "Time/Rayleigh beta": 1e-6, "Time/End time": 4e-4, "Flat/Velocity": "0.02, 0.014",
+             "Friction/Law": "coulomb", "Friction/Coefficient": 0.4, "Contact map/Interval": 1e-5, "Supports/Top/Kind": "springs",
+             "Supports/Top/Pressure": 2e6, "Supports/Top/Spring stiffness": "1e13, 1e13, 1e11", "Supports/Top/Dashpot": "1e6, 1e6, 1e6"}
+    for kind in ({"Kind": "absorbing"}, {"Kind": "springs", "Dashpot": "1e8, 0, 0"}):
+        sides = {f"Supports/{side}/{key}": value for side in ("Left", "Right") for key, value in kind.items()}
+        folder.write("corner.prm", "set Dimension = 3\n" + prm({**solid, **sides}))
+        folder.run(0, "contact_dynamics", "corner.prm", "--output", "corner")
+        with h5py.File(folder("corner", "dynamics.h5")) as file:
+            traction, slip = (file["contact_map/" + name][-1].reshape(-1, 2) for name in ("traction", "slip_velocity"))
+            slides = (file["contact_map/state"][-1].ravel() == 2) & (np.hypot(*slip.T) > 1e-3)
+        across = traction[:, 0] * slip[:, 1] - traction[:, 1] * slip[:, 0]
+        angle = np.abs(across / (np.hypot(*traction.T) * np.hypot(*slip.T) + 1e-300))[slides]
+        assert slides.sum() > 40 and angle.max() < 1e-4, (kind, slides.sum(), angle.max())
+    folder.write("turned.prm", prm({"Body/Stiffness": "4.4e10, 3.4e10, 3.25e10, 4.4e10, 3.25e10, 3.6e10", "Body/Density": 1600, "Body/Size": "6e-3, 3e-3",
+                                    "Body/Cells": "12, 6", "Friction/Law": "coulomb", "Friction/Coefficient": 0.3, "Time/Rayleigh beta": 0,
+                                    "Time/End time": 1e-4, "Supports/Top/Pressure": 1e6, "Observation/Energy interval": 1,
+                                    **{f"Supports/{side}/Kind": "absorbing" for side in ("Top", "Left", "Right")}}))
+    folder.run(0, "contact_dynamics", "turned.prm", "--output", "turned")
+    assert folder.summary("turned")["energy_balance_residual"] < 1e-12
+
+
 def check_sentences(folder):
     refused = lambda words, *settings: words in folder.run(2, "contact_dynamics", "run.prm", "--validate",
                                                            *[arg for text in settings for arg in ("--set", text)])
@@ -106,6 +131,12 @@ def check_sentences(folder):
     assert refused("neither Spring stiffness nor Dashpot", "Supports/Left/Kind=springs", "Supports/Left/Mass=1", "Supports/Left/Motion=t")
     assert refused("Supports/Front/Held has no effect, as the body is plane", "Supports/Front/Held=u_x")
     assert refused("Left and Right have to be free", "Sides/Periodic=true", "Supports/Right/Kind=absorbing")
+    assert refused("Held: u_x is held, so that Spring stiffness", "Supports/Right/Kind=springs", "Supports/Right/Spring stiffness=1e12",
+                   "Supports/Right/Held=u_x")
+    assert refused("Pressure: it has no effect, as u_x is held", "Supports/Right/Kind=pressure", "Supports/Right/Pressure=1", "Supports/Right/Held=u_x")
+    assert refused("Traction: a top that absorbs is held along the flat", "Analysis=static contact", "Supports/Top/Kind=absorbing",
+                   "Supports/Top/Traction=1e6", "Time/End time=0.0005", "Time/Rayleigh beta=0")
+    assert refused("Mass: the top is held from", "Supports/Top/Hold from=1e-5", "Supports/Left/Kind=springs", "Supports/Left/Mass=1")
     assert refused("Supports/Right/Motion", "Supports/Right/Kind=springs", "Supports/Right/Spring stiffness=1e12", "Supports/Right/Motion=1/t")
     assert refused("is called 'Supports/Top/Kind' now", "Top/Kind=held") and refused("is called 'Supports/Left/Held' now", "Sides/Left=u_x")
     assert refused("'Supports/<group>/Held = u_x' now", "Mesh/Held in x=Left")
@@ -126,4 +157,5 @@ with tempfile.TemporaryDirectory() as path:
         check_absorption(here, *what)
         if what[0] == "box":
             check_box_and_mesh(here, what[2])
+    check_corners(here)
     check_sentences(here)

@@ -86,7 +86,11 @@ class Support:
         elif kind == "platen":
             self.held = [0]
         elif random.random() < 0.3 and (name != "Top" or kind == "pressure" and not (self.shear.any() or self.rate.any())):
-            self.held = [0] if name == "Top" else [int(random.integers(2))]
+            self.held = [0] if name == "Top" or kind == "free" else [1]
+            for values in (self.k, self.z, self.shear, self.rate):  # where it is held they would have no effect
+                values[self.held[0]] = 0.0
+            if name == "Top":
+                self.k[0] = 0.0
 
     def far(self, t):
         """Displacement of the far end."""
@@ -111,7 +115,8 @@ class Support:
         if self.kind == "springs":
             result |= {start + "Spring stiffness": "%.17g, %.17g" % tuple(self.k), start + "Mass": self.mass}
             if analysis != "modal":
-                result[start + "Motion"] = "%.17g + %.17g*t; %.17g - %.17g*t" % (2 * tuple(self.motion))
+                moves = ("%.17g + %.17g*t" % tuple(self.motion), "%.17g - %.17g*t" % tuple(self.motion))
+                result[start + "Motion"] = "; ".join(text if c not in self.held else "0" for c, text in enumerate(moves))
             if analysis in ("transient", "complex modes"):
                 result[start + "Dashpot"] = "%.17g, %.17g" % tuple(self.z)
         return result
