@@ -305,8 +305,8 @@ StaticContactSolution solve_condensed(const ElasticBody<dim> &body,
   if (contact.has_none())
     throw NumericalFailure(
       "static contact: there is no equilibrium, as no contact forces "
-      "with this friction carry the load; reduce the friction or hold "
-      "the body otherwise");
+      "with this friction carry the load; hold the body otherwise, or change "
+      "loads or friction");
   throw NumericalFailure(said + "; " +
                          (dim == 3 && problem.sliding == 0 ? "Newton's" : "Lemke's") +
                          " method on the nodes of the contact alone found no equilibrium "
