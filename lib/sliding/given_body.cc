@@ -151,13 +151,13 @@ void GivenBody<dim>::add_implausible(std::vector<std::string> &sentences,
 namespace
 {
 /** Nodes that others move, which have the diagonal of the dashpots of a side alone, see SuspendedNodes. */
-using Movers = std::set<std::array<unsigned int, 2>>;
+using MovedNodes = std::set<std::array<unsigned int, 2>>;
 
 template <int dim>
 void add_to(Foundation &foundation,
             const SupportNodes &support,
             const Suspension &suspension,
-            const Movers &movers)
+            const MovedNodes &movers)
 {
   for (std::size_t k = 0; k < support.nodes.size(); ++k)
     {
@@ -188,7 +188,7 @@ Foundation GivenBody<dim>::foundation() const
 {
   Foundation foundation;
   const SupportNodes top = top_nodes();
-  Movers movers; // before the side
+  MovedNodes movers; // before the side
   // A platen on springs is for transient runs alone.
   if (parameters.top.kind == TopSetup::Kind::pressure)
     add_to<dim>(foundation, top, parameters.top.suspension, movers);
