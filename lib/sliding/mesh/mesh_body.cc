@@ -83,13 +83,14 @@ impedance_of_points(const BodyMesh<dim> &morphology,
   std::vector<std::vector<double>> result;
   for (const std::vector<double> &component : side.nodes.impedance)
     {
-      std::vector<double> &values = result.emplace_back();
+      std::vector<double> values;
       for (std::size_t i = 0; i < top.points.size(); ++i)
         {
           const std::size_t k = place.at(top.points[i]);
           values.push_back(
             top.area[i] > 0. ? component[k] * side.nodes.area[k] / top.area[i] : 0.);
         }
+      result.push_back(values);
     }
   return result;
 }
