@@ -148,7 +148,8 @@ MESOSLIP_INLINE Friction<3> friction(const ContactArrays &a,
   Friction<3> result;
   const vdouble zero = {};
   // Masses of their own along each axis, as at corners with dashpots, or one that is held.
-  const vint64 differ = compliance[0] != compliance[1];
+  const vint64 differ = (compliance[0] != compliance[1]) & (absolute(slip[0]) > zero) &
+                        (absolute(slip[1]) > zero);
 
   // With what friction remembers, without what the new target adds: K (1 - lag) limit along e.
   vdouble free[2], added[2], both[2], left[2];
