@@ -81,6 +81,16 @@ void ElasticBody<dim>::vmult(NodalField<double> &Ku, const NodalField<double> &u
 }
 
 template <int dim>
+std::vector<bool> ElasticBody<dim>::counted_originals() const
+{
+  std::vector<bool> counted(static_cast<std::size_t>(columns) * rows, false);
+  std::fill_n(counted.begin(), n_counted, true);
+  for (const auto &[duplicate, original] : duplicates)
+    counted[index(duplicate)] = false;
+  return counted;
+}
+
+template <int dim>
 void ElasticBody<dim>::add_duplicates(NodalField<double> &field) const
 {
   for (const auto &[duplicate, original] : duplicates)

@@ -153,6 +153,9 @@ public:
     return duplicates;
   }
 
+  /** For each node, row after row, whether this rank counts it and it duplicates no other. */
+  std::vector<bool> counted_originals() const;
+
   /** Adds up what duplicate nodes and their originals have, in both. */
   void add_duplicates(NodalField<double> &field) const;
 

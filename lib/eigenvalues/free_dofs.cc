@@ -12,16 +12,13 @@ FreeDofs<dim>::FreeDofs(const ElasticBody<dim> &body,
   , with_platen(platen_mass.has_value())
   , of_platen_alone(platen_mass.value_or(0.))
 {
-  DofMask duplicate(body.n_columns(), body.n_rows());
-  for (const auto &pair : body.duplicate_nodes())
-    duplicate.constrain(0, pair[0]);
-  const auto is_counted = [&](const NodeIndex &node) {
-    return body.is_counted(node) && !duplicate.is_constrained(0, node);
+  const std::vector<bool> counted = body.counted_originals();
+  const std::vector<double> mass  = body.lumped_mass();
+  const auto index                = [&](const NodeIndex &node) {
+    return static_cast<std::size_t>(node.j) * body.n_columns() + node.i;
   };
-  const std::vector<double> mass = body.lumped_mass();
-  const auto mass_of             = [&](const NodeIndex &node) {
-    return mass[static_cast<std::size_t>(node.j) * body.n_columns() + node.i];
-  };
+  const auto is_counted = [&](const NodeIndex &node) { return counted[index(node)]; };
+  const auto mass_of    = [&](const NodeIndex &node) { return mass[index(node)]; };
   for (unsigned int j = 0; j < body.n_rows(); ++j)
     for (unsigned int c = 0; c < dim; ++c)
       for (unsigned int i = 0; i < body.n_columns(); ++i)

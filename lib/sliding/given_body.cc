@@ -157,13 +157,15 @@ template <int dim>
 void add_to(Foundation &foundation,
             const SupportNodes &support,
             const Suspension &suspension,
-            const MovedNodes &movers)
+            const MovedNodes &movers,
+            const MovedNodes &duplicates)
 {
   for (std::size_t k = 0; k < support.nodes.size(); ++k)
     {
       const NodeIndex &node = support.nodes[k];
       const double area     = support.carried.area[k];
-      if (!(area > 0.))
+      if (!(area > 0.) ||
+          duplicates.count(std::array<unsigned int, 2>{{node.i, node.j}}) > 0)
         continue;
       for (unsigned int c = 0; c < dim; ++c)
         {
@@ -188,10 +190,12 @@ Foundation GivenBody<dim>::foundation() const
 {
   Foundation foundation;
   const SupportNodes top = top_nodes();
-  MovedNodes movers; // before the side
+  MovedNodes movers, duplicates; // before the side; which follow their originals
+  for (const auto &[duplicate, original] : elastic().duplicate_nodes())
+    duplicates.insert(std::array<unsigned int, 2>{{duplicate.i, duplicate.j}});
   // A platen on springs is for transient runs alone.
   if (parameters.top.kind == TopSetup::Kind::pressure)
-    add_to<dim>(foundation, top, parameters.top.suspension, movers);
+    add_to<dim>(foundation, top, parameters.top.suspension, movers, duplicates);
   const auto take = [&](const std::vector<NodeIndex> &nodes) {
     for (const NodeIndex &node : nodes)
       movers.insert(std::array<unsigned int, 2>{{node.i, node.j}});
@@ -202,7 +206,7 @@ Foundation GivenBody<dim>::foundation() const
   const std::vector<SupportNodes> nodes = side_nodes();
   for (std::size_t k = 0; k < sides.size(); ++k)
     {
-      add_to<dim>(foundation, nodes[k], sides[k].suspension, movers);
+      add_to<dim>(foundation, nodes[k], sides[k].suspension, movers, duplicates);
       take(nodes[k].nodes);
     }
   return foundation;

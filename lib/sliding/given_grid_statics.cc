@@ -3,28 +3,13 @@
 #include "material/shear_impedance.h"
 #include "sliding/given_grid.h"
 
-#include <algorithm>
-
 namespace mesoslip
 {
 // Its fields are whole in any case.
 void GivenGrid::make_elastic(const MPI_Comm communicator, const bool /*whole*/)
 {
   of_statics = mesoslip::make_body(material, parameters.static_solver, communicator);
-  Foundation under = foundation();
-  // Of duplicates it has the originals.
-  const auto is_duplicate = [&](const NodeIndex &node) {
-    return parameters.periodic && node.i + 1 == material.n_columns();
-  };
-  const auto without = [](auto &entries, const auto &is_left_out) {
-    entries.erase(std::remove_if(entries.begin(), entries.end(), is_left_out),
-                  entries.end());
-  };
-  for (auto *entries : {&under.springs, &under.dashpots})
-    without(*entries,
-            [&](const SpringEntry &spring) { return is_duplicate(spring.node); });
-  without(under.masses, [&](const auto &mass) { return is_duplicate(mass.first); });
-  of_statics->stand_on(under);
+  of_statics->stand_on(foundation());
 }
 
 const ElasticBody<2> &GivenGrid::elastic() const

@@ -200,15 +200,10 @@ double StaticLoad<dim>::platen_force() const
 {
   NodalField<double> internal = elastic.zero_field();
   elastic.vmult(internal, problem.displacement);
-  const auto &duplicates  = elastic.duplicate_nodes();
-  const auto is_duplicate = [&](const NodeIndex &node) {
-    return std::any_of(duplicates.begin(), duplicates.end(), [&](const auto &pair) {
-      return pair[0].i == node.i && pair[0].j == node.j;
-    });
-  };
-  double force = 0.;
+  const std::vector<bool> counted = elastic.counted_originals();
+  double force                    = 0.;
   for (const NodeIndex &node : top.nodes)
-    if (elastic.is_counted(node) && !is_duplicate(node))
+    if (counted[std::size_t{node.j} * elastic.n_columns() + node.i])
       force += problem.force(dim - 1, node) - internal(dim - 1, node);
   return mpi::sum(force, elastic.communicator());
 }
