@@ -102,14 +102,21 @@ MESOSLIP_INLINE Friction<2> friction(const ContactArrays &a,
 
 /** Of what @p slip Coulomb's force leaves where it moves the node by @p push along each axis: y of y_k + push_k y_k / |y|
  * = slip_k, so that y_k = slip_k r / (r + push_k) with r = |y|. By Newton's method for 1 / |slip / (r + push)| = 1,
- * which is linear in r where both are pushed alike, and approaches r from below. Returns y / r. */
+ * which is linear in r where both are pushed alike, and approaches r from below: in six steps to round-off of all but one
+ * in ten thousand drawn slips, in ten to 3e-4 where one component is about to stick and the other is held. Returns y / r. */
 MESOSLIP_INLINE void
 slip_left(const vdouble (&slip)[2], const vdouble (&push)[2], vdouble (&left)[2])
 {
-  const vdouble most  = push[0] > push[1] ? push[0] : push[1];
-  vdouble r           = at_least_smallest(length_of(slip[0], slip[1]) - most);
-  const vdouble least = r;
-  for (int n = 0; n < 6; ++n)
+  // As long as the slip less the longer push, and as each component less its own, whose push may be none.
+  const vdouble most = push[0] > push[1] ? push[0] : push[1];
+  vdouble least      = at_least_smallest(length_of(slip[0], slip[1]) - most);
+  for (int k = 0; k < 2; ++k)
+    {
+      const vdouble alone = absolute(slip[k]) - push[k];
+      least               = alone > least ? alone : least;
+    }
+  vdouble r = least;
+  for (int n = 0; n < 10; ++n)
     {
       vdouble squares = {}, cubes = {};
       for (int k = 0; k < 2; ++k)
