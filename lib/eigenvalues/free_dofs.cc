@@ -9,8 +9,7 @@ FreeDofs<dim>::FreeDofs(const ElasticBody<dim> &body,
                         const DofMask &mask,
                         const std::optional<double> &platen_mass)
   : body(body)
-  , with_platen(platen_mass.has_value())
-  , of_platen_alone(platen_mass.value_or(0.))
+  , of_platen_alone(platen_mass)
 {
   const std::vector<bool> counted = body.counted_originals();
   const std::vector<double> mass  = body.lumped_mass();
@@ -24,7 +23,7 @@ FreeDofs<dim>::FreeDofs(const ElasticBody<dim> &body,
       for (unsigned int i = 0; i < body.n_columns(); ++i)
         if (is_counted({i, j}) && !mask.is_constrained(c, {i, j}))
           add(c, {i, j}, mass_of({i, j}));
-  if (with_platen)
+  if (has_platen())
     {
       for (const NodeIndex &node : body.surface(ElasticBody<dim>::top).nodes)
         if (is_counted(node))
@@ -88,7 +87,7 @@ void FreeDofs<dim>::scatter(NodalField<double> &field, const Vector &values) con
   field.set_zero();
   for (std::size_t k = 0; k < masses.size(); ++k)
     field(components[k], nodes[k]) = values.local_element(k);
-  const double pushed = with_platen ? of_platen(values) : 0.;
+  const double pushed = has_platen() ? of_platen(values) : 0.;
   for (const NodeIndex &node : platen_nodes)
     field(dim - 1, node) = pushed;
   body.copy_duplicates(field);
@@ -105,7 +104,7 @@ template <int dim>
 void FreeDofs<dim>::gather_forces(Vector &values, const NodalField<double> &field) const
 {
   gather(values, field);
-  if (!with_platen)
+  if (!has_platen())
     return;
   double sum = 0.;
   for (const NodeIndex &node : platen_nodes)
@@ -116,7 +115,7 @@ void FreeDofs<dim>::gather_forces(Vector &values, const NodalField<double> &fiel
 template <int dim>
 bool FreeDofs<dim>::owns_platen() const
 {
-  return with_platen && mpi::this_mpi_process(body.communicator()) == platen_rank;
+  return has_platen() && mpi::this_mpi_process(body.communicator()) == platen_rank;
 }
 
 template <int dim>

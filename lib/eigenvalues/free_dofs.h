@@ -51,13 +51,13 @@ public:
   /** Whether there is a platen. */
   bool has_platen() const
   {
-    return with_platen;
+    return of_platen_alone.has_value();
   }
 
   /** Mass of the platen without that of the top (kg, in 2D kg/m). */
   double platen_mass() const
   {
-    return of_platen_alone;
+    return of_platen_alone.value_or(0.);
   }
 
   /** The platen's entry of @p x, on all ranks. Collective. */
@@ -93,8 +93,7 @@ private:
   void add(const unsigned int c, const NodeIndex &node, const double mass);
 
   const ElasticBody<dim> &body;
-  const bool with_platen;
-  const double of_platen_alone; ///< see platen_mass()
+  const std::optional<double> of_platen_alone; ///< its mass, if there is one
   std::shared_ptr<const dealii::Utilities::MPI::Partitioner> partitioner;
   unsigned int platen_rank = 0;        ///< that has its degree of freedom
   std::vector<NodeIndex> platen_nodes; ///< that this rank counts, without duplicates

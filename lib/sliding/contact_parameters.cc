@@ -256,9 +256,9 @@ void ContactParameters::bind(Keys &keys)
   bind_analyses(keys);
   keys.renamed("Performance/Static solver = assembled", "ml");
   std::string on_springs = contact.is_compliant() ? "Flat/Normal stiffness" : "";
-  for (const auto &[section, suspension, pressure] : suspended())
-    if (suspension->has_springs() && on_springs.empty())
-      on_springs = section + "/Spring stiffness";
+  for (const Suspended &side : suspended())
+    if (side.suspension->has_springs() && on_springs.empty())
+      on_springs = side.key("Spring stiffness");
   if (mesh.is_plane_grid() && !on_springs.empty())
     {
       keys.only_if(static_solver == StaticSolverKind::ml, {"Performance/Static solver"},

@@ -156,12 +156,18 @@ struct ContactParameters : SlidingSetup
   /** Those that are loaded. */
   std::vector<SideSupport> loaded_sides() const;
 
-  /** What stands on something: a section, its suspension and pressure. */
+  /** The top or a side, its suspension and pressure. */
   struct Suspended
   {
-    std::string section;          ///< Supports/Top
+    std::string name;             ///< of its section in Supports
     const Suspension *suspension; ///< of these parameters
     const LoadHistory *pressure;  ///< likewise
+
+    /** Path of a key in its section. */
+    std::string key(const std::string &of_section) const
+    {
+      return "Supports/" + name + "/" + of_section;
+    }
   };
 
   /** The top, and the loaded sides. */

@@ -101,8 +101,8 @@ std::vector<PlausibleRange> plausible_suspension(const ContactParameters &parame
       thickest = std::max(thickest, suspension.dashpot[c]);
     }
   const std::string of_area = "; it is for the area, that of N/m over m^2";
-  PlausibleRange soft{side.section + "/Spring stiffness", softest, "Pa/m"}, stiff = soft,
-                                                                            thick = soft;
+  PlausibleRange soft{side.key("Spring stiffness"), softest, "Pa/m"}, stiff = soft,
+                                                                      thick = soft;
   soft.lowest = parameters.analysis == ContactAnalysis::modal || std::isinf(softest)
                   ? 0.
                   : 1e-3 * pressure / scales.height;
@@ -113,7 +113,7 @@ std::vector<PlausibleRange> plausible_suspension(const ContactParameters &parame
   stiff.highest = 1e6 * body;
   stiff.if_high = "a million times as stiff as the body, " + quantity_text(body, "Pa/m") +
                   ", and the time step shrinks" + of_area;
-  thick.key     = side.section + "/Dashpot";
+  thick.key     = side.key("Dashpot");
   thick.value   = thickest;
   thick.unit    = "Pa s/m";
   thick.highest = 1e3 * impedance;

@@ -229,9 +229,7 @@ BodyInMotion<2> GivenGrid::start(const SlidingSetup &given, RunContext &context)
 {
   const std::vector<ProbePoint> &probes = parameters.observation.probes;
   SlidingSetup setup                    = given;
-  const SideNodes of_top                = top_nodes().carried;
-  setup.top.impedance                   = of_top.impedance;
-  setup.top.position                    = of_top.position;
+  setup.top.nodes                       = top_nodes().carried;
   for (const SideSupport &side : parameters.loaded_sides())
     setup.loaded.push_back({side, column_of(side), {}, {}});
   auto sliding =

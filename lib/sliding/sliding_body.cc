@@ -14,19 +14,9 @@ namespace
 /** Of a whole column what concerns the rows of this rank, ghost rows as well. */
 void restrict_side(LoadedSide &side, const NodeRows &rows)
 {
-  const auto here = [&](std::vector<double> &values) {
-    if (!values.empty())
-      values = {values.begin() + rows.first(),
-                values.begin() + rows.first() + rows.n_local()};
-  };
-  here(side.nodes.area);
-  for (unsigned int c = 0; c < 3; ++c)
-    {
-      here(side.nodes.push[c]);
-      here(side.nodes.position[c]);
-    }
-  for (std::vector<double> &component : side.nodes.impedance)
-    here(component);
+  std::vector<unsigned int> here(rows.n_local());
+  std::iota(here.begin(), here.end(), rows.first());
+  side.nodes = side.nodes.at(here);
   for (unsigned int l = 0; l < rows.n_local(); ++l)
     side.counted.push_back(rows.first() + l >= rows.begin && rows.first() + l < rows.end);
 }

@@ -52,7 +52,7 @@ public:
   /** After it has advanced them from the time of @p step. */
   void advance(const unsigned int row, const unsigned int n, const std::uint64_t step);
 
-  const unsigned int column; ///< of the grid
+  const unsigned int column; ///< of nodes of the grid: its first or last one
 
 private:
   /** A node before the kernel advances it. */

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace mesoslip
@@ -12,6 +13,9 @@ namespace mesoslip
 /** What each node of a side stands for. */
 struct SideNodes
 {
+  /** Stands for no node, as SharedNodes::none. */
+  static constexpr unsigned int none = std::numeric_limits<unsigned int>::max();
+
   std::vector<double> area; ///< m^2, in 2D m
 
   /** Force of a pressure of 1 Pa, components x, y and z: the area along the normal into the body (m^2,
@@ -39,6 +43,9 @@ struct SideNodes
   {
     return push[c].empty() ? 0. : push[c][i];
   }
+
+  /** Those of these numbers, in this order; zeros for none. */
+  SideNodes at(const std::vector<unsigned int> &numbers) const;
 
   /** Of boost::serialization. */
   template <class Archive>

@@ -117,8 +117,9 @@ private:
   const SideSupport support;
   const StepParameters step;
   SuspendedNodes<dim> nodes;
-  std::array<std::vector<double>, dim> increment; ///< of the step before (m)
-  std::vector<NodeStep<dim>> steps;               ///< of guests
+  std::array<std::vector<double>, dim>
+    increment;                      ///< how far each node moved in the step before (m)
+  std::vector<NodeStep<dim>> steps; ///< where guests were before the step under way
   bool started = false;
 
   struct LoadOfStep

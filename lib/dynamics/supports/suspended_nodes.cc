@@ -104,7 +104,7 @@ void SuspendedNodes<dim>::start(const unsigned int k,
   for (unsigned int c = 0; c < dim; ++c)
     if (!(surface.inverse_mass[c][i] > 0.))
       mobilities[k](c, c) = 0.;
-  start_ledger(k, surface, i);
+  start_guest(k, surface, i);
 }
 
 template <int dim>
@@ -122,14 +122,6 @@ template <int dim>
 void SuspendedNodes<dim>::start_guest(const unsigned int k,
                                       const SurfaceView<dim> &surface,
                                       const unsigned int i)
-{
-  start_ledger(k, surface, i);
-}
-
-template <int dim>
-void SuspendedNodes<dim>::start_ledger(const unsigned int k,
-                                       const SurfaceView<dim> &surface,
-                                       const unsigned int i)
 {
   if (!counted[k])
     return;

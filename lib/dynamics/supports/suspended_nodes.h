@@ -134,9 +134,6 @@ private:
 
   Vector push_on(const unsigned int k, const SuspensionLoad<dim> &load) const;
   double theta(const unsigned int k, const unsigned int c, const double mass) const;
-  void start_ledger(const unsigned int k,
-                    const SurfaceView<dim> &surface,
-                    const unsigned int i);
 
   /** Of a node, so that their order in time changes no sum (J, in 2D J/m). */
   struct Ledger

@@ -15,7 +15,7 @@ namespace
 /** The area that each of @p n nodes of the top carries (m^2, in 2D m). */
 std::vector<double> areas_of(const TopSetup &setup, const unsigned int n)
 {
-  std::vector<double> areas = setup.tributary;
+  std::vector<double> areas = setup.nodes.area;
   if (!areas.empty() || n == 0)
     return areas;
   areas.assign(n, setup.cell_width);
@@ -36,10 +36,8 @@ std::vector<bool> first_of(const unsigned int n, const unsigned int n_counted)
 template <int dim>
 SideNodes nodes_of(const TopSetup &setup, const std::vector<double> &area)
 {
-  SideNodes nodes;
+  SideNodes nodes = setup.nodes;
   nodes.area      = area;
-  nodes.impedance = setup.impedance;
-  nodes.position  = setup.position;
   for (const double a : area)
     nodes.push[dim - 1].push_back(-a);
   return nodes;

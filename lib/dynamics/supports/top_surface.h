@@ -40,12 +40,6 @@ struct TopSetup
    * flat on springs alone. */
   Suspension suspension;
 
-  /** Of each node, if the suspension absorbs: see SuspendedNodes. */
-  std::vector<std::vector<double>> impedance;
-
-  /** Of each node, where it is, x, y and z (m), if there is a traction. */
-  std::array<std::vector<double>, 3> position;
-
   /** Whether component @p c along the flat does not move from the start. */
   bool holds(const unsigned int c) const
   {
@@ -91,8 +85,8 @@ struct TopSetup
   /** Width of a cell of a grid (m). */
   double cell_width = 0.;
 
-  /** Of other bodies: area (2D: width) that each node carries (m^2, m). */
-  std::vector<double> tributary;
+  /** What each node stands for; on a grid the area may be left out, and the push is that of the area. */
+  SideNodes nodes;
 
   /** The last column duplicates the first. */
   bool periodic = false;

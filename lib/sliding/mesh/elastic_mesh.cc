@@ -62,22 +62,14 @@ template <int dim>
 SupportNodes nodes_of(const MeshSide &side, const PointBody<dim> &elastic)
 {
   SupportNodes found;
-  SideNodes &here       = found.carried;
-  const SideNodes &from = side.nodes;
-  here.impedance.resize(from.impedance.size());
-  for (std::size_t k = 0; k < side.points.size(); ++k)
+  std::vector<unsigned int> here;
+  for (unsigned int k = 0; k < side.points.size(); ++k)
     if (const auto node = elastic.find(side.points[k]))
       {
         found.nodes.push_back(*node);
-        here.area.push_back(from.area[k]);
-        for (unsigned int c = 0; c < dim; ++c)
-          {
-            here.push[c].push_back(from.push_of(k, c));
-            here.position[c].push_back(from.place_of(k)[c]);
-          }
-        for (std::size_t m = 0; m < here.impedance.size(); ++m)
-          here.impedance[m].push_back(from.impedance[m][k]);
+        here.push_back(k);
       }
+  found.carried = side.nodes.at(here);
   return found;
 }
 

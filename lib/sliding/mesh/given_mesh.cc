@@ -137,8 +137,7 @@ BodyInMotion<dim> GivenMesh<dim>::start(const SlidingSetup &given,
                                         RunContext &context) const
 {
   SlidingSetup setup                    = given;
-  setup.top.impedance                   = body.top_nodes.impedance;
-  setup.top.position                    = body.top_nodes.position;
+  setup.top.nodes                       = body.top_nodes;
   const std::vector<SideSupport> loaded = parameters.loaded_sides();
   for (std::size_t k = 0; k < loaded.size(); ++k)
     setup.loaded.push_back({loaded[k], body.sides[k].nodes, body.sides[k].points, {}});

@@ -41,13 +41,12 @@ SlidingSetup restricted(SlidingSetup setup,
       const auto here = contact_nodes.find(node);
       node = here && *here < contact_nodes.n_owned() ? *here : SharedNodes::none;
     }
-  setup.top.tributary = top_nodes.of(top.area, 0.);
-  setup.top.n_owned   = top_nodes.n_owned();
-  for (std::vector<double> &component : setup.top.impedance)
-    component = top_nodes.of(component, 0.);
-  for (std::vector<double> &component : setup.top.position)
-    if (!component.empty())
-      component = top_nodes.of(component, 0.);
+  setup.top.n_owned = top_nodes.n_owned();
+  std::vector<unsigned int> of_top;
+  for (unsigned int i = 0; i < top_nodes.size(); ++i)
+    of_top.push_back(top_nodes.number(i));
+  setup.top.nodes.area = top.area;
+  setup.top.nodes      = setup.top.nodes.at(of_top);
   setup.loaded.clear();
   for (const SharedSide &side : shared.sides)
     setup.loaded.push_back(side.here);

@@ -29,20 +29,21 @@ std::string likely_cause(const ContactParameters &parameters, const BodyScales &
   std::vector<LoadEstimate> loads = {
     {"Body/Initial velocity", v, "m/s", v / body.wave_speed},
     {"Body/Acceleration", g, "m/s^2", body.density * g * body.height / body.stiffness}};
-  for (const auto &[section, on, of_side] : parameters.suspended())
+  for (const auto &side : parameters.suspended())
     {
+      const Suspension &on = *side.suspension;
       for (unsigned int c = 0; c < 3; ++c)
         {
-          const double by   = load_range(on->motion[c], end).largest_size(),
-                       pull = std::fabs(on->traction(c, {}, 0.));
+          const double by   = load_range(on.motion[c], end).largest_size(),
+                       pull = std::fabs(on.traction(c, {}, 0.));
           loads.push_back(
-            {section + "/Motion", by, "m", on->stiffness[c] * by / body.stiffness});
-          loads.push_back({section + "/Traction", pull, "Pa", pull / body.stiffness});
+            {side.key("Motion"), by, "m", on.stiffness[c] * by / body.stiffness});
+          loads.push_back({side.key("Traction"), pull, "Pa", pull / body.stiffness});
         }
-      if (section == "Supports/Top" && parameters.top.kind == TopSetup::Kind::held)
+      if (side.name == "Top" && parameters.top.kind == TopSetup::Kind::held)
         continue;
-      const double p = load_range(*of_side, end).largest_size();
-      loads.push_back({section + "/Pressure", p, "Pa", p / body.stiffness});
+      const double p = load_range(*side.pressure, end).largest_size();
+      loads.push_back({side.key("Pressure"), p, "Pa", p / body.stiffness});
     }
   const LoadEstimate &worst = *std::max_element(
     loads.begin(), loads.end(),

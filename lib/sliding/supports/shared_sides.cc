@@ -8,33 +8,6 @@ namespace mesoslip
 {
 namespace
 {
-/** Some of the values of the nodes of a side, in the order of @p numbers, 0 for none. */
-std::vector<double> values_at(const std::vector<double> &whole,
-                              const std::vector<unsigned int> &numbers)
-{
-  std::vector<double> values;
-  for (const unsigned int k : numbers)
-    values.push_back(k == SharedNodes::none ? 0. : whole[k]);
-  return values;
-}
-
-/** The nodes of a side with these numbers. */
-SideNodes nodes_at(const SideNodes &whole, const std::vector<unsigned int> &numbers)
-{
-  SideNodes nodes;
-  nodes.area = values_at(whole.area, numbers);
-  for (unsigned int c = 0; c < 3; ++c)
-    {
-      if (!whole.push[c].empty())
-        nodes.push[c] = values_at(whole.push[c], numbers);
-      if (!whole.position[c].empty())
-        nodes.position[c] = values_at(whole.position[c], numbers);
-    }
-  for (const std::vector<double> &component : whole.impedance)
-    nodes.impedance.push_back(values_at(component, numbers));
-  return nodes;
-}
-
 /** Which surface moves a point, and its number there. */
 using Movers = std::map<unsigned int, std::array<unsigned int, 2>>;
 
@@ -97,7 +70,7 @@ SharedSurfaces::SharedSurfaces(const std::vector<unsigned int> &contact_points,
                 numbers.push_back(k);
               }
         }
-      here.here.nodes = nodes_at(side.nodes, numbers);
+      here.here.nodes = side.nodes.at(numbers);
       take(movers, own, static_cast<unsigned int>(2 + sides.size()));
       sides.push_back(std::move(here));
     }

@@ -234,10 +234,10 @@ std::vector<SideSupport> ContactParameters::loaded_sides() const
 
 std::vector<ContactParameters::Suspended> ContactParameters::suspended() const
 {
-  std::vector<Suspended> all = {{"Supports/Top", &top.suspension, &top.pressure}};
+  std::vector<Suspended> all = {{"Top", &top.suspension, &top.pressure}};
   for (const SideSupport &side : supports)
     if (side.is_loaded())
-      all.push_back({"Supports/" + side.name, &side.suspension, &side.pressure});
+      all.push_back({side.name, &side.suspension, &side.pressure});
   return all;
 }
 

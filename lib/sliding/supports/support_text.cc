@@ -60,8 +60,7 @@ std::string pressure_text(const LoadHistory &pressure)
 
 std::string support_text(const ContactParameters::Suspended &side, const unsigned int dim)
 {
-  const Suspension &on   = *side.suspension;
-  const std::string name = side.section.substr(side.section.find('/') + 1);
+  const Suspension &on = *side.suspension;
   std::string text;
   for (const std::string &part :
        {components_text("springs", on.stiffness, dim, "Pa/m"),
@@ -69,9 +68,9 @@ std::string support_text(const ContactParameters::Suspended &side, const unsigne
         std::string(on.absorbing ? "dashpots of the impedances behind it" : ""),
         on.mass > 0. ? "a mass of " + to_text(on.mass) + " kg/m^2" : std::string(),
         motion_text(on, dim), traction_text(on.traction, dim),
-        name == "Top" ? "" : pressure_text(*side.pressure)})
+        side.name == "Top" ? "" : pressure_text(*side.pressure)})
     if (!part.empty())
-      text += (text.empty() ? name + ": " : "; ") + part;
+      text += (text.empty() ? side.name + ": " : "; ") + part;
   return text;
 }
 

@@ -21,10 +21,11 @@ LimitCycleCriterion limit_cycle_criterion(const ContactParameters &parameters,
   criterion.expected_period =
     std::max(crossings_of_a_period * size.crossing,
              top.suspension.period((size.mass + top.platen_mass) / size.top_area));
-  for (std::size_t k = 0; k < size.side_area.size(); ++k)
-    criterion.expected_period = std::max(
-      criterion.expected_period,
-      parameters.loaded_sides()[k].suspension.period(size.mass / size.side_area[k]));
+  const std::vector<SideSupport> sides = parameters.loaded_sides();
+  for (std::size_t k = 0; k < sides.size(); ++k)
+    criterion.expected_period =
+      std::max(criterion.expected_period,
+               sides[k].suspension.period(size.mass / size.side_area[k]));
   return criterion;
 }
 } // namespace

@@ -4,8 +4,6 @@
 #include "program/run_context.h"
 #include "sliding/transient/transient_result.h"
 
-#include <cstring>
-
 namespace mesoslip
 {
 namespace
@@ -123,13 +121,12 @@ void TransientResult::write_summary(RunContext &context) const
      {"steady_from", steady_from},
      {"limit_cycle_reached", limit_cycle_reached},
      {"limit_cycle", limit_cycle}});
-  for (const auto &[section, on, pressure] : parameters.suspended())
+  for (const auto &[name, on, pressure] : parameters.suspended())
     if (on->is_there())
-      summary["supports"][section.substr(std::strlen("Supports/"))] = {
-        {"spring_stiffness", on->stiffness},
-        {"dashpot", on->dashpot},
-        {"mass", on->mass},
-        {"absorbing", on->absorbing}};
+      summary["supports"][name] = {{"spring_stiffness", on->stiffness},
+                                   {"dashpot", on->dashpot},
+                                   {"mass", on->mass},
+                                   {"absorbing", on->absorbing}};
   if (body.dim == 3)
     summary["flat_direction"] = parameters.contact.flat_direction;
   if (!regime.empty())

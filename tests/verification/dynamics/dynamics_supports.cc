@@ -252,7 +252,7 @@ TEST(Supports, TurnedSolidsAreAbsorbed)
       s.classes                  = {{D, rho}};
       s.top.suspension.absorbing = true;
       for (unsigned int k = 0; k < 4; ++k)
-        s.top.impedance.emplace_back(2, Z(k / 2, k % 2));
+        s.top.nodes.impedance.emplace_back(2, Z(k / 2, k % 2));
       const double share =
         reflected<2>(s, column_material<3>(), {{mode[0], mode[1]}}, c, wave);
       EXPECT_LT(share, 1e-3) << c;
@@ -407,7 +407,7 @@ void expect_all_closed()
   s.top.platen_mass = 0.;
   const auto Z      = impedance<dim>(column_material<dim>().stiffness, rho);
   for (unsigned int k = 0; k < dim * dim; ++k)
-    s.top.impedance.emplace_back(dim == 2 ? 12 : 12 * 4, Z(k / dim, k % dim));
+    s.top.nodes.impedance.emplace_back(dim == 2 ? 12 : 12 * 4, Z(k / dim, k % dim));
   expect_closed<dim>(s, "absorbing");
 }
 } // namespace
