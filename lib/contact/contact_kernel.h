@@ -21,8 +21,9 @@ struct ContactArrays
   /** What is kept for each node. */
   enum Column : unsigned int
   {
-    // Constant in time, the last two unless the regularization depends on the slip rate.
-    gap,      ///< initial distance to the flat (m)
+    // Constant in time, the last two unless the regularization depends on the slip rate, the first
+    // unless the flat has a profile.
+    gap,      ///< to the flat after this step, of the undeformed node (m)
     softness, ///< of the spring between node and flat (m^2/N, in 3D m/N), 0: rigid
     friction_coefficient, ///< Coulomb's, at least 0
     decay,                ///< weight of the friction memory, see Relaxation
@@ -37,9 +38,12 @@ struct ContactArrays
     normal_force,     ///< N/m, pressing on the node from below, not negative
     sticking,         ///< 1: touches without sliding
     // Counters of the running block of steps.
-    stick_count,     ///< steps stuck
-    slip_count,      ///< steps slipped
-    landing_count,   ///< steps in which contact began
+    stick_count,   ///< steps stuck
+    slip_count,    ///< steps slipped
+    landing_count, ///< steps in which contact began
+    // Of a flat with a profile, read by the kernels for one alone.
+    rise,            ///< of the flat below the node in this step (m)
+    rise_before,     ///< in the step before (m)
     n_plane_columns, ///< those above are all of a 2D contact
     // As those without the word, along y.
     lateral_increment = n_plane_columns, ///< m
@@ -82,6 +86,8 @@ struct ContactSums
   double friction_energy  = 0.; ///< dissipated in this step (J/m)
   double impact_energy = 0.; ///< that the normal forces take for good in this step (J/m)
   double stored_energy = 0.; ///< in the springs after this step (J/m)
+  double lifting_work =
+    0.; ///< of the normal forces, as the flat rises in this step (J/m)
 };
 
 /**
@@ -104,6 +110,9 @@ struct ContactSums
  * both point away from each other. The vector relaxes towards it, and as much of it is left away
  * as would move the node along it further than the flat.
  *
+ * Over a profile the flat rises and falls below the nodes, by known amounts in this step and the one
+ * before: contact is where they end on its new height, and its motion does work.
+ *
  * Work is formed with the central increment (u_(n+1) - u_(n-1)) / 2, for which the
  * discrete energy balance is exact.
  */
@@ -114,11 +123,15 @@ using ContactFunction = void (*)(const ContactArrays &arrays,
 /** One for each instruction set, see contact_function(). */
 namespace contact_kernels
 {
-#define MESOSLIP_DECLARE_ADVANCE(name)                                              \
-  namespace name                                                                    \
-  {                                                                                 \
-  void advance(const ContactArrays &, const ContactStep &, ContactSums &);          \
-  void advance_in_space(const ContactArrays &, const ContactStep &, ContactSums &); \
+#define MESOSLIP_DECLARE_ADVANCE(name)                                                \
+  namespace name                                                                      \
+  {                                                                                   \
+  void advance(const ContactArrays &, const ContactStep &, ContactSums &);            \
+  void advance_in_space(const ContactArrays &, const ContactStep &, ContactSums &);   \
+  void advance_on_profile(const ContactArrays &, const ContactStep &, ContactSums &); \
+  void advance_on_profile_in_space(const ContactArrays &,                             \
+                                   const ContactStep &,                               \
+                                   ContactSums &);                                    \
   }
 MESOSLIP_FOR_EACH_VARIANT(MESOSLIP_DECLARE_ADVANCE)
 #undef MESOSLIP_DECLARE_ADVANCE

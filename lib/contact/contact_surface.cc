@@ -8,17 +8,23 @@
 namespace mesoslip
 {
 template <int dim>
-ContactFunction contact_function(const InstructionSet isa)
+ContactFunction contact_function(const InstructionSet isa, const bool profile)
 {
   using namespace contact_kernels;
-  const ContactFunction plane[] = MESOSLIP_VARIANTS(advance);
-  const ContactFunction space[] = MESOSLIP_VARIANTS(advance_in_space);
+  const ContactFunction plane[]    = MESOSLIP_VARIANTS(advance);
+  const ContactFunction space[]    = MESOSLIP_VARIANTS(advance_in_space);
+  const ContactFunction on_plane[] = MESOSLIP_VARIANTS(advance_on_profile);
+  const ContactFunction on_space[] = MESOSLIP_VARIANTS(advance_on_profile_in_space);
+  if (profile)
+    return dim == 2 ? variant(on_plane, isa) : variant(on_space, isa);
   return dim == 2 ? variant(plane, isa) : variant(space, isa);
 }
 
 template <int dim>
 ContactSurface<dim>::ContactSurface(const ContactSetup &setup, const StepParameters &step)
   : setup(setup)
+  , advance_nodes(
+      contact_function<dim>(InstructionSet::automatic, setup.profile != nullptr))
   , step(step)
   , n_nodes(setup.friction_coefficient.size())
   , n_distinct(setup.n_owned.value_or(setup.periodic ? n_nodes - 1 : n_nodes))
@@ -29,6 +35,13 @@ ContactSurface<dim>::ContactSurface(const ContactSetup &setup, const StepParamet
   std::fill_n(column(Column::gap), setup.periodic ? n_distinct : n_nodes, setup.gap);
   for (std::size_t i = 0; i < setup.height.size(); ++i)
     column(Column::gap)[i] += setup.height[i];
+  if (setup.profile)
+    {
+      profile = std::make_unique<MovingProfile<dim>>(
+        setup.profile, setup.position,
+        std::vector<double>(column(Column::gap), column(Column::gap) + n_nodes));
+      profile->start(column(Column::gap));
+    }
   constexpr double softest = 1e100; // of nodes without area
   for (unsigned int i = 0; setup.is_compliant() && i < setup.area.size(); ++i)
     column(Column::softness)[i] =
@@ -94,6 +107,9 @@ void ContactSurface<dim>::advance(const SurfaceView<dim> &surface)
                before        = setup.flat_velocity(std::max(0., surface.time - step.dt));
   if (!started)
     initialize_increments(surface);
+  if (profile)
+    profile->advance(surface, flat_increment_at(flat_velocity),
+                     arrays(surface, 0, n_nodes));
   if (setup.law.node_law)
     setup.law.node_law->update(
       {n_nodes, surface.w[0], flat_velocity * setup.flat_direction[0],
@@ -127,7 +143,7 @@ void ContactSurface<dim>::advance(const SurfaceView<dim> &surface)
   total.impact += last.impact_energy;
   total.stored = last.stored_energy;
   total.load += last.normal_force * std::fabs(flat_velocity) * step.dt;
-  total.external += last.tangential_force * flat_velocity * step.dt;
+  total.external += last.tangential_force * flat_velocity * step.dt + last.lifting_work;
   for (ContactObserver<dim> *observer : observers)
     if (observer->wants(surface.step))
       observer->after(surface, *this);
@@ -144,12 +160,15 @@ void ContactSurface<dim>::initialize_increments(const SurfaceView<dim> &surface)
       if (dim == 3)
         column(Column::lateral_increment)[i] = step.dt * surface.w[1][i];
     }
+  if (profile)
+    profile->start_rise(flat_increment(0.), arrays(surface, 0, n_nodes));
   for (unsigned int i = 0; i < setup.n_owned.value_or(n_nodes); ++i)
     if (const double soft = column(Column::softness)[i]; soft > 0.)
       {
         const double height = column(Column::gap)[i] + surface.u[dim - 1][i],
                      now    = std::min(0., height),
-                     before = std::min(0., height - column(Column::increment_y)[i]);
+                     before = std::min(0., height + column(Column::rise)[i] -
+                                             column(Column::increment_y)[i]);
         total.pressed += 0.25 / soft * (now * now + before * before);
       }
   started = true;
@@ -170,8 +189,8 @@ NodeCounts ContactSurface<dim>::take_counts()
   return counts;
 }
 
-template ContactFunction contact_function<2>(const InstructionSet);
-template ContactFunction contact_function<3>(const InstructionSet);
+template ContactFunction contact_function<2>(const InstructionSet, const bool);
+template ContactFunction contact_function<3>(const InstructionSet, const bool);
 template class ContactSurface<2>;
 template class ContactSurface<3>;
 } // namespace mesoslip

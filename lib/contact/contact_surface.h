@@ -2,6 +2,7 @@
 #define mesoslip_contact_contact_surface_h
 
 #include "contact/contact_kernel.h"
+#include "contact/flat/moving_profile.h"
 #include "contact/friction_law.h"
 #include "contact/laws/variable_friction.h"
 #include "contact/node_counts.h"
@@ -22,10 +23,11 @@
 
 namespace mesoslip
 {
-/** The step of the contact nodes compiled for an instruction set; all give the same bits.
- *  Throws std::runtime_error if the processor lacks it. */
+/** The step of the contact nodes over an even flat or a @p profile, compiled for an instruction set; all give the
+ *  same bits. Throws std::runtime_error if the processor lacks it. */
 template <int dim>
-ContactFunction contact_function(const InstructionSet isa = InstructionSet::automatic);
+ContactFunction contact_function(const InstructionSet isa = InstructionSet::automatic,
+                                 const bool profile       = false);
 
 /** Width (m) of the bottom of @p grid that belongs to a node; half a cell at the ends. */
 inline double
@@ -49,8 +51,11 @@ struct ContactSetup
   /** Along x and y, of length one; x in 2D. */
   std::array<double, 2> flat_direction = {{1., 0.}};
 
-  /** Distance between surface and flat in the undeformed state (m). */
+  /** Distance between surface and plane of the flat in the undeformed state (m). */
   double gap = 0.;
+
+  /** Height of the flat over its plane; null: it is even. */
+  std::shared_ptr<const FlatProfile> profile;
 
   /** Of springs between surface and flat, for the area (Pa/m); infinite: there are none. */
   double normal_stiffness = std::numeric_limits<double>::infinity();
@@ -65,7 +70,7 @@ struct ContactSetup
   /** Tributary length (m, in 3D m^2) of each node, for springs and laws with a pressure. */
   std::vector<double> area;
 
-  /** x and, in 3D, y (m) of each node, for laws with a place. */
+  /** x and, in 3D, y (m) of each node, for laws with a place and profiles. */
   std::array<std::vector<double>, 2> position;
 
   /** Whether there are springs. */
@@ -74,10 +79,10 @@ struct ContactSetup
     return std::isfinite(normal_stiffness);
   }
 
-  /** Whether the area of the nodes is needed. */
+  /** Whether area and place of the nodes are needed. */
   bool wants_area() const
   {
-    return is_compliant() || (law.slip_law && law.slip_law->looks_around());
+    return is_compliant() || profile || (law.slip_law && law.slip_law->looks_around());
   }
 
   /** The first nodes, which this rank owns; those from the next whole vector on are copies
@@ -225,6 +230,8 @@ public:
     serialize_members<7>(archive, total);
     if (variable)
       archive &*variable;
+    if (profile)
+      archive &*profile;
   }
 
 private:
@@ -253,15 +260,15 @@ private:
 
   void initialize_increments(const SurfaceView<dim> &surface);
 
-  const ContactFunction advance_nodes = contact_function<dim>();
-
   const ContactSetup setup;
+  const ContactFunction advance_nodes;
   const StepParameters step;
   const unsigned int n_nodes;
   const unsigned int n_distinct;
 
   NodalField<double> values; ///< one row, a component for each Column
   std::unique_ptr<VariableFriction<dim>> variable;
+  std::unique_ptr<MovingProfile<dim>> profile; ///< null: the flat is even
   bool started = false;
   BoundaryWork total;
   ContactSums last;

@@ -57,6 +57,12 @@ public:
     return headings;
   }
 
+  /** Its path. */
+  const std::string &file() const
+  {
+    return path;
+  }
+
   /** Number of rows without the heading. */
   std::size_t n_rows() const
   {

@@ -138,9 +138,9 @@ Expression::Expression(const std::string &text,
 
 Expression::~Expression() = default;
 
-double Expression::operator()(const std::vector<double> &values) const
+double Expression::at(const double *values, const std::size_t n) const
 {
-  std::copy(values.begin(), values.end(), own->values.begin());
+  std::copy_n(values, std::min(n, own->values.size()), own->values.begin());
   return own->parser.Eval();
 }
 } // namespace mesoslip

@@ -1,6 +1,7 @@
 #ifndef mesoslip_parameters_expression_h
 #define mesoslip_parameters_expression_h
 
+#include <initializer_list>
 #include <memory>
 #include <string>
 #include <vector>
@@ -32,7 +33,16 @@ public:
   Expression &operator=(const Expression &) = delete; ///< see above
 
   /** The value, with @p values of the variables in their order. */
-  double operator()(const std::vector<double> &values) const;
+  double operator()(const std::vector<double> &values) const
+  {
+    return at(values.data(), values.size());
+  }
+
+  /** The same without a vector. */
+  double operator()(const std::initializer_list<double> values) const
+  {
+    return at(values.begin(), values.size());
+  }
 
   /** Whether the variable number @p i occurs. */
   bool has(const std::size_t i) const
@@ -47,6 +57,8 @@ public:
   }
 
 private:
+  double at(const double *values, const std::size_t n) const;
+
   struct Parser;
 
   const std::string own_text;

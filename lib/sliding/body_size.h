@@ -32,13 +32,14 @@ struct BodyScales
   /** Of a grid and its materials; frequency of a single cell. */
   explicit BodyScales(const UniformMaterial &material);
 
-  unsigned int dim         = 2;  ///< of the body
-  double stiffness         = 0.; ///< D22, in 3D D33, of the stiffest phase (Pa)
-  double wave_speed        = 0.; ///< largest, of pressure waves along the normal (m/s)
-  double height            = 0.; ///< along the normal of the flat (m)
-  double area              = 0.; ///< of the top (m^2, in 2D m)
-  double mass              = 0.; ///< kg, in 2D kg/m
-  double density           = 0.; ///< mean (kg/m^3)
+  unsigned int dim  = 2;  ///< of the body
+  double stiffness  = 0.; ///< D22, in 3D D33, of the stiffest phase (Pa)
+  double wave_speed = 0.; ///< largest, of pressure waves along the normal (m/s)
+  double height     = 0.; ///< along the normal of the flat (m)
+  std::array<double, 2> extent = {}; ///< along x and, in 3D, y (m)
+  double area                  = 0.; ///< of the top (m^2, in 2D m)
+  double mass                  = 0.; ///< kg, in 2D kg/m
+  double density               = 0.; ///< mean (kg/m^3)
   double shear_impedance   = 0.; ///< least of the phases, see shear_impedance() (Pa s/m)
   double highest_frequency = 0.; ///< circular, of the body or a bound of it (1/s)
 

@@ -211,6 +211,9 @@ void check_analysis(const Keys &keys)
   only_with({"transient", "modal", "complex modes"},
             {"Supports/Top/Platen mass", "Supports/Top/Hold from"});
   only_with({"transient", "complex modes"}, and_of_supports(keys, {"Dashpot"}, {}));
+  only_with({"transient", "static contact"},
+            {"Flat/Profile", "Flat/Profile file", "Flat/Profile size",
+             "Flat/Profile height", "Flat/Profile repeats"});
   only_with({"transient", "static contact", "complex modes"},
             and_of_supports(keys, {"Motion", "Pressure", "Traction"},
                             {"Body/Acceleration", "Flat/", "Friction/"}));
@@ -271,6 +274,8 @@ void ContactParameters::bind(Keys &keys)
       analysis == ContactAnalysis::static_contact ||
       analysis == ContactAnalysis::complex_modes)
     make_slip_law(keys);
+  if (keys.are_read())
+    contact.profile = profile.make(mesh.mesh.dim);
   if (keys.are_read())
     check_contact_map(keys);
 }

@@ -7,6 +7,7 @@
 #include "observation/probe_recorder.h"
 #include "observation/steady_state.h"
 #include "sliding/complex/complex_parameters.h"
+#include "sliding/flat/profile_parameters.h"
 #include "sliding/friction/friction_parameters.h"
 #include "sliding/mesh/mesh_body.h"
 #include "sliding/sliding_body.h"
@@ -132,6 +133,7 @@ struct ContactParameters : SlidingSetup
   BodyParameters body;                                   ///< section Body
   TimeParameters time;                                   ///< section Time
   FrictionParameters friction;                           ///< section Friction
+  ProfileParameters profile;                             ///< section Flat, its height
   ObservationParameters observation;               ///< sections Observation and Snapshots
   ContactMapParameters map;                        ///< section Contact map
   CheckpointParameters checkpoints;                ///< section Checkpoints

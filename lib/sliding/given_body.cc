@@ -54,6 +54,28 @@ void GivenBody<dim>::log(RunContext &context) const
 }
 
 template <int dim>
+ContactPlaces GivenBody<dim>::contact_nodes() const
+{
+  const double n = static_cast<double>(known.size.area.size());
+  double area    = 0.;
+  for (const double of_node : known.size.area)
+    area += std::fabs(of_node);
+  return {known.contact_place, known.contact_height,
+          dim == 2 ? area / (n - 1.) : std::sqrt(area / n)};
+}
+
+template <int dim>
+void GivenBody<dim>::look_at_flat()
+{
+  const auto warnings = look_at_profile(parameters, known.scales, contact_nodes());
+  known.warnings.insert(known.warnings.end(), warnings.begin(), warnings.end());
+  if (parameters.contact.profile)
+    known.lines.push_back(
+      "Flat: height = " + parameters.contact.profile->text() +
+      (parameters.profile.file.empty() ? " m" : " (" + parameters.profile.file + ")"));
+}
+
+template <int dim>
 void GivenBody<dim>::summarize(const std::string &analysis, RunContext &context) const
 {
   nlohmann::json &json = context.summary();
@@ -212,8 +234,10 @@ Foundation GivenBody<dim>::foundation() const
   return foundation;
 }
 
+namespace
+{
 template <int dim>
-std::unique_ptr<GivenBody<dim>> make_given_body(const ContactParameters &parameters)
+std::unique_ptr<GivenBody<dim>> make_of_kind(const ContactParameters &parameters)
 {
   if constexpr (dim == 2)
     if (parameters.mesh.is_plane_grid())
@@ -225,6 +249,15 @@ std::unique_ptr<GivenBody<dim>> make_given_body(const ContactParameters &paramet
   if (!mesh)
     mesh = std::make_unique<BodyMesh<dim>>();
   return std::make_unique<GivenMesh<dim>>(parameters, std::move(mesh));
+}
+} // namespace
+
+template <int dim>
+std::unique_ptr<GivenBody<dim>> make_given_body(const ContactParameters &parameters)
+{
+  auto body = make_of_kind<dim>(parameters);
+  body->look_at_flat();
+  return body;
 }
 
 template class GivenBody<2>;

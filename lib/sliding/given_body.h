@@ -8,6 +8,7 @@
 #include "sliding/body_memory.h"
 #include "sliding/complex/contact_parts.h"
 #include "sliding/contact_parameters.h"
+#include "sliding/flat/profile_check.h"
 
 #include "sliding/run_plan.h"
 #include "sliding/sliding_body.h"
@@ -54,8 +55,11 @@ struct BodyFacts
 
   std::vector<ProbePoint> probes; ///< where they are
 
-  /** Heights of the contact nodes above the lowest (m); empty: all touch the flat. */
+  /** Heights of the contact nodes above the lowest (m); empty: all are as high. */
   std::vector<double> contact_height;
+
+  /** x and, in 3D, y of the contact nodes (m). */
+  std::array<std::vector<double>, 2> contact_place;
 
   std::vector<unsigned int>
     contact_points; ///< their numbers in the mesh; empty: it is a grid
@@ -122,6 +126,12 @@ public:
 
   /** Writes lines and warnings to the log. */
   void log(RunContext &context) const;
+
+  /** Where the contact nodes are. */
+  ContactPlaces contact_nodes() const;
+
+  /** Adds to lines and warnings what is to be told of the flat. @throws UserError, see look_at_profile() */
+  void look_at_flat();
 
   /** Puts analysis, material and size of the body into summary.json. */
   void summarize(const std::string &analysis, RunContext &context) const;

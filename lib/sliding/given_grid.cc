@@ -120,9 +120,11 @@ GivenGrid::GivenGrid(const ContactParameters &given, const BodyDescription &desc
   known.rve_digest       = body.rve_digest;
   known.place            = cell_text(body.grid);
   known.size             = size();
-  known.shortest_side    = std::min(body.grid.extent(0), body.grid.extent(1));
-  known.contents         = "Content of Body/RVE file = " + body.rve_content + "\n";
-  known.probes           = parameters.observation.probes;
+  for (unsigned int i = 0; i < material.n_columns(); ++i)
+    known.contact_place[0].push_back(i * body.grid.spacing[0]);
+  known.shortest_side = std::min(body.grid.extent(0), body.grid.extent(1));
+  known.contents      = "Content of Body/RVE file = " + body.rve_content + "\n";
+  known.probes        = parameters.observation.probes;
   for (ProbePoint &probe : known.probes)
     probe.position = place_of_probe(probe, body.grid);
   known.long_run   = 6e8;

@@ -141,10 +141,7 @@ std::vector<ContactCell> GivenGrid::contact_cells(const NodalField<double> &u) c
 
 std::vector<std::vector<double>> GivenGrid::contact_places() const
 {
-  std::vector<std::vector<double>> places(1);
-  for (unsigned int i = 0; i < material.n_columns(); ++i)
-    places[0].push_back(i * body.grid.spacing[0]);
-  return places;
+  return {known.contact_place[0]};
 }
 
 ContactParts GivenGrid::contact_parts() const

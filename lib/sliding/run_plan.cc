@@ -139,6 +139,7 @@ LoadRange load_range(const LoadHistory &load, const double end)
 
 BodyScales::BodyScales(const UniformMaterial &material)
   : height(material.grid().extent(1))
+  , extent({{material.grid().extent(0), 0.}})
   , area(material.grid().extent(0))
   , mass(material.total_mass())
   , density(mass / (area * height))

@@ -109,6 +109,8 @@ RunConditions ContactParameters::stated_conditions() const
     conditions["supports"] = text;
   if (contact.is_compliant())
     conditions["normal_stiffness"] = contact.normal_stiffness;
+  if (contact.profile)
+    conditions["flat_profile"] = contact.profile->text();
   if (std::isfinite(top.hold_from))
     conditions["hold_from"] = top.hold_from;
   if (transient)

@@ -93,7 +93,7 @@ void check_static_load(const ContactParameters &p, const BodyFacts<dim> &body)
                     "flat, set it to 0");
   check_lateral_support(p, *most > 0.);
   if constexpr (dim == 2)
-    if (body.contact_height.empty())
+    if (body.contact_height.empty() && !p.contact.profile)
       check_tipping(p, body, *least);
 }
 

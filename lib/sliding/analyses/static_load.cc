@@ -67,6 +67,7 @@ StaticLoad<dim>::StaticLoad(const GivenBody<dim> &body,
                             const std::vector<double> &friction)
   : parameters(parameters)
   , facts(body.facts())
+  , nodes(body.contact_nodes())
   , elastic(body.elastic())
   , top(body.top_nodes())
   , strain(parameters.top.pressure.amplitude() /
@@ -80,6 +81,8 @@ StaticLoad<dim>::StaticLoad(const GivenBody<dim> &body,
   problem.force                = elastic.zero_field();
   problem.friction_coefficient = friction;
   problem.gap                  = facts.contact_height;
+  if (parameters.contact.profile)
+    problem.gap = gaps_over_profile(*parameters.contact.profile, nodes, {});
   if (parameters.contact.is_compliant())
     problem.stiffness = of_springs(parameters.contact.normal_stiffness, facts.size.area);
   problem.sliding                = v > 0. ? 1 : (v < 0. ? -1 : 0);
@@ -95,15 +98,16 @@ StaticLoad<dim>::StaticLoad(const GivenBody<dim> &body,
         whole_load(dim - 1, top.nodes[k]) -= load * top.carried.area[k];
       pull(top, parameters.top.suspension);
     }
-  const std::vector<SideSupport> sides  = parameters.loaded_sides();
-  const std::vector<SupportNodes> nodes = body.side_nodes();
+  const std::vector<SideSupport> sides     = parameters.loaded_sides();
+  const std::vector<SupportNodes> of_sides = body.side_nodes();
   for (std::size_t s = 0; s < sides.size(); ++s)
     {
       const double pressure = sides[s].pressure.amplitude();
-      for (std::size_t k = 0; k < nodes[s].nodes.size(); ++k)
+      for (std::size_t k = 0; k < of_sides[s].nodes.size(); ++k)
         for (unsigned int c = 0; c < dim; ++c)
-          whole_load(c, nodes[s].nodes[k]) += pressure * nodes[s].carried.push_of(k, c);
-      pull(nodes[s], sides[s].suspension);
+          whole_load(c, of_sides[s].nodes[k]) +=
+            pressure * of_sides[s].carried.push_of(k, c);
+      pull(of_sides[s], sides[s].suspension);
     }
 }
 
@@ -132,7 +136,7 @@ StaticContactSolution StaticLoad<dim>::follow(const StaticContactOptions &given)
       problem.force = whole_load;
       for (std::size_t k = 0; k < problem.force.size(); ++k)
         problem.force.begin()[k] *= share;
-      if (platen && facts.contact_height.empty() && !load.has_history() &&
+      if (platen && problem.gap.empty() && !load.has_history() &&
           !parameters.step.is_heavy() && !sides_push(parameters))
         press_in_proportion();
       else if (platen)
@@ -144,6 +148,7 @@ StaticContactSolution StaticLoad<dim>::follow(const StaticContactOptions &given)
   for (unsigned int n = 1; n <= load.steps && load.moves_flat(); ++n)
     {
       stick_where_it_is(1. / load.steps);
+      move_profile(static_cast<double>(n) / load.steps);
       solve();
       record(1., static_cast<double>(n) / load.steps);
     }
@@ -169,6 +174,17 @@ void StaticLoad<dim>::stick_where_it_is(const double share)
         const bool moves = c < of_flat.size() && held[k + c] == 0.;
         problem.reference.push_back(u[k + c] + (moves ? share * of_flat[c] : 0.));
       }
+}
+
+template <int dim>
+void StaticLoad<dim>::move_profile(const double share)
+{
+  if (!parameters.contact.profile)
+    return;
+  std::array<double, 2> way = {};
+  for (std::size_t c = 0; c < parameters.static_load.of_flat.size(); ++c)
+    way[c] = share * parameters.static_load.of_flat[c];
+  problem.gap = gaps_over_profile(*parameters.contact.profile, nodes, way);
 }
 
 template <int dim>

@@ -68,6 +68,9 @@ private:
   /** Nodes stick where they are now, on a flat that moves by @p share of its way. */
   void stick_where_it_is(const double share);
 
+  /** The gaps over the profile of the flat after @p share of its way. */
+  void move_profile(const double share);
+
   /** Solves and adds up iterations. */
   void solve();
 
@@ -86,6 +89,7 @@ private:
 
   const ContactParameters &parameters;
   const BodyFacts<dim> &facts;
+  const ContactPlaces nodes; ///< of the contact
   const ElasticBody<dim> &elastic;
   const SupportNodes top;
   const double strain; ///< of the body under its pressure, about

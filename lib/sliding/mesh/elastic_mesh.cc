@@ -115,7 +115,9 @@ void order_contact(MeshBodyDescription &body, const PointBody<dim> &elastic)
       body.contact.points[k] = contact.points[old];
       body.contact.area[k]   = contact.area[old];
       body.contact.height[k] = contact.height[old];
-      body.friction[k]       = friction[old];
+      for (unsigned int d = 0; d + 1 < dim; ++d)
+        body.contact.position[d][k] = contact.position[d][old];
+      body.friction[k] = friction[old];
       for (std::size_t p = 0; p < shares.size(); ++p)
         body.shares[p][k] = shares[p][old];
     }

@@ -83,6 +83,7 @@ void GivenMesh<dim>::describe_contact()
 {
   known.size           = size();
   known.contact_height = body.contact.height;
+  known.contact_place  = body.contact.position;
   known.contact_points = body.contact.points;
 }
 

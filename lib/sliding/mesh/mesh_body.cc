@@ -218,7 +218,10 @@ BodyScales scales_of(const BodyMesh<dim> &morphology,
     }
   double box = 1., mean_density = 0.;
   for (unsigned int d = 0; d + 1 < dim; ++d)
-    box *= sides[d];
+    {
+      scales.extent[d] = sides[d];
+      box *= sides[d];
+    }
   for (std::size_t k = 0; k < morphology.phases.size(); ++k)
     mean_density += morphology.fractions[k] * morphology.phases[k].density;
   scales.height  = sides[dim - 1];

@@ -157,15 +157,15 @@ TEST(ContactKernel, EqualsTheBranchesNodeByNode)
 }
 
 template <int dim>
-void expect_the_same_bits()
+void expect_the_same_bits(const bool profile)
 {
   SCOPED_TRACE(seed);
   constexpr std::size_t n = 40;
-  const auto advanced     = [](const InstructionSet isa, ContactSums &sums) {
+  const auto advanced     = [&](const InstructionSet isa, ContactSums &sums) {
     std::mt19937 generator(seed);
     std::uniform_real_distribution<double> random(-1., 1.);
     using Arrays = ContactArrays;
-    NodalField<double> values(n, 1, 20 + Arrays::n_columns);
+    NodalField<double> values(n, 1, 22 + Arrays::n_columns);
     unsigned int next = 0;
     const auto row    = [&](const double centre, const double width) {
       double *r = values.row(next++, 0);
@@ -184,7 +184,9 @@ void expect_the_same_bits()
       }
     for (double *&column : a.column)
       column = row(0.5, 0.5);
-    a.column[Arrays::gap]      = row(0., 1e-4);
+    a.column[Arrays::gap] = row(0., 1e-4);
+    for (const auto c : {Arrays::rise, Arrays::rise_before})
+      a.column[c] = row(0., 1e-4);
     a.column[Arrays::softness] = row(1e-4, 1e-4); // about that of the nodes, or none
     for (std::size_t i = 0; i < n; i += 3)
       a.column[Arrays::softness][i] = 0.;
@@ -194,7 +196,8 @@ void expect_the_same_bits()
                          Arrays::lateral_target})
       a.column[c] = row(0., 5.);
     for (unsigned int k = 0; k < 5; ++k)
-      contact_function<dim>(isa)(a, {1e-2, 0.7, {1e-3, -4e-4}, {0.6, 0.8}}, sums);
+      contact_function<dim>(isa, profile)(a, {1e-2, 0.7, {1e-3, -4e-4}, {0.6, 0.8}},
+                                          sums);
     return values;
   };
   ContactSums first;
@@ -215,8 +218,11 @@ void expect_the_same_bits()
 
 TEST(ContactKernel, TheSameBitsFromEveryInstructionSet)
 {
-  expect_the_same_bits<2>();
-  expect_the_same_bits<3>();
+  for (const bool profile : {false, true})
+    {
+      expect_the_same_bits<2>(profile);
+      expect_the_same_bits<3>(profile);
+    }
 }
 
 TEST(ContactKernel, NaNDoesNotHide)

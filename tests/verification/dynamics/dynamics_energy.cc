@@ -141,6 +141,26 @@ TEST(Energy, ClosesOnSprings)
   EXPECT_NEAR(pressed.e.contact[0], 0.5 * 1e13 * 2e-6 * 2e-6 * 0.011, 0.02); // J/m
 }
 
+// The flat rises and falls below the nodes, which is work; the impacts are not more than on the even flat allows.
+TEST(Energy, ClosesOverAProfile)
+{
+  BodySetup setup       = thrown_body();
+  setup.contact.gap     = 3e-6;
+  setup.contact.profile = std::make_shared<ProfileExpression>(
+    "2e-6*sin(2*pi*x/4e-3) + 5e-7*cos(2*pi*x/1.3e-3)", 2);
+  for (const double stiffness : {1e14, std::numeric_limits<double>::infinity()})
+    for (const double beta2 : {0.5, 0.8})
+      {
+        setup.contact.normal_stiffness = stiffness;
+        setup.step.beta2               = beta2;
+        expect_closed(setup, "profile");
+      }
+  setup.step.beta             = 4e-9;
+  setup.step.alpha            = 2e4;
+  setup.contact.flat_velocity = LoadHistory(V, "20*cos(2*pi*2e4*t)");
+  expect_closed(setup, "profile to and fro");
+}
+
 TEST(Energy, ClosesWhenTheTopIsStopped)
 {
   for (const double b : {0.5, 0.8})

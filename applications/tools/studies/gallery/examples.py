@@ -51,6 +51,8 @@ EXAMPLES = (
             ("friction_laws/rupture.prm",), "Contact states", CONTACT),
     Example("A rupture in a half-space", "A body whose top and sides absorb waves is pressed on the flat and dragged along: a rupture runs through the contact once, and "
             "nothing comes back ([theory](theory.md), section 4).", ("half_space.prm",), "Map of the contact", CONTACT),
+    Example("A pin on a wavy flat", "The flat has waves of 4 mm and 1.1 mm; the contact is on their crests, which move through the pin "
+            "([theory](theory.md), section 3).", ("rough_pin.prm",), "Map of the contact", CONTACT),
     Example("A step of velocity under rate-and-state friction", "The friction of a block in 3D jumps and falls as the velocity of the flat rises tenfold.",
             ("friction_laws/rate_and_state.prm",), "Apparent friction", CONTACT),
     Example("Five more laws of friction",

@@ -36,7 +36,7 @@ void ContactParameters::bind_loads(Keys &keys)
   const double speed    = bind_flat_direction(keys, *this);
   contact.flat_velocity = bind_history(keys, speed, "velocity", "m/s");
   keys.bind("Gap", contact.gap, Range::non_negative(),
-            "Distance between the body and the flat at the start [m]");
+            "Distance between the body and the plane of the flat at the start [m]");
   double stiffness = automatic;
   keys.bind_or_auto("Normal stiffness", stiffness, Range::positive(),
                     "Stiffness for the area of springs between body and flat, as of "
@@ -44,5 +44,6 @@ void ContactParameters::bind_loads(Keys &keys)
                     "[Pa/m]");
   if (!std::isnan(stiffness))
     contact.normal_stiffness = stiffness;
+  profile.bind(keys, mesh.mesh.dim);
 }
 } // namespace mesoslip
