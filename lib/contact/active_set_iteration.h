@@ -37,7 +37,11 @@ public:
     , force(problem.force)
     , friction(Eigen::VectorXd::Zero(Eigen::Index{n_nodes} * n_tangents))
     , normal(Eigen::VectorXd::Zero(n_nodes))
-    , tangential(problem.reference, n_nodes, turning * scale, of_sliding_flat())
+    , tangential(problem.reference,
+                 problem.tangential_stiffness,
+                 n_nodes,
+                 turning * scale,
+                 of_sliding_flat())
   {
     for (unsigned int i = 0; i < n_nodes; ++i)
       solution.state.push_back(held[dim * i + normal_axis] != 0. ? ContactState::held

@@ -110,11 +110,17 @@ template <int dim>
 void CondensedContact<dim>::stand_on_springs()
 {
   softness = Eigen::VectorXd::Zero(F.size());
-  if (problem.stiffness.empty())
+  const std::vector<double> none;
+  const std::vector<double> &along =
+    problem.sliding == 0 ? problem.tangential_stiffness : none;
+  if (problem.stiffness.empty() && along.empty())
     return;
   for (Eigen::Index k = 0; k < F.size(); ++k)
-    if (const auto [i, c] = place[static_cast<std::size_t>(k)]; c == normal_axis)
-      softness[k] = 1. / problem.stiffness[i];
+    {
+      const auto [i, c]                    = place[static_cast<std::size_t>(k)];
+      const std::vector<double> &stiffness = c == normal_axis ? problem.stiffness : along;
+      softness[k]                          = stiffness.empty() ? 0. : 1. / stiffness[i];
+    }
   const Eigen::MatrixXd more =
     Eigen::MatrixXd::Identity(F.size(), F.size()) + S * softness.asDiagonal();
   const Eigen::PartialPivLU<Eigen::MatrixXd> factors(more);

@@ -59,8 +59,8 @@ MESOSLIP_INLINE bool any(const vint64 mask)
 
 #include "contact/laws/friction_impl.h"
 
-/** The nodes i, i + 1, ... of one vector, over an even flat or a @p profile. */
-template <int dim, bool profile>
+/** The nodes i, i + 1, ... of one vector; in @p full with a profile of the flat and springs along it. */
+template <int dim, bool full>
 MESOSLIP_INLINE void advance_vector(const ContactArrays &a,
                                     const ContactStep &step,
                                     const std::size_t i,
@@ -86,7 +86,7 @@ MESOSLIP_INLINE void advance_vector(const ContactArrays &a,
   const vdouble ahead = load(at(Arrays::gap)) + load(a.u[1] + i),
                 gap   = ahead + dt * w[1] + c * a_free[1];
   vdouble height = ahead, height_before = height, lifted = zero;
-  if constexpr (profile)
+  if constexpr (full)
     {
       const vdouble rise        = load(at(Arrays::rise)),
                     rise_before = load(at(Arrays::rise_before));
@@ -102,24 +102,42 @@ MESOSLIP_INLINE void advance_vector(const ContactArrays &a,
   const vdouble normal  = touches ? force_of_flat(gap, earlier, soft, yields) : zero;
 
   // Friction.
-  vdouble slip[dim - 1], compliance[dim - 1];
+  constexpr Arrays::Column increments[] = {Arrays::increment_x, Arrays::increment_y,
+                                           Arrays::lateral_increment},
+                           stretches[]  = {Arrays::stretch, Arrays::lateral_stretch},
+                           of_before[]  = {Arrays::stretch_before,
+                                           Arrays::lateral_stretch_before};
+  const vdouble slack                   = full ? load(at(Arrays::slackness)) : zero;
+  Sliding<dim> sliding;
   for (int k = 0; k < dim - 1; ++k)
     {
       const int component = 2 * k;
       const vdouble slide = dt * w[component] + c * a_free[component];
-      slip[k]             = step.flat_increment[k] - slide;
-      compliance[k]       = c * minv[component];
+      sliding.slip[k]     = step.flat_increment[k] - slide;
+      sliding.slip_before[k] =
+        step.flat_increment_before[k] - load(at(increments[component]));
+      sliding.compliance[k] = c * minv[component];
+      if constexpr (full)
+        {
+          const vdouble stretch         = load(at(stretches[k])),
+                        earlier_stretch = load(at(of_before[k]));
+          sliding.slip[k] += stretch;
+          sliding.slip_before[k] -= stretch - earlier_stretch;
+          sliding.to_stick[k] = force_of_flat(-sliding.slip[k], earlier_stretch, slack,
+                                              sliding.compliance[k]);
+          sliding.compliance[k] += slack;
+        }
+      else
+        sliding.to_stick[k] = sliding.slip[k] / at_least_smallest(sliding.compliance[k]);
     }
   const vdouble limit   = load(at(Arrays::friction_coefficient)) * normal;
-  const Friction<dim> f = friction(a, step, i, limit, slip, compliance);
+  const Friction<dim> f = friction(a, step, i, limit, sliding);
   const vint64 sticks   = touches & f.sticks;
 
   // Time step.
   vdouble force[dim], du[dim], central[dim];
   for (int k = 0; k < dim; ++k)
     {
-      constexpr Arrays::Column increments[] = {Arrays::increment_x, Arrays::increment_y,
-                                               Arrays::lateral_increment};
       force[k]                   = k == 1 ? normal : touches ? f.force[k / 2] : zero;
       const vdouble acceleration = a_free[k] + force[k] * minv[k];
       const vdouble w_new        = w[k] + dt * acceleration;
@@ -149,10 +167,25 @@ MESOSLIP_INLINE void advance_vector(const ContactArrays &a,
   const vdouble stiffness = soft > zero ? 0.25 / at_least_smallest(soft) : zero,
                 now       = compression(ahead + du[1]);
   s.stored_energy += stiffness * (now * now + compression(height) * compression(height));
-  if constexpr (profile)
+  if constexpr (full)
     {
       s.lifting_work += normal * lifted;
       s.impact_energy += normal * lifted;
+      const vdouble quarter = slack > zero ? 0.25 / at_least_smallest(slack) : zero;
+      for (int k = 0; k < dim - 1; ++k)
+        {
+          const vdouble before          = load(at(stretches[k])),
+                        earlier_stretch = load(at(of_before[k])),
+                        of_spring       = sticks
+                                            ? sliding.slip[k] - c * minv[2 * k] * force[2 * k]
+                                            : slack * force[2 * k],
+                        stretch         = slack > zero ? of_spring : zero;
+          store(at(of_before[k]), before);
+          store(at(stretches[k]), stretch);
+          s.stored_energy += quarter * (stretch * stretch + before * before);
+          s.friction_energy -=
+            quarter * (stretch * stretch - earlier_stretch * earlier_stretch);
+        }
     }
   s.impact_energy -= normal * central[1];
   s.impact_energy -= stiffness * (now * now - earlier * earlier);
@@ -168,7 +201,7 @@ MESOSLIP_INLINE void advance_vector(const ContactArrays &a,
     s.tangential += force[0];
 }
 
-template <int dim, bool profile = false>
+template <int dim, bool full = false>
 static void
 advance_nodes(const ContactArrays &arrays, const ContactStep &step, ContactSums &sums)
 {
@@ -179,7 +212,7 @@ advance_nodes(const ContactArrays &arrays, const ContactStep &step, ContactSums 
   for (std::size_t i = 0; i < arrays.n; i += contact_lanes)
 #pragma GCC unroll 4
     for (std::size_t p = 0; p < n; ++p)
-      advance_vector<dim, profile>(arrays, step, i + p * length, parts[p]);
+      advance_vector<dim, full>(arrays, step, i + p * length, parts[p]);
 
   const auto sum = [&](vdouble LaneSums::*quantity) {
     double total = 0.;
@@ -209,16 +242,16 @@ void advance_in_space(const ContactArrays &arrays,
   advance_nodes<3>(arrays, step, sums);
 }
 
-void advance_on_profile(const ContactArrays &arrays,
-                        const ContactStep &step,
-                        ContactSums &sums)
+void advance_in_full(const ContactArrays &arrays,
+                     const ContactStep &step,
+                     ContactSums &sums)
 {
   advance_nodes<2, true>(arrays, step, sums);
 }
 
-void advance_on_profile_in_space(const ContactArrays &arrays,
-                                 const ContactStep &step,
-                                 ContactSums &sums)
+void advance_in_full_in_space(const ContactArrays &arrays,
+                              const ContactStep &step,
+                              ContactSums &sums)
 {
   advance_nodes<3, true>(arrays, step, sums);
 }

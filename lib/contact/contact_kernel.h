@@ -41,14 +41,19 @@ struct ContactArrays
     stick_count,   ///< steps stuck
     slip_count,    ///< steps slipped
     landing_count, ///< steps in which contact began
-    // Of a flat with a profile, read by the kernels for one alone.
+    // Of a flat with a profile or springs along it, read by the kernels for these alone.
     rise,            ///< of the flat below the node in this step (m)
     rise_before,     ///< in the step before (m)
+    slackness,       ///< of the spring along the flat (m^2/N, in 3D m/N), 0: rigid
+    stretch,         ///< of that spring along x (m)
+    stretch_before,  ///< a step ago (m)
     n_plane_columns, ///< those above are all of a 2D contact
     // As those without the word, along y.
     lateral_increment = n_plane_columns, ///< m
     lateral_force,                       ///< N
     lateral_target,                      ///< N
+    lateral_stretch,                     ///< m
+    lateral_stretch_before,              ///< m
     n_columns
   };
 
@@ -110,6 +115,10 @@ struct ContactSums
  * both point away from each other. The vector relaxes towards it, and as much of it is left away
  * as would move the node along it further than the flat.
  *
+ * Along the flat there may be a spring as well, between the node and where it slides: it is stretched by what
+ * slips without sliding, holds the node as the one along the normal does, and carries friction where the node
+ * slides.
+ *
  * Over a profile the flat rises and falls below the nodes, by known amounts in this step and the one
  * before: contact is where they end on its new height, and its motion does work.
  *
@@ -123,15 +132,14 @@ using ContactFunction = void (*)(const ContactArrays &arrays,
 /** One for each instruction set, see contact_function(). */
 namespace contact_kernels
 {
-#define MESOSLIP_DECLARE_ADVANCE(name)                                                \
-  namespace name                                                                      \
-  {                                                                                   \
-  void advance(const ContactArrays &, const ContactStep &, ContactSums &);            \
-  void advance_in_space(const ContactArrays &, const ContactStep &, ContactSums &);   \
-  void advance_on_profile(const ContactArrays &, const ContactStep &, ContactSums &); \
-  void advance_on_profile_in_space(const ContactArrays &,                             \
-                                   const ContactStep &,                               \
-                                   ContactSums &);                                    \
+#define MESOSLIP_DECLARE_ADVANCE(name)                                                 \
+  namespace name                                                                       \
+  {                                                                                    \
+  void advance(const ContactArrays &, const ContactStep &, ContactSums &);             \
+  void advance_in_space(const ContactArrays &, const ContactStep &, ContactSums &);    \
+  void advance_in_full(const ContactArrays &, const ContactStep &, ContactSums &);     \
+  void                                                                                 \
+  advance_in_full_in_space(const ContactArrays &, const ContactStep &, ContactSums &); \
   }
 MESOSLIP_FOR_EACH_VARIANT(MESOSLIP_DECLARE_ADVANCE)
 #undef MESOSLIP_DECLARE_ADVANCE

@@ -8,23 +8,23 @@
 namespace mesoslip
 {
 template <int dim>
-ContactFunction contact_function(const InstructionSet isa, const bool profile)
+ContactFunction contact_function(const InstructionSet isa, const bool full)
 {
   using namespace contact_kernels;
-  const ContactFunction plane[]    = MESOSLIP_VARIANTS(advance);
-  const ContactFunction space[]    = MESOSLIP_VARIANTS(advance_in_space);
-  const ContactFunction on_plane[] = MESOSLIP_VARIANTS(advance_on_profile);
-  const ContactFunction on_space[] = MESOSLIP_VARIANTS(advance_on_profile_in_space);
-  if (profile)
-    return dim == 2 ? variant(on_plane, isa) : variant(on_space, isa);
+  const ContactFunction plane[]      = MESOSLIP_VARIANTS(advance);
+  const ContactFunction space[]      = MESOSLIP_VARIANTS(advance_in_space);
+  const ContactFunction full_plane[] = MESOSLIP_VARIANTS(advance_in_full);
+  const ContactFunction full_space[] = MESOSLIP_VARIANTS(advance_in_full_in_space);
+  if (full)
+    return dim == 2 ? variant(full_plane, isa) : variant(full_space, isa);
   return dim == 2 ? variant(plane, isa) : variant(space, isa);
 }
 
 template <int dim>
 ContactSurface<dim>::ContactSurface(const ContactSetup &setup, const StepParameters &step)
   : setup(setup)
-  , advance_nodes(
-      contact_function<dim>(InstructionSet::automatic, setup.profile != nullptr))
+  , advance_nodes(contact_function<dim>(
+      InstructionSet::automatic, setup.profile != nullptr || setup.slips_on_springs()))
   , step(step)
   , n_nodes(setup.friction_coefficient.size())
   , n_distinct(setup.n_owned.value_or(setup.periodic ? n_nodes - 1 : n_nodes))
@@ -46,6 +46,9 @@ ContactSurface<dim>::ContactSurface(const ContactSetup &setup, const StepParamet
   for (unsigned int i = 0; setup.is_compliant() && i < setup.area.size(); ++i)
     column(Column::softness)[i] =
       std::min(softest, 1. / (setup.normal_stiffness * std::fabs(setup.area[i])));
+  for (unsigned int i = 0; setup.slips_on_springs() && i < setup.area.size(); ++i)
+    column(Column::slackness)[i] =
+      std::min(softest, 1. / (setup.tangential_stiffness * std::fabs(setup.area[i])));
   std::copy(setup.friction_coefficient.begin(), setup.friction_coefficient.end(),
             column(Column::friction_coefficient));
   const Relaxation relaxation(step.dt, setup.law.time);

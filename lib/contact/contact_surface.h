@@ -23,11 +23,11 @@
 
 namespace mesoslip
 {
-/** The step of the contact nodes over an even flat or a @p profile, compiled for an instruction set; all give the
- *  same bits. Throws std::runtime_error if the processor lacks it. */
+/** The step of the contact nodes compiled for an instruction set, all of which give the same bits; in @p full with a
+ *  profile of the flat and springs along it. Throws std::runtime_error if the processor lacks it. */
 template <int dim>
 ContactFunction contact_function(const InstructionSet isa = InstructionSet::automatic,
-                                 const bool profile       = false);
+                                 const bool full          = false);
 
 /** Width (m) of the bottom of @p grid that belongs to a node; half a cell at the ends. */
 inline double
@@ -60,6 +60,9 @@ struct ContactSetup
   /** Of springs between surface and flat, for the area (Pa/m); infinite: there are none. */
   double normal_stiffness = std::numeric_limits<double>::infinity();
 
+  /** Of springs along the flat, through which it drags the surface, for the area (Pa/m); infinite: there are none. */
+  double tangential_stiffness = std::numeric_limits<double>::infinity();
+
   /** Of each node above the lowest of them in the undeformed state (m); empty: all are
    * equally high. */
   std::vector<double> height;
@@ -79,10 +82,17 @@ struct ContactSetup
     return std::isfinite(normal_stiffness);
   }
 
+  /** Whether there are springs along the flat. */
+  bool slips_on_springs() const
+  {
+    return std::isfinite(tangential_stiffness);
+  }
+
   /** Whether area and place of the nodes are needed. */
   bool wants_area() const
   {
-    return is_compliant() || profile || (law.slip_law && law.slip_law->looks_around());
+    return is_compliant() || slips_on_springs() || profile ||
+           (law.slip_law && law.slip_law->looks_around());
   }
 
   /** The first nodes, which this rank owns; those from the next whole vector on are copies

@@ -23,16 +23,19 @@ public:
 
   /**
    * Of @p n_nodes nodes. @p reference: displacement (m) at which each of them sticks, its
-   * components together; empty: zero. @p scale compares displacements with forces, see
+   * components together; empty: zero. @p stiffness: of springs through which they stick (N/m, in 2D Pa); empty: there
+   * are none. @p scale compares displacements with forces, see
    * stiffness_scale(). @p initial: direction of all.
    */
   IncrementalFriction(const std::vector<double> &reference,
+                      const std::vector<double> &stiffness,
                       const std::size_t n_nodes,
                       const double scale,
                       const Direction &initial)
     : force(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(n_nodes) * n_tangents))
     , direction(n_nodes, initial)
     , reference(reference)
+    , stiffness(stiffness)
     , scale(scale)
   {
   }
@@ -49,6 +52,20 @@ public:
     return reference.empty() ? 0. : reference[index(i, c)];
   }
 
+  /** What a unit force moves node @p i by before it slips (m/N, in 2D m^2/N). */
+  double softness(const unsigned int i) const
+  {
+    return stiffness.empty() ? 0. : 1. / stiffness[i];
+  }
+
+  /** Component @p c of the slip of node @p i (m), without what stretches its spring; @p u: dim components of the
+   * displacement (m) of each contact node. */
+  double
+  slip(const std::vector<double> &u, const unsigned int i, const unsigned int c) const
+  {
+    return u[dim * i + c] - sticks_at(i, c) + softness(i) * force[index(i, c)];
+  }
+
   /** Whether @p now points against @p before. */
   static bool reversed(const Direction &before, const Direction &now)
   {
@@ -56,8 +73,7 @@ public:
            !(std::inner_product(now.begin(), now.end(), before.begin(), 0.) > 0.);
   }
 
-  /** Size of what friction of node @p i tends to (N). @p u: dim components of the
-   * displacement (m) of each contact node. */
+  /** Size of what friction of node @p i tends to (N). @p u: see slip(). */
   double size_of_trial(const std::vector<double> &u, const unsigned int i) const
   {
     double squares = 0.;
@@ -66,16 +82,16 @@ public:
     return std::sqrt(squares);
   }
 
-  /** Squared distance (m^2) of node @p i from where it sticks. @p u: see size_of_trial(). */
+  /** The square of slip() (m^2) of node @p i. */
   double squared_slip(const std::vector<double> &u, const unsigned int i) const
   {
     double squares = 0.;
     for (unsigned int c = 0; c < n_tangents; ++c)
-      squares += std::pow(u[dim * i + c] - sticks_at(i, c), 2);
+      squares += std::pow(slip(u, i, c), 2);
     return squares;
   }
 
-  /** Turns the friction of node @p i against its displacement; see size_of_trial(). */
+  /** Turns the friction of node @p i against its displacement; see slip(). */
   void turn(const std::vector<double> &u, const unsigned int i)
   {
     const double size = size_of_trial(u, i);
@@ -92,7 +108,7 @@ public:
       {
         const double f = force[index(i, c)];
         friction_squares += f * f;
-        along += f * (u[dim * i + c] - sticks_at(i, c));
+        along += f * slip(u, i, c);
       }
     // What hardly has friction, as a node that has just come down, moves by round-off.
     const double friction = std::sqrt(friction_squares);
@@ -106,10 +122,10 @@ private:
   double
   trial(const std::vector<double> &u, const unsigned int i, const unsigned int c) const
   {
-    return force[index(i, c)] - scale * (u[dim * i + c] - sticks_at(i, c));
+    return force[index(i, c)] - scale * slip(u, i, c);
   }
 
-  const std::vector<double> &reference;
+  const std::vector<double> &reference, &stiffness;
   const double scale;
 };
 } // namespace mesoslip

@@ -128,7 +128,7 @@ DofMask ActiveSetIteration<dim>::constrain_contact()
   for_each_node([&](const NodeIndex &node, const unsigned int i) {
     if (touches(i) && !is_compliant(i))
       put(normal_axis, node, -gap(i));
-    if (solution.state[i] == ContactState::stick)
+    if (solution.state[i] == ContactState::stick && !(tangential.softness(i) > 0.))
       for (unsigned int c = 0; c < n_tangents; ++c)
         put(c, node, tangential.sticks_at(i, c));
   });
@@ -146,13 +146,19 @@ std::vector<SpringEntry> ActiveSetIteration<dim>::springs(const bool of_friction
   for_each_node([&](const NodeIndex &node, const unsigned int i) {
     if (touches(i) && is_compliant(i))
       entries.push_back({node, normal_axis, normal_axis, problem.stiffness[i], -gap(i)});
+    if (const double soft = tangential.softness(i);
+        soft > 0. && solution.state[i] == ContactState::stick)
+      for (unsigned int c = 0; c < n_tangents; ++c)
+        if (held[dim * i + c] == 0.)
+          entries.push_back({node, c, c, 1. / soft, tangential.sticks_at(i, c)});
     const double g =
       turns ? problem.friction_coefficient[i] * std::max(0., normal[i]) : 0.;
     if (solution.state[i] != ContactState::slip || !(g > 0.))
       return;
-    const double beyond = std::max(0.1 * g, tangential.size_of_trial(displaced, i) - g),
-                 k      = g * turning * scale / beyond;
-    const auto &n       = tangential.direction[i];
+    const double beyond  = std::max(0.1 * g, tangential.size_of_trial(displaced, i) - g),
+                 c_scale = turning * scale,
+                 k       = g * c_scale / (beyond + c_scale * tangential.softness(i) * g);
+    const auto &n        = tangential.direction[i];
     for (unsigned int c = 0; c < n_tangents; ++c)
       for (unsigned int d = 0; d < n_tangents; ++d)
         entries.push_back({node, c, d, k * ((c == d ? 1. : 0.) - n[c] * n[d]),

@@ -48,6 +48,9 @@ struct StaticContactProblem
   /** Of the springs between these nodes and the flat (N/m, in 2D Pa); empty: it is rigid. */
   std::vector<double> stiffness = {};
 
+  /** Likewise of springs along the flat, of a flat at rest, through which nodes stick. */
+  std::vector<double> tangential_stiffness = {};
+
   /**
    * Direction (+1, -1) along flat_direction in which the flat slides below the body: all contact
    * nodes slip. 0: the flat rests, nodes stick or slip against their own displacement from
@@ -59,9 +62,9 @@ struct StaticContactProblem
   std::array<double, 2> flat_direction = {{1., 0.}};
 
   /**
-   * On a flat at rest, of each node the displacement along the flat at which it sticks
+   * On a flat at rest, of each node the displacement along the flat at which it sticks without friction
    * (m), its dim - 1 components together: where it was after the last increment of the
-   * load, moved with the flat, unless a side holds it; what sides hold carries no friction
+   * load, on a spring less what that is stretched by, moved with the flat, unless a side holds it; what sides hold carries no friction
    * then. Empty: zero.
    */
   std::vector<double> reference = {};

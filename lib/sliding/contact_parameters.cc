@@ -212,8 +212,8 @@ void check_analysis(const Keys &keys)
             {"Supports/Top/Platen mass", "Supports/Top/Hold from"});
   only_with({"transient", "complex modes"}, and_of_supports(keys, {"Dashpot"}, {}));
   only_with({"transient", "static contact"},
-            {"Flat/Profile", "Flat/Profile file", "Flat/Profile size",
-             "Flat/Profile height", "Flat/Profile repeats"});
+            {"Flat/Tangential stiffness", "Flat/Profile", "Flat/Profile file",
+             "Flat/Profile size", "Flat/Profile height", "Flat/Profile repeats"});
   only_with({"transient", "static contact", "complex modes"},
             and_of_supports(keys, {"Motion", "Pressure", "Traction"},
                             {"Body/Acceleration", "Flat/", "Friction/"}));
@@ -258,7 +258,13 @@ void ContactParameters::bind(Keys &keys)
   bind_contact_map(keys);
   bind_analyses(keys);
   keys.renamed("Performance/Static solver = assembled", "ml");
-  std::string on_springs = contact.is_compliant() ? "Flat/Normal stiffness" : "";
+  keys.require(
+    !contact.slips_on_springs() || friction.law_name != "slip rate", "Friction/Law",
+    "it is slip rate, which knows no Flat/Tangential stiffness; use coulomb or "
+    "constant time");
+  std::string on_springs = contact.is_compliant()       ? "Flat/Normal stiffness"
+                           : contact.slips_on_springs() ? "Flat/Tangential stiffness"
+                                                        : "";
   for (const Suspended &side : suspended())
     if (side.suspension->has_springs() && on_springs.empty())
       on_springs = side.key("Spring stiffness");

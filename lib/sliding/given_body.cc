@@ -88,19 +88,22 @@ void GivenBody<dim>::summarize(const std::string &analysis, RunContext &context)
 
 namespace
 {
-/** Springs between body and flat that the pressure presses in by a hundredth of the height at most. */
-PlausibleRange plausible_springs(const ContactParameters &parameters, const double height)
+/** Springs between body and flat, called @p key, that the pressure moves by a hundredth of the height at most. */
+PlausibleRange plausible_springs(const std::string &key,
+                                 const double stiffness,
+                                 const ContactParameters &parameters,
+                                 const double height)
 {
-  const double stiffness = parameters.contact.normal_stiffness,
-               pressure  = std::fabs(parameters.top.pressure.amplitude());
+  const double pressure = std::fabs(parameters.top.pressure.amplitude());
   PlausibleRange range;
-  range.key    = "Flat/Normal stiffness";
+  range.key    = key;
   range.value  = stiffness;
   range.unit   = "Pa/m";
   range.lowest = 100. * pressure / height;
-  range.if_low = "so that Supports/Top/Pressure presses the springs in by " +
-                 quantity_text(pressure / stiffness, "m") + " under a body of " +
-                 quantity_text(height, "m") + "; 100 MPa per micrometre are 1e14 Pa/m";
+  range.if_low =
+    "so that a traction as large as Supports/Top/Pressure moves the springs by " +
+    quantity_text(pressure / stiffness, "m") + " under a body of " +
+    quantity_text(height, "m") + "; 100 MPa per micrometre are 1e14 Pa/m";
   return range;
 }
 
@@ -159,8 +162,13 @@ void GivenBody<dim>::add_implausible(std::vector<std::string> &sentences,
     ranges.push_back(plausible_pressure("Supports/Top/Pressure",
                                         std::fabs(parameters.top.pressure.amplitude()),
                                         scales.stiffness));
-  if (parameters.contact.is_compliant())
-    ranges.push_back(plausible_springs(parameters, scales.height));
+  const ContactSetup &flat = parameters.contact;
+  if (flat.is_compliant())
+    ranges.push_back(plausible_springs("Flat/Normal stiffness", flat.normal_stiffness,
+                                       parameters, scales.height));
+  if (flat.slips_on_springs())
+    ranges.push_back(plausible_springs(
+      "Flat/Tangential stiffness", flat.tangential_stiffness, parameters, scales.height));
   for (const auto &side : parameters.suspended())
     for (const PlausibleRange &range : plausible_suspension(parameters, side, scales))
       ranges.push_back(range);

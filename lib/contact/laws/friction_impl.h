@@ -1,5 +1,15 @@
 // Friction of the nodes of one vector, a part of contact/contact_kernel.cc in its namespace.
 
+/** What slips without friction in this step, and what friction changes of it. */
+template <int dim>
+struct Sliding
+{
+  vdouble slip[dim - 1]; ///< of the node, on a spring with what that is stretched by (m)
+  vdouble slip_before[dim - 1]; ///< that slid in the step before (m)
+  vdouble compliance[dim - 1];  ///< c / m, on a spring with its own (m/N, in 2D m^2/N)
+  vdouble to_stick[dim - 1];    ///< the force without sliding (N, in 2D N/m)
+};
+
 /** Sticking nodes, and tangential force and Coulomb's force on the body as if all nodes
  * touched. */
 template <int dim>
@@ -19,18 +29,17 @@ MESOSLIP_INLINE vdouble relax(const vdouble target,
   return target + (force_before - target_before) * decay - (target - target_before) * lag;
 }
 
-/** From the slip without friction and the compliance c / m. */
+/** In the direction of what makes the node stick. */
 MESOSLIP_INLINE Friction<2> friction(const ContactArrays &a,
                                      const ContactStep &,
                                      const std::size_t i,
                                      const vdouble limit,
-                                     const vdouble (&slip)[1],
-                                     const vdouble (&compliance)[1])
+                                     const Sliding<2> &sliding_of)
 {
   using Arrays           = ContactArrays;
   const auto at          = [&](const Arrays::Column c) { return load(a.column[c] + i); };
   const vdouble zero     = {};
-  const vdouble to_stick = slip[0] / at_least_smallest(compliance[0]);
+  const vdouble to_stick = sliding_of.to_stick[0];
   const vint64 sticks    = absolute(to_stick) <= limit;
   const vdouble target   = to_stick < zero ? -limit : limit;
   const vdouble relaxed  = relax(target, at(Arrays::target), at(Arrays::tangential_force),
@@ -83,17 +92,17 @@ MESOSLIP_INLINE Friction<3> friction(const ContactArrays &a,
                                      const ContactStep &step,
                                      const std::size_t i,
                                      const vdouble limit,
-                                     const vdouble (&slip)[2],
-                                     const vdouble (&compliance)[2])
+                                     const Sliding<3> &sliding_of)
 {
-  using Arrays  = ContactArrays;
-  const auto at = [&](const Arrays::Column c) { return load(a.column[c] + i); };
-  const vdouble slip_before[2] = {step.flat_increment_before[0] - at(Arrays::increment_x),
-                                  step.flat_increment_before[1] -
-                                    at(Arrays::lateral_increment)};
-  const vdouble before[2]      = {at(Arrays::target), at(Arrays::lateral_target)};
-  const vdouble force_before[2] = {at(Arrays::tangential_force),
-                                   at(Arrays::lateral_force)};
+  using Arrays            = ContactArrays;
+  const auto at           = [&](const Arrays::Column c) { return load(a.column[c] + i); };
+  const vdouble(&slip)[2] = sliding_of.slip;
+  const vdouble(&slip_before)[2] = sliding_of.slip_before;
+  const vdouble(&compliance)[2]  = sliding_of.compliance;
+  const vdouble(&to_stick)[2]    = sliding_of.to_stick;
+  const vdouble before[2]        = {at(Arrays::target), at(Arrays::lateral_target)};
+  const vdouble force_before[2]  = {at(Arrays::tangential_force),
+                                    at(Arrays::lateral_force)};
   const vdouble decay = at(Arrays::decay), lag = at(Arrays::lag);
   Friction<3> result;
   const vdouble zero = {};
@@ -129,12 +138,11 @@ MESOSLIP_INLINE Friction<3> friction(const ContactArrays &a,
         left[k] = differ ? found[k] : both[k];
     }
   const vdouble distance_left = length_of(left[0], left[1]);
-  vdouble to_stick[2], direction[2], pull[2];
+  vdouble direction[2], pull[2];
   // Along the force: by friction, by a unit force, and of the slip.
   vdouble moved = {}, softness = {}, distance = {};
   for (int k = 0; k < 2; ++k)
     {
-      to_stick[k]      = slip[k] / at_least_smallest(compliance[k]);
       direction[k]     = left[k] / at_least_smallest(distance_left);
       pull[k]          = direction[k] * compliance[k];
       result.target[k] = limit * direction[k];

@@ -56,7 +56,10 @@ VariableFriction<dim>::predict(const SurfaceView<dim> &surface,
   last.sticks    = at(Arrays::sticking) != 0.;
 
   constexpr Arrays::Column increments[] = {Arrays::increment_x,
-                                           Arrays::lateral_increment};
+                                           Arrays::lateral_increment},
+                           stretches[]  = {Arrays::stretch, Arrays::lateral_stretch},
+                           of_before[]  = {Arrays::stretch_before,
+                                           Arrays::lateral_stretch_before};
   double slip[dim - 1], rate[dim - 1]; // slips and V_n, both without this step's friction
   double moved = 0., distance = 0.;
   for (unsigned int k = 0; k + 1 < dim; ++k)
@@ -64,10 +67,15 @@ VariableFriction<dim>::predict(const SurfaceView<dim> &surface,
       const double w         = surface.w[k][i],
                    braking   = surface.force[k][i] * surface.inverse_mass[k][i],
                    remembers = decay * at(forces[k]) + (lag - decay) * at(targets[k]);
-      slip[k]                = (flat.now[k] - w) * dt + c * braking;
+      // What stretches the spring along the flat does not slide yet, what it was stretched by may.
+      const double stretch = at(stretches[k]), stretched = stretch - at(of_before[k]);
+      slip[k] = (flat.now[k] - w) * dt + c * braking + stretch;
       rate[k] = (1. - step.beta2) * flat.before[k] + step.beta2 * flat.now[k] - w +
-                step.beta2 * dt * (braking - surface.inverse_mass[k][i] * remembers);
-      moved    = std::hypot(moved, flat.before[k] * dt - at(increments[k]));
+                step.beta2 * dt * (braking - surface.inverse_mass[k][i] * remembers) +
+                (step.beta2 * (stretch - at(Arrays::slackness) * remembers) -
+                 (1. - step.beta2) * stretched) /
+                  dt;
+      moved    = std::hypot(moved, flat.before[k] * dt - at(increments[k]) - stretched);
       distance = std::hypot(distance, slip[k]);
     }
   last.slip_rate = last.sticks ? 0. : moved / dt;
@@ -77,7 +85,8 @@ VariableFriction<dim>::predict(const SurfaceView<dim> &surface,
                height = at(Arrays::gap) + surface.u[dim - 1][i],
                gap    = height + dt * surface.w[dim - 1][i] +
                      c * (-surface.force[dim - 1][i] * minv),
-               earlier = std::max(0., at(Arrays::increment_y) - height);
+               earlier = std::max(0., at(Arrays::increment_y) - height -
+                                        at(Arrays::rise) - at(Arrays::rise_before));
   node.normal          = gap < 0. && minv > 0.
                            ? force_of_flat(gap, earlier, at(Arrays::softness), c * minv)
                            : 0.;
@@ -85,7 +94,9 @@ VariableFriction<dim>::predict(const SurfaceView<dim> &surface,
     {
       const double e = slip[k] / distance;
       node.free_rate += e * rate[k];
-      node.softness += e * e * step.beta2 * dt * surface.inverse_mass[k][i] * (1. - lag);
+      node.softness += e * e * step.beta2 *
+                       (dt * surface.inverse_mass[k][i] + at(Arrays::slackness) / dt) *
+                       (1. - lag);
     }
   return node;
 }

@@ -109,6 +109,8 @@ RunConditions ContactParameters::stated_conditions() const
     conditions["supports"] = text;
   if (contact.is_compliant())
     conditions["normal_stiffness"] = contact.normal_stiffness;
+  if (contact.slips_on_springs())
+    conditions["tangential_stiffness"] = contact.tangential_stiffness;
   if (contact.profile)
     conditions["flat_profile"] = contact.profile->text();
   if (std::isfinite(top.hold_from))

@@ -85,6 +85,9 @@ StaticLoad<dim>::StaticLoad(const GivenBody<dim> &body,
     problem.gap = gaps_over_profile(*parameters.contact.profile, nodes, {});
   if (parameters.contact.is_compliant())
     problem.stiffness = of_springs(parameters.contact.normal_stiffness, facts.size.area);
+  if (parameters.contact.slips_on_springs() && v == 0.)
+    problem.tangential_stiffness =
+      of_springs(parameters.contact.tangential_stiffness, facts.size.area);
   problem.sliding                = v > 0. ? 1 : (v < 0. ? -1 : 0);
   problem.flat_direction         = parameters.contact.flat_direction;
   const unsigned int n           = elastic.n_columns();
@@ -171,9 +174,21 @@ void StaticLoad<dim>::stick_where_it_is(const double share)
   for (std::size_t k = 0; k < u.size(); k += dim)
     for (unsigned int c = 0; c + 1 < dim; ++c)
       {
-        const bool moves = c < of_flat.size() && held[k + c] == 0.;
-        problem.reference.push_back(u[k + c] + (moves ? share * of_flat[c] : 0.));
+        const bool moves     = c < of_flat.size() && held[k + c] == 0.;
+        const double stretch = stretch_of(k / dim, c);
+        problem.reference.push_back(u[k + c] + stretch +
+                                    (moves ? share * of_flat[c] : 0.));
       }
+}
+
+template <int dim>
+double StaticLoad<dim>::stretch_of(const std::size_t i, const unsigned int c) const
+{
+  const std::vector<double> &stiffness = problem.tangential_stiffness,
+                            &friction  = solution.tangential_force;
+  return stiffness.empty() || friction.empty()
+           ? 0.
+           : friction[(dim - 1) * i + c] / stiffness[i];
 }
 
 template <int dim>

@@ -68,6 +68,9 @@ private:
   /** Nodes stick where they are now, on a flat that moves by @p share of its way. */
   void stick_where_it_is(const double share);
 
+  /** Component @p c of what stretches the spring along the flat at contact node @p i (m). */
+  double stretch_of(std::size_t i, unsigned int c) const;
+
   /** The gaps over the profile of the flat after @p share of its way. */
   void move_profile(const double share);
 

@@ -37,13 +37,19 @@ void ContactParameters::bind_loads(Keys &keys)
   contact.flat_velocity = bind_history(keys, speed, "velocity", "m/s");
   keys.bind("Gap", contact.gap, Range::non_negative(),
             "Distance between the body and the plane of the flat at the start [m]");
-  double stiffness = automatic;
+  double stiffness = automatic, along = automatic;
   keys.bind_or_auto("Normal stiffness", stiffness, Range::positive(),
                     "Stiffness for the area of springs between body and flat, as of "
                     "the asperities of rough surfaces; auto: none, the flat is rigid "
                     "[Pa/m]");
   if (!std::isnan(stiffness))
     contact.normal_stiffness = stiffness;
+  keys.bind_or_auto(
+    "Tangential stiffness", along, Range::positive(),
+    "The same along the flat, through which it drags what does not slide; "
+    "auto: none, what does not slide moves with the flat [Pa/m]");
+  if (!std::isnan(along))
+    contact.tangential_stiffness = along;
   profile.bind(keys, mesh.mesh.dim);
 }
 } // namespace mesoslip

@@ -44,7 +44,7 @@ void write_energy(Hdf5File &file, const TransientResult &run, const RunContext &
                                         {"damping", unit, &e.damping},
                                         {"scheme", unit, &e.scheme},
                                         {"residual", unit, &residual}};
-  if (run.parameters.contact.is_compliant())
+  if (run.parameters.contact.is_compliant() || run.parameters.contact.slips_on_springs())
     columns.insert(columns.end() - 1, {"contact", unit, &e.contact});
   if (run.parameters.has_suspensions())
     columns.insert(columns.end() - 1,

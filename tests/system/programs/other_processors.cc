@@ -162,8 +162,8 @@ void contact_kernel()
       const ContactStep constants = {1e-1, 0.7, {1e-3, -4e-4}, {9e-4, -5e-4}, {0.6, 0.8}};
       contact_kernels::baseline::advance(a, constants, sums);
       contact_kernels::baseline::advance_in_space(a, constants, sums);
-      contact_kernels::baseline::advance_on_profile(a, constants, sums);
-      contact_kernels::baseline::advance_on_profile_in_space(a, constants, sums);
+      contact_kernels::baseline::advance_in_full(a, constants, sums);
+      contact_kernels::baseline::advance_in_full_in_space(a, constants, sums);
     }
   const double all[] = {sums.normal_force,  sums.tangential_force, sums.sticking,
                         sums.slipping,      sums.friction_energy,  sums.impact_energy,

@@ -165,7 +165,7 @@ void expect_the_same_bits(const bool profile)
     std::mt19937 generator(seed);
     std::uniform_real_distribution<double> random(-1., 1.);
     using Arrays = ContactArrays;
-    NodalField<double> values(n, 1, 22 + Arrays::n_columns);
+    NodalField<double> values(n, 1, 27 + Arrays::n_columns);
     unsigned int next = 0;
     const auto row    = [&](const double centre, const double width) {
       double *r = values.row(next++, 0);
@@ -187,9 +187,15 @@ void expect_the_same_bits(const bool profile)
     a.column[Arrays::gap] = row(0., 1e-4);
     for (const auto c : {Arrays::rise, Arrays::rise_before})
       a.column[c] = row(0., 1e-4);
-    a.column[Arrays::softness] = row(1e-4, 1e-4); // about that of the nodes, or none
-    for (std::size_t i = 0; i < n; i += 3)
-      a.column[Arrays::softness][i] = 0.;
+    for (const auto c : {Arrays::softness, Arrays::slackness})
+      {
+        a.column[c] = row(1e-4, 1e-4); // about that of the nodes, or none
+        for (std::size_t i = c % 2; i < n; i += 3)
+          a.column[c][i] = 0.;
+      }
+    for (const auto c : {Arrays::stretch, Arrays::stretch_before, Arrays::lateral_stretch,
+                         Arrays::lateral_stretch_before})
+      a.column[c] = row(0., 1e-4);
     for (const auto c : {Arrays::increment_x, Arrays::increment_y})
       a.column[c] = row(0., 1e-3);
     for (const auto c : {Arrays::tangential_force, Arrays::target, Arrays::lateral_force,

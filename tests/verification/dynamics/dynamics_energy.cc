@@ -161,6 +161,36 @@ TEST(Energy, ClosesOverAProfile)
   expect_closed(setup, "profile to and fro");
 }
 
+// What springs along the flat store and let go is in the balance, whatever the law.
+TEST(Energy, ClosesOnSpringsAlongTheFlat)
+{
+  BodySetup setup = thrown_body();
+  for (const double stiffness : {1e12, 1e14, 1e25})
+    for (const double beta2 : {0.5, 0.8})
+      for (const double delta : {0., 1e-6})
+        {
+          setup.contact.tangential_stiffness = stiffness;
+          setup.contact.law.time             = delta;
+          setup.step.beta2                   = beta2;
+          expect_closed(setup, "springs along the flat");
+        }
+  setup.step.beta2                   = 0.5;
+  setup.contact.law.time             = 0.;
+  const Energies stiff               = observe(setup);
+  setup.contact.tangential_stiffness = std::numeric_limits<double>::infinity();
+  const Energies rigid               = observe(setup);
+  EXPECT_NEAR(stiff.e.friction.back(), rigid.e.friction.back(), 1e-6 * rigid.scale);
+  EXPECT_EQ(stiff.stick, rigid.stick);
+  setup.contact.tangential_stiffness = 1e13;
+  setup.contact.normal_stiffness     = 2e13;
+  setup.contact.flat_velocity        = LoadHistory(V, "2*cos(2*pi*5e4*t)");
+  setup.contact.law.reference        = setup.friction;
+  setup.contact.law.slip_law =
+    std::make_shared<Stribeck>(Stribeck({setup.friction, 0.2, 0.5, 1.5, 0.02}));
+  setup.contact.law.normal_stress = {0., 2e-6, 0.1};
+  expect_closed(setup, "springs along the flat, Stribeck");
+}
+
 TEST(Energy, ClosesWhenTheTopIsStopped)
 {
   for (const double b : {0.5, 0.8})
