@@ -174,7 +174,34 @@ void ContactSurface<dim>::initialize_increments(const SurfaceView<dim> &surface)
                                              column(Column::increment_y)[i]);
         total.pressed += 0.25 / soft * (now * now + before * before);
       }
+  for (unsigned int i = 0; setup.slips_on_springs() && i < n_nodes; ++i)
+    if (column(Column::gap)[i] + surface.u[dim - 1][i] <= 0.)
+      relax_along_flat(surface, i);
   started = true;
+}
+
+// At the start, so that it was stretched a step before; a stiff one, which no node would have followed, or one at a
+// node that is held, was not.
+template <int dim>
+void ContactSurface<dim>::relax_along_flat(const SurfaceView<dim> &surface,
+                                           const unsigned int i)
+{
+  constexpr Column before[] = {Column::stretch_before, Column::lateral_stretch_before},
+                   increments[]     = {Column::increment_x, Column::lateral_increment};
+  const std::array<double, 2> moved = flat_increment(0.);
+  const double slack                = column(Column::slackness)[i];
+  for (unsigned int k = 0; k + 1 < dim; ++k)
+    {
+      const double yields =
+                     (0.5 + step.beta2) * step.dt * step.dt * surface.inverse_mass[k][i],
+                   phi     = yields > 0.
+                               ? slack * slack / (slack * slack + 0.0625 * yields * yields)
+                               : 0.,
+                   stretch = phi * (column(increments[k])[i] - moved[k]);
+      column(before[k])[i] = stretch;
+      if (i < setup.n_owned.value_or(n_nodes))
+        total.pressed += 0.25 / slack * stretch * stretch;
+    }
 }
 
 template <int dim>

@@ -269,6 +269,7 @@ private:
   }
 
   void initialize_increments(const SurfaceView<dim> &surface);
+  void relax_along_flat(const SurfaceView<dim> &surface, const unsigned int i);
 
   const ContactSetup setup;
   const ContactFunction advance_nodes;

@@ -34,7 +34,7 @@ PROBLEMS = [
      + [_SERIAL + "BoxWaves." + name for name in ("AtAllAngles", "OfOrderTwoInTheCellSize")]),
     ("Energy balance", "closes to 1e-12 of the largest energy with every term from its own formula: tops, stops, damping, gravity, free vibration; below 1e-3 of the "
      "friction work in a coarse pin at 5 MPa sampled every 50 steps",
-     [_SERIAL + "Energy." + name for name in ("ClosesUnderEveryTop", "ClosesOverAProfile", "ClosesWhenTheTopIsStopped", "ClosesWithEverythingElse",
+     [_SERIAL + "Energy." + name for name in ("ClosesUnderEveryTop", "ClosesOverAProfile", "ClosesOnSpringsAlongTheFlat", "ClosesWhenTheTopIsStopped", "ClosesWithEverythingElse",
                                                 "FreeVibrationLosesNothing", "EveryTermWhereItBelongs",
                                                 "DampingIsBetaTimesTheWorkOfTheOperator", "ClosesWithSparseSamples")]),
     ("Supports of the top", "column on springs, with mass and under a platen on springs: Z omega tan(omega H/c) = k - m omega^2, order 2; a dashpot z sends back "
@@ -45,6 +45,8 @@ PROBLEMS = [
      + [_RANKS + "ComplexModes.OfTheLayerThatHangsOnSprings"]),
     ("Profile of the flat", "pressure of a sine that moves below a half space at 700 and 1500 m/s, of order two",
      [_SERIAL + "Profile.MovesAWaveOfKnownPressureThroughTheBody"]),
+    ("Springs along the flat", "a column sticks on springs: tan(q H) = -q G/k_t, order 2, its loss falls with order 3; loss of slow sliding to and fro",
+     [_SERIAL + "TangentialSprings." + name for name in ("ColumnVibratesOnThem", "LoopOfSlowSlidingHasItsArea")]),
     ("Momentum", "its rate is the forces at top and bottom, to 1e-12", [_SERIAL + "Momentum.IsWhatTheForcesAtTopAndBottomSay"]),
     ("Homogenization", "homogeneous volume; laminate and its turned copy; equal shear moduli (order 2 but for a logarithm); Hill-Mandel, symmetry, phase means; Reuss <= SUBC "
      "<= PBC <= KUBC <= Voigt; refinement softens; eq. (10)",

@@ -1,6 +1,6 @@
 """Analysis static contact of many small solids of tetrahedra on a flat at rest, where friction has any direction: an equilibrium is found for each
 of them, and the forces that the program tells are those of its displacements by a stiffness of numpy, and Coulomb's. Of free bodies with little
-friction a quarter has no end of its active sets. An argument is the number of bodies.
+friction a quarter has no end of its active sets. Half of them stand on springs along the flat. An argument is the number of bodies.
 
     random_resting_solids.py <folder with the programs> [bodies]
 """
@@ -49,6 +49,7 @@ class Scene:
         z[bottom] += lift[np.round(x[bottom] / size[0] * cells[0]).astype(int), np.round(y[bottom] / size[1] * cells[1]).astype(int)]
         self.top = rng.choice(["free"] * 3 + ["platen", *HELD])
         self.mu = 10 ** rng.uniform(-2.5, 0)
+        self.along = 10 ** rng.uniform(12, 16) if seed % 2 else None  # springs along the flat
         self.points = mesh.points * 1e-3
         self.group = {name: np.array(sorted({c for corners, of in mesh.faces if of == name for c in corners})) for name, *_ in SIDES}
 
@@ -56,7 +57,8 @@ class Scene:
         return {"Dimension": 3, "Analysis": "static contact", "Mesh/File": "mesh.msh", "Mesh/Scale": 0.001, "Phases/Names": "steel",
                 "Phases/steel/Young modulus": YOUNG, "Phases/steel/Poisson ratio": POISSON, "Phases/steel/Density": 7800,
                 "Flat/Velocity": 0, "Supports/Top/Kind": "platen" if self.top == "platen" else "pressure", "Supports/Top/Pressure": PRESSURE,
-                "Friction/Coefficient": self.mu, **HELD.get(self.top, {})}
+                "Friction/Coefficient": self.mu,
+                **({"Flat/Tangential stiffness": self.along} if self.along else {}), **HELD.get(self.top, {})}
 
     def areas(self, name):
         """Of the points, as seen along z (m^2)."""
@@ -104,12 +106,14 @@ def check(folder, seed):
     told = columns("shear_traction [Pa]", "shear_traction_y [Pa]", "pressure [Pa]")[order] * areas[:, None]
     force, held = scene.forces(u)
     total, free = force[:, 2].sum(), ~held[:, :2]
-    what = (seed, scene.top, scene.mu)
+    what = (seed, scene.top, scene.mu, scene.along)
     assert np.abs(np.where(np.column_stack([free, [True] * len(nodes)]), force - told, 0)).max() < 1e-6 * total, what
     opened = (scene.points[nodes, 2] - scene.points[nodes, 2].min() + u[:, 2]) * YOUNG * 1e-3  # as a force
     assert np.abs(np.minimum(force[:, 2], opened)).max() < 1e-6 * total, what
     # f = P(f - c u) with the projection P on the circle of radius mu p says stick, slip and the direction of friction.
     friction, slip = np.where(free, force[:, :2], 0), np.where(free, u[:, :2], 0)
+    if scene.along:
+        slip += friction / (scene.along * areas[:, None])
     trial = friction - YOUNG * 1e-3 * slip
     size, limit = np.linalg.norm(trial, axis=1), scene.mu * np.maximum(0, force[:, 2])
     projected = trial * np.minimum(1, limit / np.maximum(size, 1e-300))[:, None]

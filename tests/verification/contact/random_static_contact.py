@@ -1,5 +1,5 @@
 """Analysis static contact of many small bodies against all combinations of states of their contact nodes in numpy: bevelled blocks of
-triangles under any top, on a flat that slides to either side or rests, mu up to 1, half of them on springs. Where an equilibrium exists it is found, and where there
+triangles under any top, on a flat that slides to either side or rests, mu up to 1, half of them on springs along the normal, and half of those at rest along the flat. Where an equilibrium exists it is found, and where there
 is none the program says so; a block that tips beyond mu = 0.5, and one whose active sets go round in circles. An argument is the number of
 bodies."""
 
@@ -47,8 +47,8 @@ def stiffness_of(points, cells):
 class Scene:
     """One problem: its files, and its equilibria by enumeration."""
 
-    def __init__(self, rng, top, sliding, mu, springs=None):
-        self.top, self.sliding, self.mu, self.springs = top, sliding, mu, springs
+    def __init__(self, rng, top, sliding, mu, springs=None, along=None):
+        self.top, self.sliding, self.mu, self.springs, self.along = top, sliding, mu, springs, along
         nx, ny = (rng.integers(3, 7), rng.integers(2, 4)) if sliding else (rng.integers(2, 5), rng.integers(2, 4))
         self.mesh = block(rng, nx, ny)
         self.points = self.mesh.points * 1e-3
@@ -61,7 +61,7 @@ class Scene:
                 "Phases/steel/Young modulus": YOUNG, "Phases/steel/Poisson ratio": POISSON, "Phases/steel/Density": 7800,
                 "Flat/Velocity": 2 * self.sliding, "Supports/Top/Kind": "platen" if self.top == "platen" else "pressure", "Supports/Top/Pressure": PRESSURE,
                 "Friction/Coefficient": self.mu, **({"Flat/Normal stiffness": self.springs} if self.springs else {}),
-                **held.get(self.top, {})}
+                **({"Flat/Tangential stiffness": self.along} if self.along else {}), **held.get(self.top, {})}
 
     def areas(self):
         """Along x, of each point of the contact."""
@@ -98,6 +98,7 @@ class Scene:
         s, f, gap, fixed = self.condensed()
         n, scale = len(gap), abs(s).max()
         softness = 1 / (self.springs * self.areas()) if self.springs else np.zeros(n)
+        slack = 1 / (self.along * self.areas()) if self.along else np.zeros(n)
         states = ("separated", "slip") if self.sliding else ("separated", "stick", "left", "right")
         found, signs = [], {"left": -1, "right": 1, "slip": self.sliding}
         pressed = abs(f).sum()
@@ -112,6 +113,9 @@ class Scene:
                     matrix[w] += scale * softness[k] * s[w]
                 if fixed[t] or state == "stick":
                     matrix[t, t] = scale
+                    if not fixed[t]:
+                        matrix[t] += scale * slack[k] * s[t]
+                        right[t] = scale * slack[k] * f[t]
                 elif state == "separated":
                     matrix[t], right[t] = s[t], f[t]
                 else:
@@ -130,7 +134,7 @@ class Scene:
                 if state == "stick" and not fixed[t]:
                     good &= abs(force[t]) < self.mu * force[w] + small
                 if state in ("left", "right") and not fixed[t]:
-                    good &= d[t] * signs[state] < small / scale
+                    good &= (d[t] + slack[k] * force[t]) * signs[state] < small / scale
             if good:
                 found.append(force[1::2])
         return np.array(found)
@@ -141,7 +145,7 @@ def check(folder, scene, counts):
     scene.mesh.write(folder("mesh.msh"))
     folder.write("block.prm", prm(scene.settings()))
     status, out, err = folder.end("contact_dynamics", "block.prm", "--output", "block")
-    what = (scene.top, scene.sliding, scene.mu, scene.springs, len(expected), (out + err)[-600:])
+    what = (scene.top, scene.sliding, scene.mu, scene.springs, scene.along, len(expected), (out + err)[-600:])
     assert status == (0 if len(expected) else 3), what
     counts[status, "slides" if scene.sliding else "rests"] = counts.get((status, "slides" if scene.sliding else "rests"), 0) + 1
     if status:
@@ -183,7 +187,8 @@ with tempfile.TemporaryDirectory() as path:
     for k in range(n_bodies):
         moves = [1, -1, 1, 0][k % 4]
         springs = [None, 10 ** np.random.default_rng(k).uniform(11, 16)][k // 4 % 2]
-        check(scenes, Scene(rng, TOPS[rng.integers(5 if moves == 0 else 4)], moves, rng.uniform(0, 1), springs), numbers)
+        along = [None, 10 ** np.random.default_rng(k + 1000).uniform(11, 16)][k // 8 % 2] if moves == 0 else None
+        check(scenes, Scene(rng, TOPS[rng.integers(5 if moves == 0 else 4)], moves, rng.uniform(0, 1), springs, along), numbers)
     check_bevel(scenes)
     print(numbers)
     assert numbers[0, "slides"] > n_bodies / 5 and numbers[3, "slides"] > n_bodies / 50 and numbers[0, "rests"] > n_bodies / 8, numbers

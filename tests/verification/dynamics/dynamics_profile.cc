@@ -6,6 +6,8 @@
 
 using namespace verification;
 
+namespace profile
+{
 namespace
 {
 constexpr double E = 70e9, nu = 0.3, rho = 2700., wave_length = 1e-3, p0 = 1e6;
@@ -104,3 +106,4 @@ TEST(Profile, MovesAWaveOfKnownPressureThroughTheBody)
       EXPECT_NEAR(std::log2(errors[1] / errors[2]), 2., 0.5);
     }
 }
+} // namespace profile
