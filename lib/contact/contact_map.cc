@@ -7,8 +7,8 @@ namespace mesoslip
 {
 std::vector<std::string> map_field_names()
 {
-  return {"pressure",      "traction",  "slip velocity",      "state",
-          "friction work", "law state", "remembered pressure"};
+  return {"pressure",      "traction",  "slip velocity",       "state",
+          "friction work", "law state", "remembered pressure", "gap"};
 }
 
 bool ContactMapSetup::has(const MapQuantity quantity) const
@@ -26,7 +26,8 @@ std::vector<MapField> ContactMapSetup::fields(const unsigned int dim) const
          {MapQuantity::state, "state", "-", 1, false},
          {MapQuantity::friction_work, "friction_work", "J/m^2", 1, true},
          {MapQuantity::law_state, "law_state", law_state.unit, 1, false},
-         {MapQuantity::remembered_pressure, "remembered_pressure", "Pa", 1, true}};
+         {MapQuantity::remembered_pressure, "remembered_pressure", "Pa", 1, true},
+         {MapQuantity::gap, "gap", "m", 1, false}};
   std::vector<MapField> fields;
   for (const MapQuantity quantity : quantities)
     fields.push_back(all[static_cast<unsigned int>(quantity)]);
@@ -67,6 +68,8 @@ void ContactMapSampler<dim>::after(const SurfaceView<dim> &surface,
         return contact.law_state()[i];
       case MapQuantity::remembered_pressure:
         return contact.variable_friction()->remembered_normal_force()[i];
+      case MapQuantity::gap:
+        return contact.gap_before(surface, i);
       }
     return 0.;
   };

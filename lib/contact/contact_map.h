@@ -19,7 +19,8 @@ enum class MapQuantity : unsigned int
   state,
   friction_work,
   law_state,
-  remembered_pressure
+  remembered_pressure,
+  gap
 };
 
 /** What a user calls them, in their order. */
@@ -71,7 +72,7 @@ struct ContactMapSetup
  * Samples of all nodes of this rank: forces of the step (N, in 2D N/m) and energies (J, in
  * 2D J/m) that are not divided by the areas yet, the centred slip velocity of NodeSlip
  * (m/s), and states: 0 separated, 1 stick, 2 slip. State of the law and remembered normal force
- * are those of which the friction of the step is made.
+ * are those of which the friction of the step is made. Gaps (m) are at the instant of the forces.
  */
 template <int dim>
 class ContactMapSampler : public ContactObserver<dim>

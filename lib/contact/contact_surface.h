@@ -195,6 +195,14 @@ public:
     return column(component == 0 ? Column::increment_x : Column::lateral_increment);
   }
 
+  /** Distance (m) of node @p i of @p surface from the flat before the last step, at the instant of its forces; what
+   * a spring is pressed in by counts less than 0. */
+  double gap_before(const SurfaceView<dim> &surface, const unsigned int i) const
+  {
+    return column(Column::gap)[i] + column(Column::rise)[i] + surface.u[dim - 1][i] -
+           column(Column::increment_y)[i];
+  }
+
   /** Length of a step (s). */
   double time_step() const
   {

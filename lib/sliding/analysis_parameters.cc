@@ -222,7 +222,9 @@ void ContactParameters::bind_contact_map(Keys &keys)
     "(Pa), velocity of the flat relative to the node (m/s), state (0 "
     "separated, 1 stick, 2 slip), the friction work since the start "
     "(J/m^2), which is summed up in every step, the state of the Coefficient law (slip, "
-    "m, or theta, s), and the pressure that friction remembers with Normal stress (Pa)");
+    "m, or theta, s), the pressure that friction remembers with Normal stress (Pa), and "
+    "the "
+    "gap between node and flat (m)");
   keys.only_if(keys.is_typed("Contact map/Interval"), {"From", "To", "Fields"},
                "Contact map/Interval is 0 and there is no map",
                "set Contact map/Interval");

@@ -55,15 +55,18 @@ def check_bump(folder, name, first, body):
     across = "+(y-1e-3)^2" if dim == 3 else ""
     folder.write("bump.prm", first + prm({
         **{key: value for key, value in RUN.items() if "Pressure" not in key}, **{"Body/Initial velocity": "0, 0", "Flat/Gap": 1e-6, "Time/End time": 4e-5}, **body, "Supports/Top/Kind": "held",
-        "Flat/Velocity": 100, "Flat/Profile": f"1.03e-6*exp(-((x+1e-3)^2{across})/4e-6)", "Contact map/Interval": 5e-6, "Contact map/Fields": "state"}))
+        "Flat/Velocity": 100, "Flat/Profile": f"1.03e-6*exp(-((x+1e-3)^2{across})/4e-6)", "Contact map/Interval": 5e-6, "Contact map/Fields": "state, gap"}))
     folder.run(0, "contact_dynamics", "bump.prm", "--output", "bump", ranks=2)
     with h5py.File(folder("bump", "dynamics.h5")) as file:
-        states, times = file["contact_map/state"][()], file["contact_map/time"][()]
+        states, gaps, times = (file["contact_map/" + key][()] for key in ("state", "gap", "time"))
         places = file["contact/position"][()] if "position" in file["contact"] else file["contact/x"][()][:, None]
     touched = 0
-    for state, time in zip(states, times):
+    assert (states == 0).any() and np.abs(gaps[states > 0]).max() < 5e-8  # a node that touches ends the step on the flat
+    for state, gap, time in zip(states, gaps, times):
         distance2 = (places[:, 0] + 1e-3 - 100 * time) ** 2 + ((places[:, 1] - 1e-3) ** 2 if dim == 3 else 0)
         clear, inside = distance2 > 4e-6 * np.log(1.032), distance2 < 4e-6 * np.log(1.025)
+        height = 1.03e-6 * np.exp(-distance2 / 4e-6)
+        assert np.abs(gap.ravel() - (1e-6 - height))[clear].max() < 2e-8, (name, time)
         assert not np.any((state.ravel() > 0) & clear), (name, time)
         touched += np.sum(inside & (state.ravel() > 0)) / max(1, np.sum(inside))
     assert touched > 2, (name, touched)

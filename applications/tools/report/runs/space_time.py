@@ -21,6 +21,7 @@ STATE_MAP, STATE_NORM = ListedColormap([SEPARATED, STICK, SLIP]), BoundaryNorm([
 FIELDS = [("pressure", "pressure", STRESSES), ("traction", "shear traction", STRESSES),
           ("slip_velocity", "slip velocity", [(1e-6, "µm/s"), (1e-3, "mm/s"), (1.0, "m/s")]), ("state", "state", None),
           ("law_state", "state of the law", None), ("remembered_pressure", "remembered pressure", STRESSES),
+          ("gap", "gap", [(1e-9, "nm"), (1e-6, "µm"), (1e-3, "mm")]),
           ("friction_work", "friction work", [(1e-3, "mJ/m²"), (1.0, "J/m²"), (1e3, "kJ/m²")])]
 
 
