@@ -99,7 +99,13 @@ MESOSLIP_INLINE void advance_vector(const ContactArrays &a,
   const vdouble soft = load(at(Arrays::softness)), yields = c * minv[1],
                 earlier = compression(height_before - load(at(Arrays::increment_y)));
   const vint64 touches  = gap < zero;
-  const vdouble normal  = touches ? force_of_flat(gap, earlier, soft, yields) : zero;
+  vdouble pressed       = force_of_flat(gap, earlier, soft, yields);
+  if constexpr (full)
+    {
+      const vdouble given = load(at(Arrays::pressing));
+      pressed             = given >= zero ? given : pressed;
+    }
+  const vdouble normal = touches ? pressed : zero;
 
   // Friction.
   constexpr Arrays::Column increments[] = {Arrays::increment_x, Arrays::increment_y,

@@ -41,12 +41,13 @@ struct ContactArrays
     stick_count,   ///< steps stuck
     slip_count,    ///< steps slipped
     landing_count, ///< steps in which contact began
-    // Of a flat with a profile or springs along it, read by the kernels for these alone.
+    // Of a flat with a profile, springs along it or those that are not linear, read by the kernels for these alone.
     rise,            ///< of the flat below the node in this step (m)
     rise_before,     ///< in the step before (m)
     slackness,       ///< of the spring along the flat (m^2/N, in 3D m/N), 0: rigid
     stretch,         ///< of that spring along x (m)
     stretch_before,  ///< a step ago (m)
+    pressing,        ///< normal force on a node whose spring is not linear (N/m), else -1
     n_plane_columns, ///< those above are all of a 2D contact
     // As those without the word, along y.
     lateral_increment = n_plane_columns, ///< m

@@ -23,8 +23,7 @@ ContactFunction contact_function(const InstructionSet isa, const bool full)
 template <int dim>
 ContactSurface<dim>::ContactSurface(const ContactSetup &setup, const StepParameters &step)
   : setup(setup)
-  , advance_nodes(contact_function<dim>(
-      InstructionSet::automatic, setup.profile != nullptr || setup.slips_on_springs()))
+  , advance_nodes(contact_function<dim>(InstructionSet::automatic, setup.is_full()))
   , step(step)
   , n_nodes(setup.friction_coefficient.size())
   , n_distinct(setup.n_owned.value_or(setup.periodic ? n_nodes - 1 : n_nodes))
@@ -42,8 +41,12 @@ ContactSurface<dim>::ContactSurface(const ContactSetup &setup, const StepParamet
         std::vector<double>(column(Column::gap), column(Column::gap) + n_nodes));
       profile->start(column(Column::gap));
     }
+  std::fill_n(column(Column::pressing), n_padded, -1.);
   constexpr double softest = 1e100; // of nodes without area
-  for (unsigned int i = 0; setup.is_compliant() && i < setup.area.size(); ++i)
+  if (setup.is_compliant() && !setup.normal_spring().is_linear())
+    springs = std::make_unique<PowerSprings<dim>>(setup.normal_spring(), setup.area,
+                                                  setup.n_owned.value_or(n_nodes), step);
+  for (unsigned int i = 0; setup.is_compliant() && !springs && i < setup.area.size(); ++i)
     column(Column::softness)[i] =
       std::min(softest, 1. / (setup.normal_stiffness * std::fabs(setup.area[i])));
   for (unsigned int i = 0; setup.slips_on_springs() && i < setup.area.size(); ++i)
@@ -113,6 +116,8 @@ void ContactSurface<dim>::advance(const SurfaceView<dim> &surface)
   if (profile)
     profile->advance(surface, flat_increment_at(flat_velocity),
                      arrays(surface, 0, n_nodes));
+  if (springs)
+    springs->press(surface, arrays(surface, 0, n_nodes));
   if (setup.law.node_law)
     setup.law.node_law->update(
       {n_nodes, surface.w[0], flat_velocity * setup.flat_direction[0],
@@ -134,6 +139,8 @@ void ContactSurface<dim>::advance(const SurfaceView<dim> &surface)
       observer->before(surface);
 
   advance_all(surface, flat_velocity, before);
+  if (springs)
+    springs->add_energies(surface, arrays(surface, 0, n_nodes), last);
 
   if (setup.periodic)
     for (unsigned int c = 0; c < dim; ++c)
@@ -174,6 +181,8 @@ void ContactSurface<dim>::initialize_increments(const SurfaceView<dim> &surface)
                                              column(Column::increment_y)[i]);
         total.pressed += 0.25 / soft * (now * now + before * before);
       }
+  if (springs)
+    total.pressed += springs->stored_at_start(surface, arrays(surface, 0, n_nodes));
   for (unsigned int i = 0; setup.slips_on_springs() && i < n_nodes; ++i)
     if (column(Column::gap)[i] + surface.u[dim - 1][i] <= 0.)
       relax_along_flat(surface, i);

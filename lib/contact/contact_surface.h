@@ -3,6 +3,7 @@
 
 #include "contact/contact_kernel.h"
 #include "contact/flat/moving_profile.h"
+#include "contact/flat/power_springs.h"
 #include "contact/friction_law.h"
 #include "contact/laws/variable_friction.h"
 #include "contact/node_counts.h"
@@ -60,6 +61,16 @@ struct ContactSetup
   /** Of springs between surface and flat, for the area (Pa/m); infinite: there are none. */
   double normal_stiffness = std::numeric_limits<double>::infinity();
 
+  double normal_exponent = 1.; ///< of PowerSpring
+  double normal_stiffness_at =
+    0.; ///< pressure (Pa) of that stiffness, where the exponent is not 1
+
+  /** The springs, where there are any. */
+  PowerSpring normal_spring() const
+  {
+    return {normal_stiffness, normal_exponent, normal_stiffness_at};
+  }
+
   /** Of springs along the flat, through which it drags the surface, for the area (Pa/m); infinite: there are none. */
   double tangential_stiffness = std::numeric_limits<double>::infinity();
 
@@ -80,6 +91,12 @@ struct ContactSetup
   bool is_compliant() const
   {
     return std::isfinite(normal_stiffness);
+  }
+
+  /** Whether nodes take part in more than linear springs along the normal of an even flat. */
+  bool is_full() const
+  {
+    return profile || slips_on_springs() || (is_compliant() && normal_exponent != 1.);
   }
 
   /** Whether there are springs along the flat. */
@@ -288,6 +305,7 @@ private:
   NodalField<double> values; ///< one row, a component for each Column
   std::unique_ptr<VariableFriction<dim>> variable;
   std::unique_ptr<MovingProfile<dim>> profile; ///< null: the flat is even
+  std::unique_ptr<PowerSprings<dim>> springs;  ///< null: they are linear, or none
   bool started = false;
   BoundaryWork total;
   ContactSums last;

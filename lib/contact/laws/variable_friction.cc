@@ -87,9 +87,10 @@ VariableFriction<dim>::predict(const SurfaceView<dim> &surface,
                      c * (-surface.force[dim - 1][i] * minv),
                earlier = std::max(0., at(Arrays::increment_y) - height -
                                         at(Arrays::rise) - at(Arrays::rise_before));
-  node.normal          = gap < 0. && minv > 0.
-                           ? force_of_flat(gap, earlier, at(Arrays::softness), c * minv)
-                           : 0.;
+  node.normal          = !(gap < 0. && minv > 0.) ? 0.
+                         : at(Arrays::pressing) >= 0.
+                           ? at(Arrays::pressing)
+                           : force_of_flat(gap, earlier, at(Arrays::softness), c * minv);
   for (unsigned int k = 0; k + 1 < dim && distance > 0.; ++k)
     {
       const double e = slip[k] / distance;

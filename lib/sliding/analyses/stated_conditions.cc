@@ -109,6 +109,9 @@ RunConditions ContactParameters::stated_conditions() const
     conditions["supports"] = text;
   if (contact.is_compliant())
     conditions["normal_stiffness"] = contact.normal_stiffness;
+  if (contact.normal_exponent != 1.)
+    conditions.insert({{"normal_exponent", contact.normal_exponent},
+                       {"normal_stiffness_at", contact.normal_stiffness_at}});
   if (contact.slips_on_springs())
     conditions["tangential_stiffness"] = contact.tangential_stiffness;
   if (contact.profile)

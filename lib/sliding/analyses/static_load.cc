@@ -46,19 +46,6 @@ bool sides_push(const ContactParameters &p)
   return false;
 }
 
-/** Stiffness (N/m, in 2D Pa) of the springs of contact nodes with these areas; nodes without area have
- * next to none. */
-std::vector<double> of_springs(const double stiffness, const std::vector<double> &area)
-{
-  constexpr double least = 1e-9;
-  double largest         = 0.;
-  for (const double a : area)
-    largest = std::max(largest, std::fabs(a));
-  std::vector<double> springs;
-  for (const double a : area)
-    springs.push_back(stiffness * std::max(std::fabs(a), least * largest));
-  return springs;
-}
 } // namespace
 
 template <int dim>
@@ -80,14 +67,16 @@ StaticLoad<dim>::StaticLoad(const GivenBody<dim> &body,
   problem.displacement         = body.compressed(strain / parameters.static_load.steps);
   problem.force                = elastic.zero_field();
   problem.friction_coefficient = friction;
-  problem.gap                  = facts.contact_height;
+  gaps                         = facts.contact_height;
   if (parameters.contact.profile)
-    problem.gap = gaps_over_profile(*parameters.contact.profile, nodes, {});
+    gaps = gaps_over_profile(*parameters.contact.profile, nodes, {});
   if (parameters.contact.is_compliant())
-    problem.stiffness = of_springs(parameters.contact.normal_stiffness, facts.size.area);
+    springs.emplace(parameters.contact.normal_spring(), facts.size.area,
+                    load > 0. ? load : parameters.contact.normal_stiffness_at);
   if (parameters.contact.slips_on_springs() && v == 0.)
-    problem.tangential_stiffness =
-      of_springs(parameters.contact.tangential_stiffness, facts.size.area);
+    for (const double area : spring_areas(facts.size.area))
+      problem.tangential_stiffness.push_back(parameters.contact.tangential_stiffness *
+                                             area);
   problem.sliding                = v > 0. ? 1 : (v < 0. ? -1 : 0);
   problem.flat_direction         = parameters.contact.flat_direction;
   const unsigned int n           = elastic.n_columns();
@@ -139,8 +128,8 @@ StaticContactSolution StaticLoad<dim>::follow(const StaticContactOptions &given)
       problem.force = whole_load;
       for (std::size_t k = 0; k < problem.force.size(); ++k)
         problem.force.begin()[k] *= share;
-      if (platen && problem.gap.empty() && !load.has_history() &&
-          !parameters.step.is_heavy() && !sides_push(parameters))
+      if (platen && gaps.empty() && !(springs && !springs->are_linear()) &&
+          !load.has_history() && !parameters.step.is_heavy() && !sides_push(parameters))
         press_in_proportion();
       else if (platen)
         press(share);
@@ -199,11 +188,34 @@ void StaticLoad<dim>::move_profile(const double share)
   std::array<double, 2> way = {};
   for (std::size_t c = 0; c < parameters.static_load.of_flat.size(); ++c)
     way[c] = share * parameters.static_load.of_flat[c];
-  problem.gap = gaps_over_profile(*parameters.contact.profile, nodes, way);
+  gaps = gaps_over_profile(*parameters.contact.profile, nodes, way);
 }
 
 template <int dim>
 void StaticLoad<dim>::solve()
+{
+  constexpr unsigned int most   = 50;
+  constexpr unsigned int bottom = ElasticBody<dim>::bottom;
+  problem.gap                   = gaps;
+  for (unsigned int n = 0; n < most; ++n)
+    {
+      if (springs)
+        springs->linearize(problem, gaps);
+      solve_linear();
+      if (!springs || springs->are_linear())
+        return;
+      const std::vector<double> u = elastic.surface_values(bottom, problem.displacement);
+      std::vector<double> along_normal;
+      for (std::size_t k = dim - 1; k < u.size(); k += dim)
+        along_normal.push_back(u[k]);
+      if (springs->settle(solution, along_normal, gaps) <= options.tolerance)
+        return;
+    }
+  throw NotConverged("static contact: the springs between body and flat did not settle");
+}
+
+template <int dim>
+void StaticLoad<dim>::solve_linear()
 {
   const unsigned int iterations = solution.iterations, changes = solution.state_changes,
                      of_solver = solution.solver_iterations;

@@ -2,9 +2,11 @@
 #define mesoslip_sliding_analyses_static_load_h
 
 #include "contact/static_contact_solver.h"
+#include "sliding/analyses/static_springs.h"
 #include "sliding/given_body.h"
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace mesoslip
@@ -74,8 +76,11 @@ private:
   /** The gaps over the profile of the flat after @p share of its way. */
   void move_profile(const double share);
 
-  /** Solves and adds up iterations. */
+  /** Solves with springs that may not be linear. @throws NotConverged */
   void solve();
+
+  /** Solves once and adds up iterations. */
+  void solve_linear();
 
   /** Lowers the platen until the flat carries @p share of its pressure. */
   void press(const double share);
@@ -92,7 +97,9 @@ private:
 
   const ContactParameters &parameters;
   const BodyFacts<dim> &facts;
-  const ContactPlaces nodes; ///< of the contact
+  const ContactPlaces nodes;            ///< of the contact
+  std::vector<double> gaps;             ///< of these nodes (m); empty: all touch the flat
+  std::optional<StaticSprings> springs; ///< between them and the flat, along its normal
   const ElasticBody<dim> &elastic;
   const SupportNodes top;
   const double strain; ///< of the body under its pressure, about

@@ -100,6 +100,11 @@ void log_complex_modes(const ComplexCases<dim> &cases,
        : "") +
     (parameters.contact.is_compliant()
        ? brief_text(4, "; on springs of ", parameters.contact.normal_stiffness, " Pa/m")
+       : "") +
+    (parameters.contact.is_compliant() && !parameters.contact.normal_spring().is_linear()
+       ? brief_text(4, " at ", parameters.contact.normal_stiffness_at,
+                    " Pa, with the power ", parameters.contact.normal_exponent,
+                    " of their depth")
        : ""));
   if (!cases.state.contact.slopes.empty())
     context.log(law_text(cases.state));

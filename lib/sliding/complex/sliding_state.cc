@@ -93,6 +93,17 @@ StaticContactSolution settle(const SurfaceNodes<dim> &bottom,
 }
 } // namespace
 
+namespace
+{
+/** Stiffness (N/m, in 2D Pa) of the spring of a node that carries @p force. */
+double tangent_of(const PowerSpring &spring, const double area, const double force)
+{
+  return area * (area > 0.
+                   ? spring.tangent(spring.depth_under(std::max(0., force) / area))
+                   : spring.stiffness);
+}
+} // namespace
+
 template <int dim>
 SlidingState sliding_state(const ElasticBody<dim> &body,
                            const ContactParameters &parameters,
@@ -100,6 +111,11 @@ SlidingState sliding_state(const ElasticBody<dim> &body,
                            const std::vector<double> &friction,
                            const StaticContact &solve)
 {
+  if (!solve && parameters.contact.is_compliant() &&
+      !parameters.contact.normal_spring().is_linear())
+    throw UserError("Flat/Normal exponent: the top is held, so that the pressure on the "
+                    "springs is not known, and with it their stiffness; set "
+                    "Supports/Top/Kind = platen or pressure, or the exponent to 1");
   SlidingState state;
   state.held               = held;
   const ContactSetup &flat = parameters.contact;
@@ -122,8 +138,9 @@ SlidingState sliding_state(const ElasticBody<dim> &body,
           continue;
         }
       if (flat.is_compliant())
-        state.contact.stiffness.push_back(flat.normal_stiffness *
-                                          area_of<dim>(bottom, k));
+        state.contact.stiffness.push_back(
+          tangent_of(flat.normal_spring(), area_of<dim>(bottom, k),
+                     solution ? solution->normal_force[k] : 0.));
       else
         state.held.constrain(dim - 1, node);
       state.contact.nodes.push_back(node);

@@ -81,6 +81,8 @@ void TransientResult::write_summary(RunContext &context) const
      {"rayleigh_alpha", time.step.alpha},
      {"normal_stiffness", null_unless(parameters.contact.is_compliant(),
                                       parameters.contact.normal_stiffness)},
+     {"normal_exponent",
+      null_unless(parameters.contact.is_compliant(), parameters.contact.normal_exponent)},
      {"tangential_stiffness", null_unless(parameters.contact.slips_on_springs(),
                                           parameters.contact.tangential_stiffness)},
      {"flat_profile",

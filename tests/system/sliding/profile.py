@@ -22,7 +22,7 @@ LAME = YOUNG * NU / ((1 + NU) * (1 - 2 * NU))
 SHEAR = YOUNG / (2 * (1 + NU))
 
 
-def westergaard(folder, cells, share):
+def westergaard(folder, cells, share, springs=()):
     """Errors of the largest pressure and of the width of the contact, over exact, of a wave of 1 mm under @share of the pressure that closes it."""
     length, height = 1e-3, 2e-7
     closing = np.pi * YOUNG / (1 - NU**2) * height / length
@@ -31,7 +31,7 @@ def westergaard(folder, cells, share):
         "Body/Size": f"{length}, {1.5 * length}", "Body/Cells": f"{cells}, {3 * cells // 2}", "Sides/Periodic": "true", "Supports/Top/Held": "u_x",
         "Supports/Top/Kind": "pressure", "Supports/Top/Pressure": share * closing, "Flat/Velocity": 0, "Friction/Coefficient": 0,
         "Flat/Profile": f"{height}*cos(2*pi*(x/{length}-0.5))", "Static contact/Tolerance": 1e-9}))
-    folder.run(0, "contact_dynamics", "wavy.prm", "--output", "wavy")
+    folder.run(0, "contact_dynamics", "wavy.prm", "--output", "wavy", *[arg for text in springs for arg in ("--set", "Flat/" + text)])
     with open(folder("wavy", "static_contact.csv"), encoding="ascii") as file:
         rows = list(csv.DictReader(file))[:-1]  # the last is the first
     x, p = (np.array([float(row[key]) for row in rows]) for key in ("x [m]", "pressure [Pa]"))
@@ -47,6 +47,11 @@ def check_westergaard(folder):
         coarse, fine = (westergaard(folder, cells, share) for cells in (48, 192))
         assert abs(fine[0]) < 2e-3 and fine[1] < 0.01 and abs(fine[2]) <= 2 / 192, (share, fine)
         assert fine[1] < 0.4 * coarse[1], (share, coarse, fine)
+    # Soft springs spread the contact, those that are as good as rigid do not.
+    for springs in (["Normal stiffness=1e19"], ["Normal stiffness=1e19", "Normal exponent=2", "Normal stiffness at=1e7"]):
+        stiff, soft = (westergaard(folder, 96, 0.2, [text.replace("1e19", k) for text in springs]) for k in ("1e19", "1e15"))
+        rigid = westergaard(folder, 96, 0.2)
+        assert np.abs(np.subtract(stiff, rigid)).max() < 1e-3 and soft[0] < rigid[0] - 0.01, (springs, stiff, rigid, soft)
 
 
 def check_bump(folder, name, first, body):

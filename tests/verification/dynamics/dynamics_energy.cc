@@ -129,8 +129,32 @@ TEST(Energy, ClosesOnSprings)
               << stiffness << " at sample " << k;
         }
     }
-  setup.step.beta2     = 0.5;
-  const Energies stiff = observe(setup);
+  // A power that is as good as one is linear, another one stores and takes as well.
+  setup.step.beta2                  = 0.5;
+  setup.contact.normal_stiffness    = 1e14;
+  const Energies linear             = observe(setup);
+  setup.contact.normal_stiffness_at = P;
+  setup.contact.normal_exponent     = 1. + 1e-9;
+  const Energies nearly             = observe(setup);
+  for (const auto term :
+       {&EnergyHistory::impact, &EnergyHistory::contact, &EnergyHistory::elastic})
+    EXPECT_NEAR((nearly.e.*term).back(), (linear.e.*term).back(), 1e-6 * linear.scale);
+  for (const double exponent : {2., 3.3})
+    for (const double beta2 : {0.5, 0.8})
+      {
+        setup.contact.normal_exponent = exponent;
+        setup.step.beta2              = beta2;
+        const Energies found          = observe(setup);
+        EXPECT_LT(largest(found.e.residual()) / found.scale, 1e-12) << exponent;
+        EXPECT_GT(largest(found.e.contact), 1e-3 * found.scale) << exponent;
+        for (std::size_t k = 1; k < found.e.impact.size(); ++k)
+          ASSERT_GE(found.e.impact[k] - found.e.impact[k - 1], -1e-13 * found.scale)
+            << exponent << " at sample " << k;
+      }
+  setup.contact.normal_exponent  = 1.;
+  setup.contact.normal_stiffness = 1e25;
+  setup.step.beta2               = 0.5;
+  const Energies stiff           = observe(setup);
   EXPECT_NEAR(stiff.e.impact.back(), impact, 1e-6 * rigid.scale);
   setup.contact.normal_stiffness = 1e13;
   EXPECT_LT(observe(setup, 0.2).e.impact.back(), 0.1 * impact);
