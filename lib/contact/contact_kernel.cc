@@ -58,6 +58,7 @@ MESOSLIP_INLINE bool any(const vint64 mask)
 }
 
 #include "contact/laws/friction_impl.h"
+#include "contact/laws/stretch_impl.h"
 
 /** The nodes i, i + 1, ... of one vector; in @p full with a profile of the flat and springs along it. */
 template <int dim, bool full>
@@ -109,11 +110,7 @@ MESOSLIP_INLINE void advance_vector(const ContactArrays &a,
 
   // Friction.
   constexpr Arrays::Column increments[] = {Arrays::increment_x, Arrays::increment_y,
-                                           Arrays::lateral_increment},
-                           stretches[]  = {Arrays::stretch, Arrays::lateral_stretch},
-                           of_before[]  = {Arrays::stretch_before,
-                                           Arrays::lateral_stretch_before};
-  const vdouble slack                   = full ? load(at(Arrays::slackness)) : zero;
+                                           Arrays::lateral_increment};
   Sliding<dim> sliding;
   for (int k = 0; k < dim - 1; ++k)
     {
@@ -123,19 +120,9 @@ MESOSLIP_INLINE void advance_vector(const ContactArrays &a,
       sliding.slip_before[k] =
         step.flat_increment_before[k] - load(at(increments[component]));
       sliding.compliance[k] = c * minv[component];
-      if constexpr (full)
-        {
-          const vdouble stretch         = load(at(stretches[k])),
-                        earlier_stretch = load(at(of_before[k]));
-          sliding.slip[k] += stretch;
-          sliding.slip_before[k] -= stretch - earlier_stretch;
-          sliding.to_stick[k] = force_of_flat(-sliding.slip[k], earlier_stretch, slack,
-                                              sliding.compliance[k]);
-          sliding.compliance[k] += slack;
-        }
-      else
-        sliding.to_stick[k] = sliding.slip[k] / at_least_smallest(sliding.compliance[k]);
     }
+  if constexpr (full)
+    put_on_springs(a, i, sliding);
   const vdouble limit   = load(at(Arrays::friction_coefficient)) * normal;
   const Friction<dim> f = friction(a, step, i, limit, sliding);
   const vint64 sticks   = touches & f.sticks;
@@ -154,6 +141,17 @@ MESOSLIP_INLINE void advance_vector(const ContactArrays &a,
       store(at(increments[k]), du[k]);
     }
 
+  if constexpr (full)
+    {
+      vdouble slipped[dim - 1], friction_force[dim - 1];
+      for (int k = 0; k < dim - 1; ++k)
+        {
+          slipped[k]        = step.flat_increment[k] - du[2 * k];
+          friction_force[k] = force[2 * k];
+        }
+      stretch_springs<dim>(a, i, slipped, friction_force, touches, sticks, s);
+    }
+
   // Statistics.
   const vdouble in_contact = touches ? one : zero;
   const vdouble stick      = sticks ? one : zero;
@@ -169,7 +167,9 @@ MESOSLIP_INLINE void advance_vector(const ContactArrays &a,
   s.normal += normal;
   s.sticking += stick;
   s.touching += in_contact;
-  s.friction_energy += force[0] * (step.flat_increment[0] - central[0]);
+  s.friction_energy +=
+    force[0] *
+    (0.5 * (step.flat_increment[0] + step.flat_increment_before[0]) - central[0]);
   const vdouble stiffness = soft > zero ? 0.25 / at_least_smallest(soft) : zero,
                 now       = compression(ahead + du[1]);
   s.stored_energy += stiffness * (now * now + compression(height) * compression(height));
@@ -177,21 +177,6 @@ MESOSLIP_INLINE void advance_vector(const ContactArrays &a,
     {
       s.lifting_work += normal * lifted;
       s.impact_energy += normal * lifted;
-      const vdouble quarter = slack > zero ? 0.25 / at_least_smallest(slack) : zero;
-      for (int k = 0; k < dim - 1; ++k)
-        {
-          const vdouble before          = load(at(stretches[k])),
-                        earlier_stretch = load(at(of_before[k])),
-                        of_spring       = sticks
-                                            ? sliding.slip[k] - c * minv[2 * k] * force[2 * k]
-                                            : slack * force[2 * k],
-                        stretch         = slack > zero ? of_spring : zero;
-          store(at(of_before[k]), before);
-          store(at(stretches[k]), stretch);
-          s.stored_energy += quarter * (stretch * stretch + before * before);
-          s.friction_energy -=
-            quarter * (stretch * stretch - earlier_stretch * earlier_stretch);
-        }
     }
   s.impact_energy -= normal * central[1];
   s.impact_energy -= stiffness * (now * now - earlier * earlier);
@@ -201,7 +186,9 @@ MESOSLIP_INLINE void advance_vector(const ContactArrays &a,
       store(at(Arrays::lateral_target), touches ? f.target[1] : zero);
       s.tangential +=
         step.flat_direction[0] * force[0] + step.flat_direction[1] * force[2];
-      s.friction_energy += force[2] * (step.flat_increment[1] - central[2]);
+      s.friction_energy +=
+        force[2] *
+        (0.5 * (step.flat_increment[1] + step.flat_increment_before[1]) - central[2]);
     }
   else
     s.tangential += force[0];

@@ -111,11 +111,14 @@ void ContactSurface<dim>::advance(const SurfaceView<dim> &surface)
   AssertDimension(surface.n, n_nodes);
   const double flat_velocity = setup.flat_velocity(surface.time),
                before        = setup.flat_velocity(std::max(0., surface.time - step.dt));
-  if (!started)
+  const bool first           = !started;
+  if (first)
     initialize_increments(surface);
   if (profile)
     profile->advance(surface, flat_increment_at(flat_velocity),
                      arrays(surface, 0, n_nodes));
+  if (first && setup.slips_on_springs())
+    relax_along_flat(surface);
   if (springs)
     springs->press(surface, arrays(surface, 0, n_nodes));
   if (setup.law.node_law)
@@ -153,7 +156,8 @@ void ContactSurface<dim>::advance(const SurfaceView<dim> &surface)
   total.impact += last.impact_energy;
   total.stored = last.stored_energy;
   total.load += last.normal_force * std::fabs(flat_velocity) * step.dt;
-  total.external += last.tangential_force * flat_velocity * step.dt + last.lifting_work;
+  total.external +=
+    last.tangential_force * 0.5 * (before + flat_velocity) * step.dt + last.lifting_work;
   for (ContactObserver<dim> *observer : observers)
     if (observer->wants(surface.step))
       observer->after(surface, *this);
@@ -183,33 +187,35 @@ void ContactSurface<dim>::initialize_increments(const SurfaceView<dim> &surface)
       }
   if (springs)
     total.pressed += springs->stored_at_start(surface, arrays(surface, 0, n_nodes));
-  for (unsigned int i = 0; setup.slips_on_springs() && i < n_nodes; ++i)
-    if (column(Column::gap)[i] + surface.u[dim - 1][i] <= 0.)
-      relax_along_flat(surface, i);
   started = true;
 }
 
-// At the start, so that it was stretched a step before; a stiff one, which no node would have followed, or one at a
-// node that is held, was not.
+// What touches from the start on, so that its spring was stretched a step before; a stiff one, which no node would have
+// followed, or one at a node that is held, was not.
 template <int dim>
-void ContactSurface<dim>::relax_along_flat(const SurfaceView<dim> &surface,
-                                           const unsigned int i)
+void ContactSurface<dim>::relax_along_flat(const SurfaceView<dim> &surface)
 {
   constexpr Column before[] = {Column::stretch_before, Column::lateral_stretch_before},
                    increments[]     = {Column::increment_x, Column::lateral_increment};
   const std::array<double, 2> moved = flat_increment(0.);
-  const double slack                = column(Column::slackness)[i];
-  for (unsigned int k = 0; k + 1 < dim; ++k)
+  const double c                    = (0.5 + step.beta2) * step.dt * step.dt;
+  for (unsigned int i = 0; i < n_nodes; ++i)
     {
-      const double yields =
-                     (0.5 + step.beta2) * step.dt * step.dt * surface.inverse_mass[k][i],
-                   phi     = yields > 0.
-                               ? slack * slack / (slack * slack + 0.0625 * yields * yields)
-                               : 0.,
-                   stretch = phi * (column(increments[k])[i] - moved[k]);
-      column(before[k])[i] = stretch;
-      if (i < setup.n_owned.value_or(n_nodes))
-        total.pressed += 0.25 / slack * stretch * stretch;
+      const double slack = column(Column::slackness)[i],
+                   gap   = column(Column::gap)[i] + surface.u[dim - 1][i] +
+                         step.dt * surface.w[dim - 1][i] -
+                         c * surface.force[dim - 1][i] * surface.inverse_mass[dim - 1][i];
+      for (unsigned int k = 0; k + 1 < dim && gap < 0.; ++k)
+        {
+          const double yields  = c * surface.inverse_mass[k][i],
+                       phi     = yields > 0. ? slack * slack /
+                                             (slack * slack + 0.0625 * yields * yields)
+                                             : 0.,
+                       stretch = phi * (column(increments[k])[i] - moved[k]);
+          column(before[k])[i] = stretch;
+          if (i < setup.n_owned.value_or(n_nodes))
+            total.pressed += 0.25 / slack * stretch * stretch;
+        }
     }
 }
 

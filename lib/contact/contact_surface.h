@@ -14,6 +14,7 @@
 #include "grid/uniform_grid.h"
 #include "parameters/load_history.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -232,6 +233,13 @@ public:
     return flat_increment_at(setup.flat_velocity(time));
   }
 
+  /** The mean of that and the one before: the central increment (m). */
+  std::array<double, 2> central_flat_increment(const double time) const
+  {
+    return flat_increment_at(0.5 * (setup.flat_velocity(std::max(0., time - step.dt)) +
+                                    setup.flat_velocity(time)));
+  }
+
   /** Whether node @p i stays on the flat if the body's @p acceleration along the normal is all that
    * acts at the start; on a spring it does not. */
   bool rests(const unsigned int i, const double acceleration) const
@@ -294,7 +302,7 @@ private:
   }
 
   void initialize_increments(const SurfaceView<dim> &surface);
-  void relax_along_flat(const SurfaceView<dim> &surface, const unsigned int i);
+  void relax_along_flat(const SurfaceView<dim> &surface);
 
   const ContactSetup setup;
   const ContactFunction advance_nodes;

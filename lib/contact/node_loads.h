@@ -30,7 +30,7 @@ public:
   /** After a step from @p time (s) on. */
   void after(const double time)
   {
-    flat = contact.flat_increment(time);
+    flat = contact.central_flat_increment(time);
   }
 
   /** After a step: of node @p i along x (@p component 0) or, in 3D, y (1) (m). */

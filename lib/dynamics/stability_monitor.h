@@ -129,7 +129,7 @@ private:
     const BoundaryWork work     = boundary_work();
     std::array<double, 3> local = {{0., 0., 0.}};
     std::vector<double> mass(u.n_columns());
-    local[2] = work.external - work.friction - work.impact +
+    local[2] = work.pressed + work.external - work.friction - work.impact +
                round_off * (std::fabs(work.external) + std::fabs(work.friction));
     local[0] = stepper.elastic_energy();
     for (unsigned int j = rows.begin; j < rows.end; ++j)

@@ -25,7 +25,7 @@ std::size_t place_in(const std::vector<double> &axis, const double value)
 }
 
 /** "slip rate" of "slip rate [m/s]". */
-std::string name_of(const std::string &heading)
+std::string quantity_of(const std::string &heading)
 {
   return heading.substr(0, heading.find(" ["));
 }
@@ -34,7 +34,7 @@ std::string name_of(const std::string &heading)
 std::string pair_text(const std::string &heading, const double value)
 {
   const std::string unit = heading.substr(heading.find('[') + 1);
-  return name_of(heading) + " = " + to_text(value) + " " +
+  return quantity_of(heading) + " = " + to_text(value) + " " +
          unit.substr(0, unit.size() - 1);
 }
 } // namespace
@@ -50,8 +50,8 @@ GridTable grid_table(const CsvTable &table,
   const std::vector<double> along_second =
     by_second ? table.numbers(second) : std::vector<double>(table.n_rows(), 0.);
   if (table.n_rows() == 0)
-    throw UserError(table.file() + " has no row; give at least one " + name_of(first) +
-                    " with its " + name_of(value));
+    throw UserError(table.file() + " has no row; give at least one " +
+                    quantity_of(first) + " with its " + quantity_of(value));
   GridTable grid{ascending(along_first), ascending(along_second), {}};
   const std::size_t m = grid.second.size();
   std::vector<std::size_t> places;
@@ -65,18 +65,18 @@ GridTable grid_table(const CsvTable &table,
       std::size_t k = 0;
       while (k < places.size() && places[k] == k)
         ++k;
-      throw UserError(table.file() + " has no row with " +
-                      pair_text(first, grid.first[k / m]) + " and " +
-                      pair_text(second, grid.second[k % m]) + "; each " + name_of(first) +
-                      " needs a " + name_of(value) + " for each " + name_of(second));
+      throw UserError(
+        table.file() + " has no row with " + pair_text(first, grid.first[k / m]) +
+        " and " + pair_text(second, grid.second[k % m]) + "; each " + quantity_of(first) +
+        " needs a " + quantity_of(value) + " for each " + quantity_of(second));
     }
   grid.values.assign(grid.first.size() * m, std::numeric_limits<double>::quiet_NaN());
   for (std::size_t row = 0; row < table.n_rows(); ++row)
     {
       double &entry = grid.values[places[row]];
       if (!std::isnan(entry))
-        table.fail(row, "there is a row with this " + name_of(first) +
-                          (by_second ? " and " + name_of(second) : std::string()) +
+        table.fail(row, "there is a row with this " + quantity_of(first) +
+                          (by_second ? " and " + quantity_of(second) : std::string()) +
                           " before; remove one");
       entry = found[row];
     }

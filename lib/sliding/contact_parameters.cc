@@ -262,6 +262,10 @@ void ContactParameters::bind(Keys &keys)
     !contact.slips_on_springs() || friction.law_name != "slip rate", "Friction/Law",
     "it is slip rate, which knows no Flat/Tangential stiffness; use coulomb or "
     "constant time");
+  keys.only_if(analysis != ContactAnalysis::static_contact ||
+                 contact.flat_velocity.amplitude() == 0.,
+               {"Flat/Tangential stiffness"},
+               "all nodes slide, as Flat/Velocity is not 0", "set Flat/Velocity = 0");
   std::string on_springs = contact.is_compliant()       ? "Flat/Normal stiffness"
                            : contact.slips_on_springs() ? "Flat/Tangential stiffness"
                                                         : "";

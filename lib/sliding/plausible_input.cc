@@ -236,7 +236,8 @@ private:
       within_run("Friction/Normal stress time", parameters.contact.law.normal_stress.time,
                  longest, useless),
       at_most(
-        "Flat/Gap", is_pushed ? 0. : parameters.contact.gap, "m", furthest,
+        "Flat/Gap", is_pushed || parameters.contact.profile ? 0. : parameters.contact.gap,
+        "m", furthest,
         "but pressure, initial velocity and acceleration move the body by " +
           quantity_text(furthest, "m") +
           " at most before Time/End time: it never touches the flat; lengths are in m")};

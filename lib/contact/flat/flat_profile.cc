@@ -34,10 +34,9 @@ std::pair<std::size_t, double> ProfileAxis::locate(double x, const bool repeats)
   std::size_t i =
     static_cast<std::size_t>((x - at.front()) / length * static_cast<double>(last + 1));
   i = std::min(i, last);
-  while (i > 0 && x < at[i])
-    --i;
-  while (i < last && x >= at[i + 1])
-    ++i;
+  if (x < at[i] || x > at[i + 1])
+    i = std::min(last, static_cast<std::size_t>(
+                         std::upper_bound(at.begin(), at.end(), x) - at.begin() - 1));
   return {i, (x - at[i]) / (at[i + 1] - at[i])};
 }
 

@@ -19,11 +19,11 @@ template <int dim>
 class MovingProfile
 {
 public:
-  /** Nodes at @p position (x and, in 3D, y, m), @p height (m) over the plane of the flat; one that is infinitely high
+  /** Over the profile @p given, nodes at @p position (x and, in 3D, y, m) and @p heights (m) over the plane of the flat; one that is infinitely high
    * is no node. */
-  MovingProfile(std::shared_ptr<const FlatProfile> profile,
+  MovingProfile(std::shared_ptr<const FlatProfile> given,
                 const std::array<std::vector<double>, 2> &position,
-                const std::vector<double> &height);
+                const std::vector<double> &heights);
 
   /** The gaps (m) before the first step of a body that is not displaced. */
   void start(double *gap) const;

@@ -15,14 +15,14 @@ double depth_of(const double height)
 
 template <int dim>
 PowerSprings<dim>::PowerSprings(const PowerSpring &spring,
-                                const std::vector<double> &given,
+                                const std::vector<double> &areas,
                                 const unsigned int n_owned,
                                 const StepParameters &step)
   : spring(spring)
-  , areas(given)
+  , areas(areas)
   , n_owned(n_owned)
   , step(step)
-  , earlier(given.size())
+  , earlier(areas.size())
 {
 }
 

@@ -46,7 +46,7 @@ private:
   double force(const double area,
                const double gap,
                const double now,
-               const double earlier,
+               const double before,
                const double yields) const;
 
   const PowerSpring spring;

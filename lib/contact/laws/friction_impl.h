@@ -4,10 +4,9 @@
 template <int dim>
 struct Sliding
 {
-  vdouble slip[dim - 1]; ///< of the node, on a spring with what that is stretched by (m)
+  vdouble slip[dim - 1];        ///< of the node, see put_on_springs() (m)
   vdouble slip_before[dim - 1]; ///< that slid in the step before (m)
-  vdouble compliance[dim - 1];  ///< c / m, on a spring with its own (m/N, in 2D m^2/N)
-  vdouble to_stick[dim - 1];    ///< the force without sliding (N, in 2D N/m)
+  vdouble compliance[dim - 1];  ///< c / m, see put_on_springs() (m/N, in 2D m^2/N)
 };
 
 /** Sticking nodes, and tangential force and Coulomb's force on the body as if all nodes
@@ -36,14 +35,15 @@ MESOSLIP_INLINE Friction<2> friction(const ContactArrays &a,
                                      const vdouble limit,
                                      const Sliding<2> &sliding_of)
 {
-  using Arrays           = ContactArrays;
-  const auto at          = [&](const Arrays::Column c) { return load(a.column[c] + i); };
-  const vdouble zero     = {};
-  const vdouble to_stick = sliding_of.to_stick[0];
-  const vint64 sticks    = absolute(to_stick) <= limit;
-  const vdouble target   = to_stick < zero ? -limit : limit;
-  const vdouble relaxed  = relax(target, at(Arrays::target), at(Arrays::tangential_force),
-                                 at(Arrays::decay), at(Arrays::lag));
+  using Arrays       = ContactArrays;
+  const auto at      = [&](const Arrays::Column c) { return load(a.column[c] + i); };
+  const vdouble zero = {};
+  const vdouble to_stick =
+    sliding_of.slip[0] / at_least_smallest(sliding_of.compliance[0]);
+  const vint64 sticks   = absolute(to_stick) <= limit;
+  const vdouble target  = to_stick < zero ? -limit : limit;
+  const vdouble relaxed = relax(target, at(Arrays::target), at(Arrays::tangential_force),
+                                at(Arrays::decay), at(Arrays::lag));
 
   // In its own direction friction never exceeds the force that makes the node stick.
   const vint64 same_direction = relaxed * to_stick > zero;
@@ -99,7 +99,6 @@ MESOSLIP_INLINE Friction<3> friction(const ContactArrays &a,
   const vdouble(&slip)[2] = sliding_of.slip;
   const vdouble(&slip_before)[2] = sliding_of.slip_before;
   const vdouble(&compliance)[2]  = sliding_of.compliance;
-  const vdouble(&to_stick)[2]    = sliding_of.to_stick;
   const vdouble before[2]        = {at(Arrays::target), at(Arrays::lateral_target)};
   const vdouble force_before[2]  = {at(Arrays::tangential_force),
                                     at(Arrays::lateral_force)};
@@ -138,11 +137,12 @@ MESOSLIP_INLINE Friction<3> friction(const ContactArrays &a,
         left[k] = differ ? found[k] : both[k];
     }
   const vdouble distance_left = length_of(left[0], left[1]);
-  vdouble direction[2], pull[2];
+  vdouble to_stick[2], direction[2], pull[2];
   // Along the force: by friction, by a unit force, and of the slip.
   vdouble moved = {}, softness = {}, distance = {};
   for (int k = 0; k < 2; ++k)
     {
+      to_stick[k]      = slip[k] / at_least_smallest(compliance[k]);
       direction[k]     = left[k] / at_least_smallest(distance_left);
       pull[k]          = direction[k] * compliance[k];
       result.target[k] = limit * direction[k];

@@ -60,6 +60,7 @@ VariableFriction<dim>::predict(const SurfaceView<dim> &surface,
                            stretches[]  = {Arrays::stretch, Arrays::lateral_stretch},
                            of_before[]  = {Arrays::stretch_before,
                                            Arrays::lateral_stretch_before};
+  const double slack = at(Arrays::slackness), ahead = last.touches ? 2. : 1.;
   double slip[dim - 1], rate[dim - 1]; // slips and V_n, both without this step's friction
   double moved = 0., distance = 0.;
   for (unsigned int k = 0; k + 1 < dim; ++k)
@@ -67,14 +68,13 @@ VariableFriction<dim>::predict(const SurfaceView<dim> &surface,
       const double w         = surface.w[k][i],
                    braking   = surface.force[k][i] * surface.inverse_mass[k][i],
                    remembers = decay * at(forces[k]) + (lag - decay) * at(targets[k]);
-      // What stretches the spring along the flat does not slide yet, what it was stretched by may.
-      const double stretch = at(stretches[k]), stretched = stretch - at(of_before[k]);
-      slip[k] = (flat.now[k] - w) * dt + c * braking + stretch;
+      // What the spring along the flat is stretched by may slide, but not what it is stretched to, see stretch_springs().
+      const double stretch = at(stretches[k]), stretched = stretch - at(of_before[k]),
+                   next = slack * (ahead * remembers - (ahead - 1.) * at(forces[k]));
+      slip[k]           = (flat.now[k] - w) * dt + c * braking + stretch;
       rate[k] = (1. - step.beta2) * flat.before[k] + step.beta2 * flat.now[k] - w +
                 step.beta2 * dt * (braking - surface.inverse_mass[k][i] * remembers) +
-                (step.beta2 * (stretch - at(Arrays::slackness) * remembers) -
-                 (1. - step.beta2) * stretched) /
-                  dt;
+                (step.beta2 * (stretch - next) - (1. - step.beta2) * stretched) / dt;
       moved    = std::hypot(moved, flat.before[k] * dt - at(increments[k]) - stretched);
       distance = std::hypot(distance, slip[k]);
     }
@@ -96,7 +96,7 @@ VariableFriction<dim>::predict(const SurfaceView<dim> &surface,
       const double e = slip[k] / distance;
       node.free_rate += e * rate[k];
       node.softness += e * e * step.beta2 *
-                       (dt * surface.inverse_mass[k][i] + at(Arrays::slackness) / dt) *
+                       (dt * surface.inverse_mass[k][i] + ahead * slack / dt) *
                        (1. - lag);
     }
   return node;

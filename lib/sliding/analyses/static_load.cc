@@ -68,8 +68,6 @@ StaticLoad<dim>::StaticLoad(const GivenBody<dim> &body,
   problem.force                = elastic.zero_field();
   problem.friction_coefficient = friction;
   gaps                         = facts.contact_height;
-  if (parameters.contact.profile)
-    gaps = gaps_over_profile(*parameters.contact.profile, nodes, {});
   if (parameters.contact.is_compliant())
     springs.emplace(parameters.contact.normal_spring(), facts.size.area,
                     load > 0. ? load : parameters.contact.normal_stiffness_at);
@@ -128,8 +126,9 @@ StaticContactSolution StaticLoad<dim>::follow(const StaticContactOptions &given)
       problem.force = whole_load;
       for (std::size_t k = 0; k < problem.force.size(); ++k)
         problem.force.begin()[k] *= share;
-      if (platen && gaps.empty() && !(springs && !springs->are_linear()) &&
-          !load.has_history() && !parameters.step.is_heavy() && !sides_push(parameters))
+      if (platen && gaps.empty() && !parameters.contact.profile &&
+          !(springs && !springs->are_linear()) && !load.has_history() &&
+          !parameters.step.is_heavy() && !sides_push(parameters))
         press_in_proportion();
       else if (platen)
         press(share);
@@ -140,94 +139,18 @@ StaticContactSolution StaticLoad<dim>::follow(const StaticContactOptions &given)
   for (unsigned int n = 1; n <= load.steps && load.moves_flat(); ++n)
     {
       stick_where_it_is(1. / load.steps);
-      move_profile(static_cast<double>(n) / load.steps);
-      solve();
+      for (std::size_t c = 0; c < load.of_flat.size(); ++c)
+        way[c] = n * load.of_flat[c] / load.steps;
+      if (platen && parameters.contact.profile)
+        press(1.); // which rises and falls with what comes below the body
+      else
+        solve();
       record(1., static_cast<double>(n) / load.steps);
     }
   if (!(normal_force() > 0.))
     throw NotConverged("static contact: no node touches the flat, as the supports carry "
                        "all of the load");
   return solution;
-}
-
-template <int dim>
-void StaticLoad<dim>::stick_where_it_is(const double share)
-{
-  if (!parameters.static_load.has_history())
-    return;
-  const std::vector<double> &of_flat = parameters.static_load.of_flat;
-  constexpr unsigned int bottom      = ElasticBody<dim>::bottom;
-  const std::vector<double> u    = elastic.surface_values(bottom, problem.displacement),
-                            held = elastic.surface_values(bottom, problem.constrained);
-  problem.reference.clear();
-  for (std::size_t k = 0; k < u.size(); k += dim)
-    for (unsigned int c = 0; c + 1 < dim; ++c)
-      {
-        const bool moves     = c < of_flat.size() && held[k + c] == 0.;
-        const double stretch = stretch_of(k / dim, c);
-        problem.reference.push_back(u[k + c] + stretch +
-                                    (moves ? share * of_flat[c] : 0.));
-      }
-}
-
-template <int dim>
-double StaticLoad<dim>::stretch_of(const std::size_t i, const unsigned int c) const
-{
-  const std::vector<double> &stiffness = problem.tangential_stiffness,
-                            &friction  = solution.tangential_force;
-  return stiffness.empty() || friction.empty()
-           ? 0.
-           : friction[(dim - 1) * i + c] / stiffness[i];
-}
-
-template <int dim>
-void StaticLoad<dim>::move_profile(const double share)
-{
-  if (!parameters.contact.profile)
-    return;
-  std::array<double, 2> way = {};
-  for (std::size_t c = 0; c < parameters.static_load.of_flat.size(); ++c)
-    way[c] = share * parameters.static_load.of_flat[c];
-  gaps = gaps_over_profile(*parameters.contact.profile, nodes, way);
-}
-
-template <int dim>
-void StaticLoad<dim>::solve()
-{
-  constexpr unsigned int most   = 50;
-  constexpr unsigned int bottom = ElasticBody<dim>::bottom;
-  problem.gap                   = gaps;
-  for (unsigned int n = 0; n < most; ++n)
-    {
-      if (springs)
-        springs->linearize(problem, gaps);
-      solve_linear();
-      if (!springs || springs->are_linear())
-        return;
-      const std::vector<double> u = elastic.surface_values(bottom, problem.displacement);
-      std::vector<double> along_normal;
-      for (std::size_t k = dim - 1; k < u.size(); k += dim)
-        along_normal.push_back(u[k]);
-      if (springs->settle(solution, along_normal, gaps) <= options.tolerance)
-        return;
-    }
-  throw NotConverged("static contact: the springs between body and flat did not settle");
-}
-
-template <int dim>
-void StaticLoad<dim>::solve_linear()
-{
-  const unsigned int iterations = solution.iterations, changes = solution.state_changes,
-                     of_solver = solution.solver_iterations;
-  solution                     = solve_static_contact(elastic, problem, options);
-  solution.iterations += iterations;
-  solution.state_changes += changes;
-  solution.solver_iterations += of_solver;
-  problem.displacement = solution.displacement;
-  if (!parameters.static_load.has_history())
-    return;
-  problem.state    = solution.state;
-  problem.friction = solution.tangential_force;
 }
 
 template <int dim>
@@ -289,11 +212,13 @@ void StaticLoad<dim>::press(const double share)
       const double force = platen_force();
       if (std::fabs(force - wanted) <= 10. * options.tolerance * wanted)
         return;
-      const double next =
-        lowered + (wanted - force) * (lowered - lowered_before) / (force - force_before);
-      lowered_before = lowered;
-      force_before   = force;
-      lowered        = next;
+      const double next = lowered != lowered_before
+                            ? lowered + (wanted - force) * (lowered - lowered_before) /
+                                          (force - force_before)
+                            : lowered * wanted / force;
+      lowered_before    = lowered;
+      force_before      = force;
+      lowered           = next;
     }
   throw NotConverged(brief_text(6, "static contact: the body carries ", force_before,
                                 " of ", wanted, " N after lowering the platen ", most,

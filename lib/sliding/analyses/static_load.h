@@ -73,10 +73,13 @@ private:
   /** Component @p c of what stretches the spring along the flat at contact node @p i (m). */
   double stretch_of(std::size_t i, unsigned int c) const;
 
-  /** The gaps over the profile of the flat after @p share of its way. */
-  void move_profile(const double share);
+  /** Gaps to the profile where the nodes are now; whether they hardly change. */
+  bool follow_profile();
 
-  /** Solves with springs that may not be linear. @throws NotConverged */
+  /** Takes the depths of springs that are not linear; whether their forces are those of the solution. */
+  bool settle_springs();
+
+  /** Solves with springs that may not be linear, over a profile. @throws NotConverged */
   void solve();
 
   /** Solves once and adds up iterations. */
@@ -99,6 +102,7 @@ private:
   const BodyFacts<dim> &facts;
   const ContactPlaces nodes;            ///< of the contact
   std::vector<double> gaps;             ///< of these nodes (m); empty: all touch the flat
+  std::array<double, 2> way = {};       ///< of the flat (m)
   std::optional<StaticSprings> springs; ///< between them and the flat, along its normal
   const ElasticBody<dim> &elastic;
   const SupportNodes top;

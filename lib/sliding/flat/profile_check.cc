@@ -39,6 +39,24 @@ Interval way_of(const ContactParameters &p)
   return way;
 }
 
+/** What the body moves along an axis on its own, with its velocity at the start and the far ends of its supports (m). */
+Interval own_way(const ContactParameters &p, const unsigned int axis)
+{
+  Interval way;
+  if (p.analysis != ContactAnalysis::transient)
+    return way;
+  constexpr unsigned int n = 1000;
+  const auto add           = [&](const double moved) {
+    way.from = std::min(way.from, moved);
+    way.to   = std::max(way.to, moved);
+  };
+  add(p.body.initial_velocity[axis] * p.time.end_time);
+  for (const auto &side : p.suspended())
+    for (unsigned int k = 0; k <= n; ++k)
+      add(side.suspension->motion[axis](p.time.end_time * k / n));
+  return way;
+}
+
 /** The part of the flat that comes below the body, along an axis. */
 Interval part_along(const ContactParameters &p,
                     const Interval &way,
@@ -52,7 +70,8 @@ Interval part_along(const ContactParameters &p,
                  axis < p.static_load.of_flat.size() ? p.static_load.of_flat[axis] : 0.,
                along       = p.contact.flat_direction[axis];
   const auto [back, forth] = std::minmax({along * way.from, along * way.to, by, 0.});
-  return {*first - forth, *last - back};
+  const Interval own       = own_way(p, axis);
+  return {*first - forth + own.from, *last - back + own.to};
 }
 
 /** Samples of the profile in rows along x. */
@@ -112,16 +131,26 @@ private:
               ", which comes below the body; give heights in m for all places "
               "with x from " +
               brief_text(4, part[0].from, " to ", part[0].to) + " m");
-          lowest  = std::min(lowest, row[i]);
-          highest = std::max(highest, row[i]);
-          if (i > 0)
-            judge((row[i] - row[i - 1]) / step[0], i, j);
-          if (!before.empty())
-            judge((row[i] - before[i]) / step[1], i, j);
-          if (i >= per_spacing)
-            missed = std::max(missed, std::fabs(row[i - per_spacing / 2] -
-                                                0.5 * (row[i] + row[i - per_spacing])));
+          lowest              = std::min(lowest, row[i]);
+          highest             = std::max(highest, row[i]);
+          const double along  = i > 0 ? (row[i] - row[i - 1]) / step[0] : 0.,
+                       across = !before.empty() ? (row[i] - before[i]) / step[1] : 0.;
+          judge(std::hypot(along, across), i, j);
+          if (i % per_spacing == 0 && j % per_spacing == 0)
+            miss(row[i], i, j);
         }
+  }
+
+  /** How far the height @p here is from the straight line between neighbouring nodes to either side. */
+  void miss(const double here, const std::size_t i, const std::size_t j)
+  {
+    const double x = at(0, i), y = at(1, j), half = 0.5 * spacing,
+                 by_x =
+                   std::fabs(here - 0.5 * (profile(x - half, y) + profile(x + half, y))),
+                 by_y =
+                   std::fabs(here - 0.5 * (profile(x, y - half) + profile(x, y + half)));
+    if (std::isfinite(by_x + by_y)) // beyond the way it need not be
+      missed = std::max({missed, by_x, by_y});
   }
 
   void judge(const double found, const std::size_t i, const std::size_t j)
@@ -240,13 +269,18 @@ std::vector<std::string> look_at_profile(const ContactParameters &p,
 
 std::vector<double> gaps_over_profile(const FlatProfile &profile,
                                       const ContactPlaces &nodes,
-                                      const std::array<double, 2> &way)
+                                      const std::array<double, 2> &way,
+                                      const std::vector<double> &displaced)
 {
   std::vector<double> gaps;
+  const std::size_t n = nodes.place[0].size(), n_axes = nodes.place[1].empty() ? 1 : 2;
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < nodes.place[0].size(); ++i)
+  for (std::size_t i = 0; i < n; ++i)
     {
-      gaps.push_back(height_of(nodes, i) - below(profile, nodes, i, way));
+      std::array<double, 2> moved = way;
+      for (std::size_t c = 0; c < n_axes && !displaced.empty(); ++c)
+        moved[c] -= displaced[n_axes * i + c];
+      gaps.push_back(height_of(nodes, i) - below(profile, nodes, i, moved));
       least = std::min(least, height_of(nodes, i) - below(profile, nodes, i));
     }
   for (double &gap : gaps)

@@ -27,10 +27,12 @@ std::vector<std::string> look_at_profile(const ContactParameters &parameters,
                                          const BodyScales &body,
                                          const ContactPlaces &nodes);
 
-/** Gaps of the nodes (m) of which the least is 0, after the flat has moved by @p way (m) from where it touched first. */
+/** Gaps of the nodes (m), less the least of them at the start, after the flat has moved by @p way (m) and the nodes along
+ * it by @p displaced (m, their dim - 1 components together; empty: not). */
 std::vector<double> gaps_over_profile(const FlatProfile &profile,
                                       const ContactPlaces &nodes,
-                                      const std::array<double, 2> &way);
+                                      const std::array<double, 2> &way,
+                                      const std::vector<double> &displaced);
 } // namespace mesoslip
 
 #endif

@@ -47,6 +47,8 @@ read_profile_table(const std::string &path, const unsigned int dim, const bool r
   if (dim == 2 && table.has_column(y))
     throw UserError(path + " has a column '" + y +
                     "', but Dimension is 2; give the heights over x alone");
+  if (!table.has_column(x))
+    table.numbers(x); // says so
   const GridTable grid = table.has_column(y) ? grid_table(table, y, x, "height [m]")
                                              : grid_table(table, x, y, "height [m]");
   ProfileTable::Points points;

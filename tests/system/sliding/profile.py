@@ -54,6 +54,26 @@ def check_westergaard(folder):
         assert np.abs(np.subtract(stiff, rigid)).max() < 1e-3 and soft[0] < rigid[0] - 0.01, (springs, stiff, rigid, soft)
 
 
+def check_displaced(folder):
+    """A flat that carries the body along carries it on the same crests; under a platen it carries the whole load wherever its waves are."""
+    body = {"Body/Stiffness": "36.54e9, 9.1e9, 47.26e9, 13.785e9", "Body/Density": 1770, "Body/Size": "4e-3, 2e-3", "Body/Cells": "40, 20"}
+    static = {"Analysis": "static contact", "Flat/Velocity": 0, "Flat/Profile": "1e-6*sin(2*pi*x/2e-3)", "Static contact/Tolerance": 1e-10}
+    carried = {"Supports/Top/Kind": "springs", "Supports/Top/Spring stiffness": "1e5, 0", "Supports/Top/Pressure": 1e6, "Friction/Coefficient": 1}
+    pressures = []
+    for moved in (0, 1e-4, 3e-4):
+        folder.write("carried.prm", prm({**body, **static, **carried, "Static contact/Flat displacement": moved}))
+        folder.run(0, "contact_dynamics", "carried.prm", "--output", "carried")
+        with open(folder("carried", "static_contact.csv"), encoding="ascii") as file:
+            pressures.append(np.array([float(row["pressure [Pa]"]) for row in csv.DictReader(file)]))
+    assert np.abs(pressures[1] - pressures[0]).max() < 1e-3 * pressures[0].max() and np.abs(pressures[2] - pressures[0]).max() < 1e-3 * pressures[0].max()
+    folder.write("platen.prm", prm({**body, **static, "Supports/Top/Pressure": 2e6, "Friction/Coefficient": 0.3, "Static contact/Flat displacement": 7e-4,
+                                    "Static contact/Load steps": 3}))
+    folder.run(0, "contact_dynamics", "platen.prm", "--output", "platen")
+    with open(folder("platen", "load_steps.csv"), encoding="ascii") as file:
+        for row in csv.DictReader(file):
+            assert abs(float(row["normal_force [N/m]"]) / (8000 * float(row["share_of_load [-]"])) - 1) < 1e-6, row
+
+
 def check_bump(folder, name, first, body):
     """A body that is held at its top hovers over the flat, and the top of a bump comes along below it."""
     dim = 3 if "3" in first else 2
@@ -147,6 +167,7 @@ def check_sentences(folder, body):
     assert refused("Flat/Profile size has no effect", "Flat/Profile size=1e-3")
     assert refused("of a periodic body it has to be periodic as well", "Flat/Profile=1e-6*sin(2*pi*x/5e-3)", "Sides/Periodic=true", "Supports/Left/Held=",
                    "Supports/Right/Held=")
+    assert refused("is not finite", "Flat/Profile=if(x>7e-3,1/0,0)", "Flat/Velocity=0", "Body/Initial velocity=60, 0")
     assert warned("has slopes up to 0.06", "Flat/Profile=1e-5*sin(1e3*2*pi*x)", "Flat/Gap=1e-5")
     assert warned("finer than the distance of the contact nodes, 0.0005 m", "Flat/Profile=1e-6*sin(2*pi*x/6e-4)")
     assert warned("Flat: height = 1e-6*x m", "Flat/Profile=1e-6*x")
@@ -155,6 +176,7 @@ def check_sentences(folder, body):
 with tempfile.TemporaryDirectory() as path:
     here = Folder(path)
     check_westergaard(here)
+    check_displaced(here)
     for what in bodies(here):
         check_bump(here, *what)
         check_run(here, *what)

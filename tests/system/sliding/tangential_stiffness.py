@@ -88,6 +88,44 @@ def check_turned(folder):
         assert 0 < np.abs(found["x"][key] - found["askew"][key]).max() < 0.1 * size, key
 
 
+def check_turn(folder):
+    """A thin layer, slow enough to be in equilibrium, with T in closed form: it slides, and sticks on its springs again when the flat turns faster
+    than the limit of friction falls; under a pressure that rises it slides on when the flat is faster than that, and never sticks."""
+    layer = {"Sides/Periodic": "true", "Supports/Top/Kind": "pressure", "Supports/Top/Held": "u_x", "Flat/Tangential stiffness": 1e12,
+             "Friction/Law": "coulomb", "Friction/Coefficient": 0.25, "Observation/History interval": 1, "Body/Rayleigh alpha": 1e6, "Body/Density": 1770}
+    plane = {"Body/Stiffness": "36.54e9, 0, 47.26e9, 13.785e9", "Body/Size": "1e-3, 5e-4", "Body/Cells": "2, 1", **layer}
+    solid = {"Body/Stiffness": "36.54e9, 0, 0, 36.54e9, 0, 47.26e9, 13.785e9, 13.785e9, 13.785e9", "Body/Size": "1e-3, 1e-3, 5e-4", "Body/Cells": "2, 2, 1",
+             **layer, "Sides/Periodic in y": "true"}
+    series = 1 / (1e-12 + 5e-4 / 13.785e9)
+    turns = {"Supports/Top/Expression": "5e6*if(t<5e-5,t/5e-5,if(t<2e-4,1,1-0.4*(t-2e-4)/1e-4))",
+             "Flat/Expression": "if(t<5e-5,0,if(t<2.2e-4,0.05,-0.01))", "Time/End time": 3e-4}
+    rises = {"Supports/Top/Expression": "2.5e6*if(t<5e-5,t/5e-5,if(t<1.5e-4,1,1+0.8*(t-1.5e-4)/1e-4))",
+             "Flat/Expression": f"if(t<5e-5,0,if(t<1.4e-4,0.05,{1.5 * 0.25 * 2e10 / series}))", "Time/End time": 2.5e-4}
+    for first, body in (("", plane), ("set Dimension = 3\n", solid)):
+        for law in ("coulomb", "constant time"):
+            settings = {**body, **turns, "Friction/Law": law, **({"Friction/Regularization time": 1e-6} if law != "coulomb" else {})}
+            folder.write("turn.prm", first + prm(settings))
+            folder.run(0, "contact_dynamics", "turn.prm", "--output", "turn")
+            one, size = histories(folder, "turn"), 1e-3 * (1e-3 if first else 1)
+            time, traction = one["history/time"], one["history/contact_tangential_force"] / size
+            at = np.searchsorted(time, 2.95e-4)
+            due = 0.25 * 5e6 * (1 - 0.4 * 0.2) - 0.01 * series * (time[at] - 2.2e-4)
+            assert abs(traction[at] - due) < 0.02 * 1.25e6 and one["history/slipping_nodes"][at] == 0, (first, law, traction[at], due)
+        folder.write("rise.prm", first + prm({**body, **rises}))
+        folder.run(0, "contact_dynamics", "rise.prm", "--output", "rise")
+        one = histories(folder, "rise")
+        late = one["history/time"] > 1.8e-4
+        assert one["history/sticking_nodes"][late].max() == 0, first
+        assert np.allclose(one["history/contact_tangential_force"][late], 0.25 * one["history/contact_normal_force"][late], rtol=1e-9), first
+    # Nothing touches, so nothing rubs; and a flat that moves while the pressure begins blows nothing up.
+    folder.write("nothing.prm", prm({"Body/Size": "0.056, 0.016", "Body/Cells": "56, 16", "Flat/Tangential stiffness": 1e13, "Time/End time": 2e-5,
+                                     "Supports/Top/Ramp": "smooth", "Supports/Top/Ramp time": 5e-4}))
+    folder.run(0, "contact_dynamics", "nothing.prm", "--output", "begins")
+    folder.run(0, "contact_dynamics", "nothing.prm", "--output", "nothing", "--set", "Supports/Top/Pressure=0", "--set", "Supports/Top/Ramp=step",
+               "--set", "Supports/Top/Ramp time=0")
+    assert np.all(histories(folder, "nothing")["energy/friction"] == 0)
+
+
 def check_pressure(folder, name, first, body):
     """Friction of 1 MPa whatever the pressure: its coefficient is that over the force of the node in this step."""
     dim = 3 if "3" in first else 2
@@ -113,5 +151,6 @@ with tempfile.TemporaryDirectory() as path:
         check_run(here, *what)
         check_pressure(here, *what)
     check_turned(here)
+    check_turn(here)
     assert "knows no Flat/Tangential stiffness" in here.run(2, "contact_dynamics", "run.prm", "--set", "Friction/Law=slip rate", "--validate")
     assert "has no effect, as Analysis is 'complex modes'" in here.run(2, "contact_dynamics", "run.prm", "--set", "Analysis=complex modes", "--validate")

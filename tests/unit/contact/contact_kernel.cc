@@ -27,7 +27,11 @@ struct ReferenceNode
   } status   = separated;
   double f_n = 0., f_t = 0.;
 
-  void advance(const double fx, const double fy, const StepParameters &p, const double V)
+  void advance(const double fx,
+               const double fy,
+               const StepParameters &p,
+               const double V,
+               const double V_before)
   {
     const double dt = p.dt, b = p.beta2, kappa = dt * dt * (0.5 + b) / m;
     const double ax = -fx / m, ay = -fy / m;
@@ -64,7 +68,7 @@ struct ReferenceNode
     wy += dt * (ay + f_n / m);
     ux += dt * wx + (b - 0.5) * dt * dt * (ax + f_t / m);
     uy += dt * wy + (b - 0.5) * dt * dt * (ay + f_n / m);
-    friction_energy += f_t * (V * dt - 0.5 * (ux - ux_before));
+    friction_energy += f_t * 0.5 * ((V + V_before) * dt - (ux - ux_before));
     impact_energy -= f_n * 0.5 * (uy - uy_before);
     ux_before = x;
     uy_before = y;
@@ -117,7 +121,8 @@ TEST(ContactKernel, EqualsTheBranchesNodeByNode)
                   const double t = k * p.dt, right = std::sin(2. * t + i);
                   const double down = 1. + 1.5 * std::sin(1.3 * t + 0.7 * i);
                   points.load(i, right, down);
-                  reference[i].advance(-right, down, p, 0.3 * std::sin(3. * t));
+                  reference[i].advance(-right, down, p, 0.3 * std::sin(3. * t),
+                                       0.3 * std::sin(3. * std::max(0., t - p.dt)));
                   friction += reference[i].friction_energy;
                   impact += reference[i].impact_energy;
                   normal += reference[i].f_n;
