@@ -255,7 +255,7 @@ std::vector<std::string> look_at_profile(const ContactParameters &p,
                        "along the flat lack up to that "
                        "share of the normal force");
   if (!found.complete)
-    warnings.push_back(
+    warnings.emplace_back(
       "Flat/Profile is longer along the way of the flat than could be looked at in "
       "steps of a quarter of the distance of nodes: steep or sharp parts may have been "
       "missed");
