@@ -110,9 +110,9 @@ template <int dim>
 void CondensedContact<dim>::stand_on_springs()
 {
   softness = Eigen::VectorXd::Zero(F.size());
-  const std::vector<double> none;
+  const std::vector<double> no_springs;
   const std::vector<double> &along =
-    problem.sliding == 0 ? problem.tangential_stiffness : none;
+    problem.sliding == 0 ? problem.tangential_stiffness : no_springs;
   if (problem.stiffness.empty() && along.empty())
     return;
   for (Eigen::Index k = 0; k < F.size(); ++k)

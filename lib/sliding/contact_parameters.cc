@@ -284,9 +284,9 @@ void ContactParameters::bind(Keys &keys)
       analysis == ContactAnalysis::static_contact ||
       analysis == ContactAnalysis::complex_modes)
     make_slip_law(keys);
-  if (keys.are_read())
-    contact.profile = profile.make(mesh.mesh.dim);
-  if (keys.are_read())
-    check_contact_map(keys);
+  if (!keys.are_read())
+    return;
+  contact.profile = profile.make(mesh.mesh.dim);
+  check_contact_map(keys);
 }
 } // namespace mesoslip

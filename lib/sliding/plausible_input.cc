@@ -59,7 +59,7 @@ public:
     , velocity{p.contact.flat_velocity, "Flat", "Velocity"}
     , pressures(load_range(p.top.pressure, end))
     , flat_speed(load_range(p.contact.flat_velocity, end).largest_size())
-    , is_pushed(p.is_moved_normally())
+    , is_pushed(p.is_moved_normally() || p.contact.profile)
   {
   }
 
@@ -236,8 +236,7 @@ private:
       within_run("Friction/Normal stress time", parameters.contact.law.normal_stress.time,
                  longest, useless),
       at_most(
-        "Flat/Gap", is_pushed || parameters.contact.profile ? 0. : parameters.contact.gap,
-        "m", furthest,
+        "Flat/Gap", is_pushed ? 0. : parameters.contact.gap, "m", furthest,
         "but pressure, initial velocity and acceleration move the body by " +
           quantity_text(furthest, "m") +
           " at most before Time/End time: it never touches the flat; lengths are in m")};

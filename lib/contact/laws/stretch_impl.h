@@ -73,7 +73,7 @@ MESOSLIP_INLINE void stretch_springs(const ContactArrays &a,
       const vdouble before    = load(a.column[stretch_column[k]] + i),
                     earlier   = load(a.column[earlier_column[k]] + i),
                     of_spring = holds ? held[k] : slid[k],
-                    stretch   = (slack > zero) & touches ? of_spring : zero;
+                    stretch   = ((slack > zero) & touches) ? of_spring : zero;
       store(a.column[earlier_column[k]] + i, before);
       store(a.column[stretch_column[k]] + i, stretch);
       s.stored_energy += quarter * (stretch * stretch + before * before);
