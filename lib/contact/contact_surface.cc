@@ -1,5 +1,8 @@
 #include "contact/contact_surface.h"
 
+#include "contact/laws/flat_spring_impl.h"
+#include "contact/laws/free_gap.h"
+
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
@@ -202,15 +205,11 @@ void ContactSurface<dim>::relax_along_flat(const SurfaceView<dim> &surface)
   for (unsigned int i = 0; i < n_nodes; ++i)
     {
       const double slack = column(Column::slackness)[i],
-                   gap   = column(Column::gap)[i] + surface.u[dim - 1][i] +
-                         step.dt * surface.w[dim - 1][i] -
-                         c * surface.force[dim - 1][i] * surface.inverse_mass[dim - 1][i];
+                   gap   = free_gap(surface, column(Column::gap)[i], i, step);
       for (unsigned int k = 0; k + 1 < dim && gap < 0.; ++k)
         {
           const double yields  = c * surface.inverse_mass[k][i],
-                       phi     = yields > 0. ? slack * slack /
-                                             (slack * slack + 0.0625 * yields * yields)
-                                             : 0.,
+                       phi     = yields > 0. ? 2. * share_of_earlier(slack, yields) : 0.,
                        stretch = phi * (column(increments[k])[i] - moved[k]);
           column(before[k])[i] = stretch;
           if (i < setup.n_owned.value_or(n_nodes))

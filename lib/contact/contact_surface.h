@@ -62,7 +62,7 @@ struct ContactSetup
   /** Of springs between surface and flat, for the area (Pa/m); infinite: there are none. */
   double normal_stiffness = std::numeric_limits<double>::infinity();
 
-  double normal_exponent = 1.; ///< of PowerSpring
+  double normal_exponent = 1.; ///< power of their depth with which their pressure grows
   double normal_stiffness_at =
     0.; ///< pressure (Pa) of that stiffness, where the exponent is not 1
 

@@ -62,10 +62,10 @@ struct StaticContactProblem
   std::array<double, 2> flat_direction = {{1., 0.}};
 
   /**
-   * On a flat at rest, of each node the displacement along the flat at which it sticks without friction
-   * (m), its dim - 1 components together: where it was after the last increment of the
-   * load, on a spring less what that is stretched by, moved with the flat, unless a side holds it; what sides hold carries no friction
-   * then. Empty: zero.
+   * On a flat at rest, of each node the displacement along the flat at which it sticks without friction (m), its dim - 1
+   * components together: where it was after the last increment of the load, and further by what the friction then
+   * stretched its spring, moved with the flat, unless a side holds it; what sides hold carries no friction then. Empty:
+   * zero.
    */
   std::vector<double> reference = {};
 

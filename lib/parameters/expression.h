@@ -38,7 +38,7 @@ public:
     return at(values.data(), values.size());
   }
 
-  /** The same without a vector. */
+  /** The value, of values in braces, which take no memory of their own. */
   double operator()(const std::initializer_list<double> values) const
   {
     return at(values.begin(), values.size());

@@ -69,10 +69,14 @@ void GivenBody<dim>::look_at_flat()
 {
   const auto warnings = look_at_profile(parameters, known.scales, contact_nodes());
   known.warnings.insert(known.warnings.end(), warnings.begin(), warnings.end());
-  if (parameters.contact.profile)
-    known.lines.push_back(
-      "Flat: height = " + parameters.contact.profile->text() +
-      (parameters.profile.file.empty() ? " m" : " (" + parameters.profile.file + ")"));
+  if (!parameters.contact.profile)
+    return;
+  const std::string &file = parameters.profile.file,
+                    text  = parameters.contact.profile->text();
+  known.lines.push_back("Flat: height = " + text +
+                        (file.empty() ? " m" : " (" + file + ")"));
+  if (!file.empty())
+    known.contents += "Content of Flat/Profile file = " + text + "\n";
 }
 
 template <int dim>

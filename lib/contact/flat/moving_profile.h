@@ -19,8 +19,8 @@ template <int dim>
 class MovingProfile
 {
 public:
-  /** Over the profile @p given, nodes at @p position (x and, in 3D, y, m) and @p heights (m) over the plane of the flat; one that is infinitely high
-   * is no node. */
+  /** Nodes at @p position (x and, in 3D, y, m) and @p heights (m) over the plane of a flat with the profile @p given; one
+   * that is infinitely high is no node. */
   MovingProfile(std::shared_ptr<const FlatProfile> given,
                 const std::array<std::vector<double>, 2> &position,
                 const std::vector<double> &heights);
@@ -46,8 +46,8 @@ public:
 
 private:
   const std::shared_ptr<const FlatProfile> profile;
-  std::vector<unsigned int> nodes;          ///< that are there
-  std::array<std::vector<double>, 2> place; ///< of each of them (m)
+  std::vector<unsigned int> nodes; ///< numbers of those that are not infinitely high
+  std::array<std::vector<double>, 2> place; ///< x and y of each of them at the start (m)
   std::vector<double> height;               ///< likewise, over the plane of the flat (m)
   std::array<double, 2> way = {};           ///< of the flat since the start (m)
 };

@@ -1,5 +1,7 @@
 #include "contact/flat/power_springs.h"
 
+#include "contact/laws/free_gap.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -30,16 +32,14 @@ template <int dim>
 void PowerSprings<dim>::press(const SurfaceView<dim> &surface,
                               const ContactArrays &contact)
 {
-  using Arrays    = ContactArrays;
-  const auto &at  = contact.column;
-  const double dt = step.dt, c = (0.5 + step.beta2) * dt * dt;
+  using Arrays   = ContactArrays;
+  const auto &at = contact.column;
+  const double c = (0.5 + step.beta2) * step.dt * step.dt;
   for (std::size_t i = 0; i < areas.size(); ++i)
     {
-      const double minv  = surface.inverse_mass[dim - 1][i],
-                   ahead = at[Arrays::gap][i] + surface.u[dim - 1][i],
-                   now =
-                     ahead + at[Arrays::rise][i], // before the flat rises in this step
-        gap = ahead + dt * surface.w[dim - 1][i] - c * surface.force[dim - 1][i] * minv;
+      const double minv = surface.inverse_mass[dim - 1][i], ahead = at[Arrays::gap][i],
+                   gap = free_gap(surface, ahead, i, step),
+                   now = ahead + surface.u[dim - 1][i] + at[Arrays::rise][i];
       earlier[i] =
         depth_of(now + at[Arrays::rise_before][i] - at[Arrays::increment_y][i]);
       at[Arrays::pressing][i] =

@@ -21,10 +21,8 @@ put_on_springs(const ContactArrays &a, const std::size_t i, Sliding<dim> &slidin
     {
       const vdouble stretch = load(a.column[stretch_column[k]] + i),
                     earlier = load(a.column[earlier_column[k]] + i),
-                    yields = sliding.compliance[k], squares = slack * slack,
-                    share = 0.5 * squares /
-                            at_least_smallest(squares + 0.0625 * (yields * yields)),
-                    ratio = share / (1. - share);
+                    share   = share_of_earlier(slack, sliding.compliance[k]),
+                    ratio   = share / (1. - share);
       sliding.slip[k] += stretch + ratio * earlier;
       sliding.slip_before[k] -= stretch - earlier;
       sliding.compliance[k] += slack / (1. - share);

@@ -1,6 +1,7 @@
 #include "contact/laws/variable_friction.h"
 
 #include "contact/laws/flat_spring_impl.h"
+#include "contact/laws/free_gap.h"
 
 #include <algorithm>
 #include <cmath>
@@ -81,10 +82,9 @@ VariableFriction<dim>::predict(const SurfaceView<dim> &surface,
   last.slip_rate = last.sticks ? 0. : moved / dt;
 
   Node node;
-  const double minv   = surface.inverse_mass[dim - 1][i],
-               height = at(Arrays::gap) + surface.u[dim - 1][i],
-               gap    = height + dt * surface.w[dim - 1][i] +
-                     c * (-surface.force[dim - 1][i] * minv),
+  const double minv    = surface.inverse_mass[dim - 1][i],
+               height  = at(Arrays::gap) + surface.u[dim - 1][i],
+               gap     = free_gap(surface, at(Arrays::gap), i, step),
                earlier = std::max(0., at(Arrays::increment_y) - height -
                                         at(Arrays::rise) - at(Arrays::rise_before));
   node.normal          = !(gap < 0. && minv > 0.) ? 0.

@@ -100,9 +100,10 @@ private:
 
   const ContactParameters &parameters;
   const BodyFacts<dim> &facts;
-  const ContactPlaces nodes;            ///< of the contact
-  std::vector<double> gaps;             ///< of these nodes (m); empty: all touch the flat
-  std::array<double, 2> way = {};       ///< of the flat (m)
+  const ContactPlaces nodes; ///< where the nodes of the contact are
+  std::vector<double> gaps;  ///< of these nodes (m); empty: all touch the flat
+  std::array<double, 2> way =
+    {}; ///< of the flat along x and y from where the body was put on it (m)
   std::optional<StaticSprings> springs; ///< between them and the flat, along its normal
   const ElasticBody<dim> &elastic;
   const SupportNodes top;

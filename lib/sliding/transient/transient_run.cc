@@ -19,11 +19,7 @@ std::string run_identity(const Keys &keys,
                                "Observation/Steady from", "Checkpoints/", "Performance/",
                                "Modal/", "Static contact/", "Friction homogenization/"}) +
          "Performance/Instruction set = " + to_string(resolve(parameters.sweep.isa)) +
-         "\n" + contents +
-         (parameters.contact.profile ? "Content of Flat/Profile file = " +
-                                         parameters.contact.profile->text() + "\n"
-                                     : "") +
-         "Coefficient law = " + parameters.friction.slip_law.text() +
+         "\n" + contents + "Coefficient law = " + parameters.friction.slip_law.text() +
          "\nProgram version = " + version + "\n";
 }
 

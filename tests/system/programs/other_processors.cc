@@ -153,9 +153,9 @@ void contact_kernel()
       components[c] = next();
   for (double *&column : a.column)
     column = next();
-  for (unsigned int i = 0; i < n; ++i)
-    a.column[ContactArrays::softness][i] =
-      std::max(0., a.column[ContactArrays::softness][i]);
+  for (const auto of_spring : {ContactArrays::softness, ContactArrays::slackness})
+    for (unsigned int i = 0; i < n; ++i)
+      a.column[of_spring][i] = std::max(0., a.column[of_spring][i]);
   ContactSums sums;
   for (unsigned int step = 0; step < 5; ++step)
     {

@@ -9,8 +9,7 @@ import h5py
 import numpy as np
 from PIL import Image
 
-from four_bodies import SOLID, bodies, check_ranks_and_restart, histories
-from mesh_files import Box
+from four_bodies import bodies, bricks, check_alike, check_ranks_and_restart, histories
 from scenes import Folder, prm
 
 RUN = {"Flat/Velocity": 2, "Flat/Gap": 2.5e-6, "Supports/Top/Pressure": 5e6, "Friction/Coefficient": 0.3, "Time/End time": 2e-5,
@@ -106,23 +105,6 @@ def check_run(folder, name, first, body):
     assert np.ptp(one["history/contact_normal_force"]) > 0, name
 
 
-def check_box_and_mesh(folder, body):
-    box = Box([3, 2, 4], [5, 4, 8], lambda x: "body", "cube")
-    for side, axis, upper in [("Contact", 2, False), ("Top", 2, True), ("Left", 0, False), ("Right", 0, True), ("Front", 1, False), ("Back", 1, True)]:
-        box.name_side(side, axis, upper)
-    box.write(folder("bricks.msh"))
-    mesh = {"Mesh/File": "bricks.msh", "Mesh/Scale": 0.001, "Phases/Names": "body", "Phases/body/Type": "stiffness", "Phases/body/Density": 1770,
-            "Phases/body/Stiffness": SOLID}
-    found = []
-    for name, keys in (("box", body), ("bricks", {**{key: value for key, value in body.items() if "Held" in key}, **mesh})):
-        folder.write("alike.prm", "set Dimension = 3\n" + prm({**RUN, **keys, "Flat/Velocity": "2, 1.5", "Flat/Profile": WAVES[3], "Time/Time step": 5e-8}))
-        folder.run(0, "contact_dynamics", "alike.prm", "--output", name)
-        found.append(histories(folder, name))
-    for key, values in found[0].items():
-        size = max(np.abs(values).max(), np.abs(found[0]["energy/elastic"]).max() if "energy" in key else 0)
-        assert np.abs(values - found[1][key]).max() <= 1e-10 * size, (key, np.abs(values - found[1][key]).max() / size)
-
-
 def check_files(folder, first, body):
     """Ridges of 1 um every 2 mm along x and, in 3D, of 2 um every 1 mm along y, as formula, table and picture, whose pixels count in their middle."""
     in_3d = "3" in first
@@ -147,6 +129,15 @@ def check_files(folder, first, body):
         for a, b in (("formula", "table"), ("moved", "picture")):
             assert np.abs(found[a][key] - found[b][key]).max() < 1e-7 * size, (first, key, a, np.abs(found[a][key] - found[b][key]).max() / size)
         assert np.abs(found["formula"][key] - found["moved"][key]).max() > 1e-3 * size
+
+
+def check_resume(folder, body):
+    """A run goes on over the table that it began with, alone."""
+    folder.write("bump.csv", "x [m],height [m]\n0,0\n1e-3,1e-6\n2e-3,0\n")
+    folder.write("resumed.prm", prm({**RUN, **body, "Flat/Profile file": "bump.csv"}))
+    folder.run(0, "contact_dynamics", "resumed.prm", "--output", "resumed", "--set", "Time/End time=1e-5")
+    folder.write("bump.csv", "x [m],height [m]\n0,0\n1e-3,1.5e-6\n2e-3,0\n")
+    assert "Content of Flat/Profile file" in folder.run(2, "contact_dynamics", "resumed.prm", "--output", "resumed", "--resume")
 
 
 def check_sentences(folder, body):
@@ -183,6 +174,8 @@ with tempfile.TemporaryDirectory() as path:
         if what[0] in ("grid", "box"):
             check_files(here, *what[1:])
         if what[0] == "box":
-            check_box_and_mesh(here, what[2])
+            moving, held = {**RUN, "Flat/Velocity": "2, 1.5", "Flat/Profile": WAVES[3]}, {key: value for key, value in what[2].items() if "Held" in key}
+            check_alike(here, {**moving, **what[2]}, {**moving, **held, **bricks(here)})
         if what[0] == "grid":
+            check_resume(here, what[2])
             check_sentences(here, what[2])

@@ -8,8 +8,7 @@ import tempfile
 import h5py
 import numpy as np
 
-from four_bodies import PLANE, SOLID, bodies, check_ranks_and_restart, histories
-from mesh_files import Box
+from four_bodies import PLANE, bodies, bricks, check_alike, check_ranks_and_restart, histories
 from scenes import Folder, prm
 
 PRESSURE = 5e6
@@ -39,24 +38,6 @@ def check_run(folder, name, first, body, top):
     assert summary["supports"]["Right"]["absorbing"] and summary["supports"]["Left"]["mass"] == 1.5, summary["supports"]
     scale = np.abs(one["energy/elastic"]).max()
     assert one["energy/dashpots"].max() > 1e-3 * scale and np.diff(one["energy/dashpots"]).min() > -1e-12 * scale, (name, top)
-
-
-def check_box_and_mesh(folder, body):
-    """The mesh of the bricks of the box, whose nodes and faces are found in another way."""
-    box = Box([3, 2, 4], [5, 4, 8], lambda x: "body", "cube")
-    for side, axis, upper in [("Contact", 2, False), ("Top", 2, True), ("Left", 0, False), ("Right", 0, True), ("Front", 1, False), ("Back", 1, True)]:
-        box.name_side(side, axis, upper)
-    box.write(folder("bricks.msh"))
-    mesh = {"Mesh/File": "bricks.msh", "Mesh/Scale": 0.001, "Phases/Names": "body", "Phases/body/Type": "stiffness", "Phases/body/Density": 1770,
-            "Phases/body/Stiffness": SOLID}
-    found = []
-    for name, keys in (("box", without_sides(body)), ("bricks", mesh)):
-        folder.write("alike.prm", "set Dimension = 3\n" + prm({**RUN, **SIDES, **IN_3D, **TOPS["springs"], **keys, "Time/Time step": 5e-8}))
-        folder.run(0, "contact_dynamics", "alike.prm", "--output", name)
-        found.append(histories(folder, name))
-    for key, values in found[0].items():
-        size = max(np.abs(values).max(), np.abs(found[0]["energy/elastic"]).max() if "energy" in key else 0)
-        assert np.abs(values - found[1][key]).max() <= 1e-10 * size, (key, np.abs(values - found[1][key]).max() / size)
 
 
 def check_static(folder, name, first, body):
@@ -156,6 +137,6 @@ with tempfile.TemporaryDirectory() as path:
         check_static(here, *what)
         check_absorption(here, *what)
         if what[0] == "box":
-            check_box_and_mesh(here, what[2])
+            check_alike(here, *({**RUN, **SIDES, **IN_3D, **TOPS["springs"], **keys} for keys in (without_sides(what[2]), bricks(here))))
     check_corners(here)
     check_sentences(here)
