@@ -51,8 +51,8 @@ int main(int argc, char **argv)
   setup.step.beta = 2e-8; // s, so that the landing does not ring on
   setup.step.dt   = 0.5 * critical_time_step(material, setup.step.beta2, setup.step.beta);
   setup.step.acceleration = {{0., -gravity}};
-  setup.top.kind          = TopSetup::Kind::pressure; // of 0 Pa
-  setup.contact.law.time  = 0.; // plain Coulomb with our coefficient
+  setup.top.is_platen     = false; // of 0 Pa
+  setup.contact.law.time  = 0.;    // plain Coulomb with our coefficient
   setup.contact.law.node_law =
     std::make_shared<VelocityWeakening>(mu_rest, mu_fast, critical_velocity);
   setup.contact.friction_coefficient = std::vector<double>(material.n_columns(), mu_rest);

@@ -7,51 +7,70 @@ namespace mesoslip
 template <int dim>
 FreeDofs<dim>::FreeDofs(const ElasticBody<dim> &body,
                         const DofMask &mask,
-                        const std::optional<double> &platen_mass)
+                        const std::optional<Platen> &platen)
   : body(body)
-  , of_platen_alone(platen_mass)
 {
   const std::vector<bool> counted = body.counted_originals();
   const std::vector<double> mass  = body.lumped_mass();
   const auto index                = [&](const NodeIndex &node) {
     return static_cast<std::size_t>(node.j) * body.n_columns() + node.i;
   };
-  const auto is_counted = [&](const NodeIndex &node) { return counted[index(node)]; };
-  const auto mass_of    = [&](const NodeIndex &node) { return mass[index(node)]; };
   for (unsigned int j = 0; j < body.n_rows(); ++j)
     for (unsigned int c = 0; c < dim; ++c)
       for (unsigned int i = 0; i < body.n_columns(); ++i)
-        if (is_counted({i, j}) && !mask.is_constrained(c, {i, j}))
-          add(c, {i, j}, mass_of({i, j}));
-  if (has_platen())
+        if (counted[index({i, j})] && !mask.is_constrained(c, {i, j}))
+          add(c, {i, j}, mass[index({i, j})]);
+  if (platen)
     {
+      std::vector<double> of_nodes;
       for (const NodeIndex &node : body.surface(ElasticBody<dim>::top).nodes)
-        if (is_counted(node))
-          platen_nodes.push_back(node);
-      find_platen_rank();
-      double moved = owns_platen() ? *platen_mass : 0.;
-      for (const NodeIndex &node : platen_nodes)
-        moved += mass_of(node);
-      moved = mpi::sum(moved, body.communicator());
-      if (owns_platen())
-        add(dim - 1, platen_nodes.front(), moved);
+        if (counted[index(node)])
+          {
+            platen_nodes.push_back(node);
+            of_nodes.push_back(mass[index(node)]);
+          }
+      add_platen(*platen, of_nodes);
     }
   partitioner = std::make_shared<dealii::Utilities::MPI::Partitioner>(
     masses.size(), 0, body.communicator());
 }
 
+/** @p mass: of its nodes (kg, in 2D kg/m). */
 template <int dim>
-double FreeDofs<dim>::of_platen(const Vector &x) const
+void FreeDofs<dim>::add_platen(const Platen &platen, const std::vector<double> &mass)
 {
-  const double own = owns_platen() ? x.local_element(masses.size() - 1) : 0.;
-  return mpi::broadcast(own, static_cast<int>(platen_rank), body.communicator());
+  for (unsigned int c = 0; c < dim; ++c)
+    if (c + 1 == dim || platen.slides[c])
+      moved.push_back(c);
+  of_platen_alone         = platen.mass;
+  const unsigned int rank = mpi::this_mpi_process(body.communicator()),
+                     none = mpi::n_mpi_processes(body.communicator());
+  platen_rank     = mpi::min(platen_nodes.empty() ? none : rank, body.communicator());
+  double together = owns_platen() ? platen.mass : 0.;
+  for (const double of_node : mass)
+    together += of_node;
+  together = mpi::sum(together, body.communicator());
+  for (const unsigned int c : moved)
+    if (owns_platen())
+      add(c, platen_nodes.front(), together);
 }
 
 template <int dim>
-void FreeDofs<dim>::set_platen(Vector &x, const double value) const
+std::vector<double> FreeDofs<dim>::of_platen(const Vector &x) const
+{
+  std::vector<double> values(moved.size(), 0.);
+  for (std::size_t k = 0; k < moved.size(); ++k)
+    values[k] =
+      mpi::broadcast(owns_platen() ? x.local_element(first_of_platen() + k) : 0.,
+                     static_cast<int>(platen_rank), body.communicator());
+  return values;
+}
+
+template <int dim>
+void FreeDofs<dim>::set_platen(Vector &x, const std::size_t k, const double value) const
 {
   if (owns_platen())
-    x.local_element(masses.size() - 1) = value;
+    x.local_element(first_of_platen() + k) = value;
 }
 
 template <int dim>
@@ -87,9 +106,10 @@ void FreeDofs<dim>::scatter(NodalField<double> &field, const Vector &values) con
   field.set_zero();
   for (std::size_t k = 0; k < masses.size(); ++k)
     field(components[k], nodes[k]) = values.local_element(k);
-  const double pushed = has_platen() ? of_platen(values) : 0.;
-  for (const NodeIndex &node : platen_nodes)
-    field(dim - 1, node) = pushed;
+  const std::vector<double> pushed = of_platen(values);
+  for (std::size_t k = 0; k < moved.size(); ++k)
+    for (const NodeIndex &node : platen_nodes)
+      field(moved[k], node) = pushed[k];
   body.copy_duplicates(field);
 }
 
@@ -104,26 +124,19 @@ template <int dim>
 void FreeDofs<dim>::gather_forces(Vector &values, const NodalField<double> &field) const
 {
   gather(values, field);
-  if (!has_platen())
-    return;
-  double sum = 0.;
-  for (const NodeIndex &node : platen_nodes)
-    sum += field(dim - 1, node);
-  set_platen(values, mpi::sum(sum, body.communicator()));
+  for (std::size_t k = 0; k < moved.size(); ++k)
+    {
+      double sum = 0.;
+      for (const NodeIndex &node : platen_nodes)
+        sum += field(moved[k], node);
+      set_platen(values, k, mpi::sum(sum, body.communicator()));
+    }
 }
 
 template <int dim>
 bool FreeDofs<dim>::owns_platen() const
 {
-  return has_platen() && mpi::this_mpi_process(body.communicator()) == platen_rank;
-}
-
-template <int dim>
-void FreeDofs<dim>::find_platen_rank()
-{
-  const unsigned int rank = mpi::this_mpi_process(body.communicator()),
-                     none = mpi::n_mpi_processes(body.communicator());
-  platen_rank = mpi::min(platen_nodes.empty() ? none : rank, body.communicator());
+  return !moved.empty() && mpi::this_mpi_process(body.communicator()) == platen_rank;
 }
 
 template <int dim>

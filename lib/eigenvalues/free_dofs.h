@@ -15,11 +15,19 @@
 
 namespace mesoslip
 {
+/** A rigid platen, with which the nodes of the top move as one: along the normal, and along the flat where it
+ * slides. */
+struct Platen
+{
+  double mass                = 0.; ///< kg, in 2D kg/m, without that of the top
+  std::array<bool, 2> slides = {}; ///< along x and, in 3D, y
+};
+
 /**
  * The degrees of freedom that can vibrate, numbered, with their lumped masses: the free
- * ones of a body, without the duplicates of periodic sides, and, with a platen, the one
- * normal displacement of the top. A rank has those of the nodes that it counts; the platen's
- * is the last one of the first rank that has a node of the top.
+ * ones of a body, without the duplicates of periodic sides, and, with a platen, the
+ * displacements of the top. A rank has those of the nodes that it counts; the platen's
+ * are the last ones of the first rank that has a node of the top.
  */
 template <int dim>
 class FreeDofs
@@ -29,12 +37,12 @@ public:
   using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
 
   /**
-   * @p mask constrains the normal displacement of the top when there is a platen of mass @p platen_mass
-   * (kg/m), which moves the top as one. @p body must outlive this object. Collective.
+   * @p mask constrains the displacements of the top that a @p platen has, if there is one. @p body must outlive
+   * this object. Collective.
    */
   FreeDofs(const ElasticBody<dim> &body,
            const DofMask &mask,
-           const std::optional<double> &platen_mass);
+           const std::optional<Platen> &platen);
 
   /** A vector that is zero. */
   Vector zero() const
@@ -48,23 +56,23 @@ public:
     return partitioner->size();
   }
 
-  /** Whether there is a platen. */
-  bool has_platen() const
+  /** The components in which a platen moves the top, in the order of its degrees of freedom; without one none. */
+  const std::vector<unsigned int> &platen_components() const
   {
-    return of_platen_alone.has_value();
+    return moved;
   }
 
   /** Mass of the platen without that of the top (kg, in 2D kg/m). */
   double platen_mass() const
   {
-    return of_platen_alone.value_or(0.);
+    return of_platen_alone;
   }
 
-  /** The platen's entry of @p x, on all ranks. Collective. */
-  double of_platen(const Vector &x) const;
+  /** The platen's entries of @p x, on all ranks. Collective. */
+  std::vector<double> of_platen(const Vector &x) const;
 
-  /** Sets the platen's entry of @p x. */
-  void set_platen(Vector &x, const double value) const;
+  /** Sets entry @p k of the platen's of @p x. */
+  void set_platen(Vector &x, const std::size_t k, const double value) const;
 
   /** dst = M src, the lumped mass (kg, in 2D kg/m) times a vector, as ARPACK wants it. */
   void vmult(Vector &dst, const Vector &src) const;
@@ -88,17 +96,23 @@ public:
 private:
   bool owns_platen() const;
 
-  void find_platen_rank();
+  std::size_t first_of_platen() const
+  {
+    return masses.size() - moved.size();
+  }
+
+  void add_platen(const Platen &platen, const std::vector<double> &mass);
 
   void add(const unsigned int c, const NodeIndex &node, const double mass);
 
   const ElasticBody<dim> &body;
-  const std::optional<double> of_platen_alone; ///< its mass, if there is one
+  std::vector<unsigned int> moved; ///< see platen_components()
+  double of_platen_alone = 0.;     ///< see platen_mass()
   std::shared_ptr<const dealii::Utilities::MPI::Partitioner> partitioner;
   unsigned int platen_rank = 0;        ///< that has its degree of freedom
   std::vector<NodeIndex> platen_nodes; ///< that this rank counts, without duplicates
   std::vector<NodeIndex>
-    nodes; ///< of the degrees of freedom; of the platen one of the top
+    nodes; ///< of the degrees of freedom; of those of the platen one of the top
   std::vector<unsigned int> components;
   std::vector<double> masses;
 };

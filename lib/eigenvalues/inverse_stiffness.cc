@@ -2,6 +2,8 @@
 
 #include "body/rigid_motions.h"
 
+#include <Eigen/Cholesky>
+
 #include <algorithm>
 #include <cmath>
 
@@ -15,13 +17,13 @@ std::vector<typename FreeDofs<dim>::Vector>
 orthonormal_motions(const ElasticBody<dim> &body, DofMask mask, const FreeDofs<dim> &dofs)
 {
   using Vector = typename FreeDofs<dim>::Vector;
-  if (dofs.has_platen())
+  for (const unsigned int c : dofs.platen_components())
     for (const NodeIndex &node : body.surface(ElasticBody<dim>::top).nodes)
-      mask.release(dim - 1, node);
+      mask.release(c, node);
   std::vector<Vector> motions;
   // Neither can a platen turn.
-  for (const NodalField<double> &field :
-       free_rigid_motions(body, mask, !dofs.has_platen(), body.foundation().springs))
+  for (const NodalField<double> &field : free_rigid_motions(
+         body, mask, dofs.platen_components().empty(), body.foundation().springs))
     {
       Vector motion = dofs.zero();
       dofs.gather(motion, field);
@@ -47,8 +49,7 @@ InverseStiffness<dim>::InverseStiffness(const ElasticBody<dim> &body,
   , u(force)
 {
   solver->set_constrained(mask);
-  if (dofs.has_platen() && !platen_moves_freely())
-    push_platen(body);
+  push_platen(body);
 }
 
 template <int dim>
@@ -65,8 +66,15 @@ void InverseStiffness<dim>::vmult(Vector &dst, const Vector &src) const
   u.set_zero();
   solve();
   dofs.gather(dst, u);
-  if (response.size() > 0)
-    dst.add(response * load / platen_stiffness, response);
+  if (!responses.empty())
+    {
+      Eigen::VectorXd push(platen_stiffness.rows());
+      for (std::size_t k = 0; k < responses.size(); ++k)
+        push[static_cast<Eigen::Index>(k)] = responses[k] * load;
+      const Eigen::VectorXd s = platen_stiffness.llt().solve(push);
+      for (std::size_t k = 0; k < responses.size(); ++k)
+        dst.add(s[static_cast<Eigen::Index>(k)], responses[k]);
+    }
   remove_rigid(dst);
 }
 
@@ -86,27 +94,40 @@ void InverseStiffness<dim>::solve() const
   ++n_solves;
 }
 
-/** Then a load on it is a resultant, and vmult() has projected it out. */
+/** In its component @p k: then a load on it is a resultant, and vmult() has projected it out. */
 template <int dim>
-bool InverseStiffness<dim>::platen_moves_freely() const
+bool InverseStiffness<dim>::platen_moves_freely(const std::size_t k) const
 {
-  return std::any_of(rigid.begin(), rigid.end(), [this](const Vector &r) {
-    return std::fabs(dofs.of_platen(r)) > 1e-6 * r.linfty_norm();
+  return std::any_of(rigid.begin(), rigid.end(), [&](const Vector &r) {
+    return std::fabs(dofs.of_platen(r)[k]) > 1e-6 * r.linfty_norm();
   });
 }
 
 template <int dim>
 void InverseStiffness<dim>::push_platen(const ElasticBody<dim> &body)
 {
-  Vector unit = dofs.zero(), Kz = dofs.zero();
-  dofs.set_platen(unit, 1.);
-  dofs.scatter(u, unit);
-  solve();
-  response = dofs.zero();
-  dofs.gather(response, u);
-  body.vmult(force, u);
-  dofs.gather_forces(Kz, force);
-  platen_stiffness = response * Kz;
+  std::vector<Vector> pulls; // K Z
+  for (std::size_t k = 0; k < dofs.platen_components().size(); ++k)
+    {
+      if (platen_moves_freely(k))
+        continue;
+      Vector unit = dofs.zero(), Kz = dofs.zero();
+      dofs.set_platen(unit, k, 1.);
+      dofs.scatter(u, unit);
+      force.set_zero();
+      solve();
+      responses.push_back(dofs.zero());
+      dofs.gather(responses.back(), u);
+      body.vmult(force, u);
+      dofs.gather_forces(Kz, force);
+      pulls.push_back(Kz);
+    }
+  const auto n = static_cast<Eigen::Index>(pulls.size());
+  platen_stiffness.resize(n, n);
+  for (Eigen::Index r = 0; r < n; ++r)
+    for (Eigen::Index c = 0; c < n; ++c)
+      platen_stiffness(r, c) =
+        responses[static_cast<std::size_t>(r)] * pulls[static_cast<std::size_t>(c)];
 }
 
 template class InverseStiffness<2>;

@@ -4,6 +4,8 @@
 #include "eigenvalues/free_dofs.h"
 #include "eigenvalues/vibration_modes.h"
 
+#include <Eigen/Core>
+
 #include <memory>
 #include <vector>
 
@@ -12,8 +14,8 @@ namespace mesoslip
 /**
  * K^-1 on loads without resultant; solutions have no rigid motion (in the mass' sense).
  * Under a platen the body is solved for with the top held, u = K_hh^-1 f, and moves with
- * the platen on top of that: u + s z, where z is the response to a unit displacement of
- * the platen and s = z.f / z.K z, as z.K u = 0.
+ * the platen on top of that: u + Z s, where the columns of Z are the responses to unit displacements of
+ * the platen and Z.K Z s = Z.f, as Z.K u = 0.
  */
 template <int dim>
 class InverseStiffness
@@ -45,7 +47,7 @@ public:
 
 private:
   void solve() const;
-  bool platen_moves_freely() const;
+  bool platen_moves_freely(const std::size_t k) const;
   void push_platen(const ElasticBody<dim> &body);
 
   const FreeDofs<dim> &dofs;
@@ -53,8 +55,8 @@ private:
   const std::vector<Vector> rigid;
   std::unique_ptr<StaticSolver> solver;
   mutable NodalField<double> force, u;
-  Vector response;              ///< z; empty without a platen or when nothing resists it
-  double platen_stiffness = 0.; ///< z.K z (N/m^2)
+  std::vector<Vector> responses;    ///< Z, of what something resists
+  Eigen::MatrixXd platen_stiffness; ///< Z.K Z (N/m, in 2D Pa)
 };
 } // namespace mesoslip
 

@@ -71,8 +71,7 @@ double normalize(NodalField<double> &shape, const ElasticBody<dim> &body)
 template <int dim>
 VibrationMode<dim> finish_mode(const Vector &eigenvector,
                                const FreeDofs<dim> &dofs,
-                               const ElasticBody<dim> &body,
-                               const double platen_mass)
+                               const ElasticBody<dim> &body)
 {
   VibrationMode<dim> mode;
   mode.shape               = body.zero_field();
@@ -86,11 +85,12 @@ VibrationMode<dim> finish_mode(const Vector &eigenvector,
   mode.frequency = std::sqrt(std::max(0., omega2)) / (2. * M_PI);
 
   const std::array<double, dim> momentum = dofs.sums(Mu);
+  std::array<double, dim> moved;
+  moved.fill(body.total_mass());
+  for (const unsigned int c : dofs.platen_components())
+    moved[c] += dofs.platen_mass();
   for (unsigned int c = 0; c < dim; ++c)
-    {
-      const double moved     = body.total_mass() + (c + 1 == dim ? platen_mass : 0.);
-      mode.effective_mass[c] = momentum[c] * momentum[c] / (uMu * moved);
-    }
+    mode.effective_mass[c] = momentum[c] * momentum[c] / (uMu * moved[c]);
 
   double norm = Ku.l2_norm();
   Ku.add(-omega2, Mu);
@@ -250,13 +250,13 @@ VibrationModes<dim> vibration_modes(const ElasticBody<dim> &body,
                                     const DofMask &mask,
                                     const VibrationModesOptions &options)
 {
-  const FreeDofs<dim> dofs(body, mask, options.platen_mass);
+  const FreeDofs<dim> dofs(body, mask, options.platen);
   check_number_of_modes(dofs.size(), options);
   const InverseStiffness<dim> inverse(body, mask, dofs, options);
 
   VibrationModes<dim> result;
   for (const Vector &x : lowest_eigenvectors(dofs, inverse, body, options.n_modes))
-    result.modes.push_back(finish_mode(x, dofs, body, options.platen_mass.value_or(0.)));
+    result.modes.push_back(finish_mode(x, dofs, body));
   std::sort(result.modes.begin(), result.modes.end(),
             [](const VibrationMode<dim> &a, const VibrationMode<dim> &b) {
               return a.frequency < b.frequency;

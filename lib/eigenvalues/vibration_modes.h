@@ -1,7 +1,7 @@
 #ifndef mesoslip_eigenvalues_vibration_modes_h
 #define mesoslip_eigenvalues_vibration_modes_h
 
-#include "body/elastic_body.h"
+#include "eigenvalues/free_dofs.h"
 
 #include <array>
 #include <functional>
@@ -15,11 +15,7 @@ struct VibrationModesOptions
 {
   unsigned int n_modes = 4; ///< wanted
 
-  /**
-   * Mass (kg/m) of a rigid platen on the top, which has one common displacement along the last axis; without a value
-   * there is none. The constraints then include that of the top.
-   */
-  std::optional<double> platen_mass;
+  std::optional<Platen> platen; ///< whose displacements the constraints hold at the top
 
   /** Relative residual of each static solve; eigenvalues are accurate to about this. */
   double tolerance = 1e-10;

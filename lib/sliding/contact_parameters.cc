@@ -269,9 +269,9 @@ void ContactParameters::bind(Keys &keys)
   std::string on_springs = contact.is_compliant()       ? "Flat/Normal stiffness"
                            : contact.slips_on_springs() ? "Flat/Tangential stiffness"
                                                         : "";
-  for (const Suspended &side : suspended())
-    if (side.suspension->has_springs() && on_springs.empty())
-      on_springs = side.key("Spring stiffness");
+  for (const SideSupport *side : suspended())
+    if (side->suspension.has_springs() && on_springs.empty())
+      on_springs = side->key("Spring stiffness");
   if (mesh.is_plane_grid() && !on_springs.empty())
     {
       keys.only_if(static_solver == StaticSolverKind::ml, {"Performance/Static solver"},

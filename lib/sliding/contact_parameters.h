@@ -158,22 +158,8 @@ struct ContactParameters : SlidingSetup
   /** Those that are loaded. */
   std::vector<SideSupport> loaded_sides() const;
 
-  /** The top or a side, its suspension and pressure. */
-  struct Suspended
-  {
-    std::string name;             ///< of its section in Supports
-    const Suspension *suspension; ///< of these parameters
-    const LoadHistory *pressure;  ///< likewise
-
-    /** Path of a key in its section. */
-    std::string key(const std::string &of_section) const
-    {
-      return "Supports/" + name + "/" + of_section;
-    }
-  };
-
-  /** The top, and the loaded sides. */
-  std::vector<Suspended> suspended() const;
+  /** The top, and the loaded sides, of these parameters. */
+  std::vector<const SideSupport *> suspended() const;
 
   /** Whether anything stands on springs, dashpots or masses. */
   bool has_suspensions() const;

@@ -30,8 +30,8 @@ void GivenBody<dim>::describe(std::ostream &out, const double more_memory) const
 {
   for (const std::string &line : known.lines)
     out << line << '\n';
-  for (const auto &side : parameters.suspended())
-    if (const std::string line = support_text(side, dim); !line.empty())
+  for (const SideSupport *side : parameters.suspended())
+    if (const std::string line = support_text(*side, dim); !line.empty())
       out << line << '\n';
   BodyMemory memory = known.memory;
   memory.on_rank_0 += more_memory;
@@ -46,8 +46,8 @@ void GivenBody<dim>::log(RunContext &context) const
 {
   for (const std::string &line : known.lines)
     context.log(line);
-  for (const auto &side : parameters.suspended())
-    if (const std::string line = support_text(side, dim); !line.empty())
+  for (const SideSupport *side : parameters.suspended())
+    if (const std::string line = support_text(*side, dim); !line.empty())
       context.log(line);
   for (const std::string &warning : known.warnings)
     context.warn(warning);
@@ -114,10 +114,10 @@ PlausibleRange plausible_springs(const std::string &key,
 /** Springs that the pressure on the top does not stretch by a thousand heights, and that are not a million times as stiff
  * as the body; dashpots of a thousand times its impedance at most. */
 std::vector<PlausibleRange> plausible_suspension(const ContactParameters &parameters,
-                                                 const ContactParameters::Suspended &side,
+                                                 const SideSupport &side,
                                                  const BodyScales &scales)
 {
-  const Suspension &suspension = *side.suspension;
+  const Suspension &suspension = side.suspension;
   const double pressure        = std::fabs(parameters.top.pressure.amplitude()),
                body            = scales.stiffness / scales.height,
                impedance       = scales.stiffness / scales.wave_speed;
@@ -173,8 +173,8 @@ void GivenBody<dim>::add_implausible(std::vector<std::string> &sentences,
   if (flat.slips_on_springs())
     ranges.push_back(plausible_springs(
       "Flat/Tangential stiffness", flat.tangential_stiffness, parameters, scales.height));
-  for (const auto &side : parameters.suspended())
-    for (const PlausibleRange &range : plausible_suspension(parameters, side, scales))
+  for (const SideSupport *side : parameters.suspended())
+    for (const PlausibleRange &range : plausible_suspension(parameters, *side, scales))
       ranges.push_back(range);
   for (const std::string &sentence : implausible(ranges))
     sentences.push_back(sentence);
@@ -227,9 +227,7 @@ Foundation GivenBody<dim>::foundation() const
   MovedNodes movers, duplicates; // before the side; which follow their originals
   for (const auto &[duplicate, original] : elastic().duplicate_nodes())
     duplicates.insert(std::array<unsigned int, 2>{{duplicate.i, duplicate.j}});
-  // A platen on springs is for transient runs alone.
-  if (parameters.top.kind == TopSetup::Kind::pressure)
-    add_to<dim>(foundation, top, parameters.top.suspension, movers, duplicates);
+  add_to<dim>(foundation, top, parameters.top.suspension, movers, duplicates);
   const auto take = [&](const std::vector<NodeIndex> &nodes) {
     for (const NodeIndex &node : nodes)
       movers.insert(std::array<unsigned int, 2>{{node.i, node.j}});

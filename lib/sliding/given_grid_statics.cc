@@ -113,8 +113,7 @@ NodalField<double> GivenGrid::compressed(const double strain) const
 {
   const unsigned int n = material.n_columns(), top = body.grid.cells[1];
   const DofMask held = this->held(parameters.top, false);
-  const bool platen =
-    parameters.top.kind == TopSetup::Kind::platen; // moves what it holds
+  const bool platen  = parameters.top.is_platen; // moves what it holds
   NodalField<double> u(n, top + 1);
   for (unsigned int j = 0; j <= top; ++j)
     for (unsigned int i = 0; i < n; ++i)

@@ -75,8 +75,8 @@ public:
       if (!load_range(load->history, end).finite)
         sentences.push_back(load->section + "/Expression is not finite at all times of " +
                             run_text + ", which will stop it");
-    if (parameters.top.kind != TopSetup::Kind::held && pressures.largest_size() == 0. &&
-        !is_pushed && parameters.body.initial_velocity == std::array<double, 3>{} &&
+    if (!parameters.top.is_held() && pressures.largest_size() == 0. && !is_pushed &&
+        parameters.body.initial_velocity == std::array<double, 3>{} &&
         !parameters.step.is_heavy())
       sentences.push_back("Supports/Top/Pressure is 0 in " + run_text +
                           " and Body/Initial velocity and Acceleration are 0: nothing "
@@ -156,7 +156,7 @@ private:
   Ranges top() const
   {
     const TopSetup &top = parameters.top;
-    if (top.kind == TopSetup::Kind::held)
+    if (top.is_held())
       return {};
     PlausibleRange hold = within_run("Supports/Top/Hold from",
                                      std::isfinite(top.hold_from) ? top.hold_from : end,
@@ -207,9 +207,8 @@ private:
     const FrictionParameters &fr = parameters.friction;
     const std::string useless    = "friction hardly comes to act";
     // How far the body can come towards the flat, when nothing stops it.
-    const double force        = parameters.top.kind == TopSetup::Kind::held
-                                  ? 0.
-                                  : pressures.largest_size() * scales.area;
+    const double force =
+      parameters.top.is_held() ? 0. : pressures.largest_size() * scales.area;
     const unsigned int normal = scales.dim - 1;
     const double acceleration =
       std::fabs(parameters.step.acceleration[normal]) + force / scales.mass;

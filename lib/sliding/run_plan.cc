@@ -269,11 +269,11 @@ void report_runaway(const Runaway &found,
                     const bool has_rows)
 {
   require_finite(parameters.contact.flat_velocity, "Flat/Expression", time.step.dt, n);
-  for (const auto &side : parameters.suspended())
+  for (const SideSupport *side : parameters.suspended())
     {
-      require_finite(*side.pressure, side.key("Expression"), time.step.dt, n);
-      for (const LoadHistory &motion : side.suspension->motion)
-        require_finite(motion, side.key("Motion"), time.step.dt, n);
+      require_finite(side->pressure, side->key("Expression"), time.step.dt, n);
+      for (const LoadHistory &motion : side->suspension.motion)
+        require_finite(motion, side->key("Motion"), time.step.dt, n);
     }
   const char *joule = parameters.mesh.mesh.dim == 2 ? " J/m" : " J";
   throw NumericalFailure(

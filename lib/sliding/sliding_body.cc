@@ -199,7 +199,7 @@ void SlidingGrid::set_initial_velocity(const std::array<double, 3> &v)
       }
   // What the top holds does not move from the start.
   for (unsigned int c = 0; c < 2 && rows.end == rows.n_global; ++c)
-    if (c == 0 ? setup.top.holds(0) : setup.top.holds_normally())
+    if (c == 0 ? setup.top.holds(0) : setup.top.is_held())
       std::fill_n(w.row(c, rows.local(last)), n, 0.);
 }
 
@@ -207,7 +207,7 @@ void SlidingGrid::set_initial_velocity(const std::array<double, 3> &v)
 void SlidingGrid::start_sides(const std::array<double, 3> &v)
 {
   const double back = -setup.step.beta2 * setup.step.dt, alpha = setup.step.alpha;
-  const bool platen = setup.top.kind == TopSetup::Kind::platen; // moves as one
+  const bool platen = setup.top.is_platen; // moves as one
   std::vector<double> mass(w.n_columns());
   for (std::size_t k = 0; k < sides.size(); ++k)
     {

@@ -44,11 +44,11 @@ UniformMaterial isotropic_body(const std::array<double, 2> &size,
 VibrationModes<2> modes(const UniformMaterial &material,
                         const DofMask &held,
                         const unsigned int n_modes,
-                        const std::optional<double> &platen_mass = std::nullopt)
+                        const std::optional<Platen> &platen = std::nullopt)
 {
   VibrationModesOptions options;
-  options.n_modes     = n_modes;
-  options.platen_mass = platen_mass;
+  options.n_modes = n_modes;
+  options.platen  = platen;
   return vibration_modes<2>(GridBody<2>(material), held, options);
 }
 
@@ -194,7 +194,7 @@ TEST(Modes, OfAColumnUnderAPlatenWithMass)
             held.constrain_row(c, column.n_rows() - 1);
           if (!free)
             held.constrain_row(1, 0);
-          const auto result = modes(column, held, 3, r * m);
+          const auto result = modes(column, held, 3, Platen{r * m, {}});
           EXPECT_EQ(result.n_rigid_motions, free ? 1u : 0u);
           for (unsigned int k = 0; k < 3; ++k)
             error[level][k] = result.modes[k].frequency / exact[k] - 1.;
@@ -253,7 +253,7 @@ TEST(Modes, OfThePaperPin)
   parameters.top.hold_from = 0.;
   options                  = modal_options(parameters);
   options.n_modes          = 3;
-  EXPECT_FALSE(options.platen_mass) << "held from the start";
+  EXPECT_FALSE(options.platen) << "held from the start";
   const auto fixed = vibration_modes<2>(
     GridBody<2>(material),
     held_by_supports(material, parameters.sides, top_at_start(parameters), true),

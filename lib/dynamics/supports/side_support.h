@@ -8,12 +8,12 @@
 
 namespace mesoslip
 {
-/** What holds and loads a side of the body that is neither its contact nor its top. */
+/** What holds and loads a side of the body. */
 struct SideSupport
 {
-  std::string name; ///< Left, Right, Front or Back of a grid, or a group of a mesh
+  std::string name; ///< Left, Right, Front, Back or Top of a grid, or a group of a mesh
   std::array<bool, 3> held = {}; ///< components that do not move: x, y, z
-  LoadHistory pressure;          ///< Pa, along the normal into the body
+  LoadHistory pressure;          ///< Pa, positive when it presses into the body
   Suspension suspension;         ///< to a far end
 
   /** Whether any component is held. */
@@ -27,6 +27,12 @@ struct SideSupport
   {
     return suspension.is_there() || pressure.is_expression() ||
            pressure.amplitude() != 0.;
+  }
+
+  /** Path of a key in its section. */
+  std::string key(const std::string &of_section) const
+  {
+    return "Supports/" + name + "/" + of_section;
   }
 };
 } // namespace mesoslip

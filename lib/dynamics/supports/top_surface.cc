@@ -68,7 +68,7 @@ TopSurface<dim>::TopSurface(const TopSetup &setup,
   , n_distinct(setup.n_owned.value_or(setup.periodic ? n_nodes - 1 : n_nodes))
   , ranks(ranks)
   , tributary(areas_of(setup, n_nodes))
-  , on_nodes(setup.kind == TopSetup::Kind::pressure && setup.suspension.is_there())
+  , on_nodes(setup.is_suspended_by_nodes())
   , nodes(setup.suspension,
           step,
           on_nodes ? nodes_of<dim>(setup, tributary) : SideNodes(),
@@ -96,12 +96,12 @@ void TopSurface<dim>::advance(const SurfaceView<dim> &surface)
   const double displacement =
     sampled ? sum_of(surface.u[dim - 1], n_distinct) / n_in_top : 0.;
 
-  work_this_step  = 0.;
-  const bool held = setup.kind == TopSetup::Kind::held || surface.time >= setup.hold_from;
-  const TopLoad load = held                                   ? hold(surface)
-                       : setup.kind == TopSetup::Kind::platen ? push_platen(surface)
-                       : on_nodes                             ? push_suspended(surface)
-                                                              : push_nodes(surface);
+  work_this_step     = 0.;
+  const bool held    = setup.is_held() || surface.time >= setup.hold_from;
+  const TopLoad load = held              ? hold(surface)
+                       : setup.is_platen ? push_platen(surface)
+                       : on_nodes        ? push_suspended(surface)
+                                         : push_nodes(surface);
   total_work += work_this_step;
   for (TopRecorder *recorder : recorders)
     if (recorder->wants(surface.step))
@@ -162,7 +162,7 @@ TopSurface<dim>::start_acceleration(const std::vector<double> &mass,
   std::copy_n(step.acceleration.begin(), dim, by_weight.begin());
   std::vector<std::array<double, dim>> result(mass.size(), by_weight);
   for (std::size_t i = 0; i < mass.size(); ++i)
-    if (setup.kind == TopSetup::Kind::platen)
+    if (setup.is_platen)
       result[i] = rigid;
     else if (on_nodes && mass[i] > 0.)
       {
@@ -218,7 +218,7 @@ TopLoad TopSurface<dim>::push_nodes(const SurfaceView<dim> &surface)
       const double moved = surface.u[y][i] - before;
       for (unsigned int c = 0; c < y; ++c)
         {
-          if (setup.lateral_held[c])
+          if (setup.held[c])
             continue;
           const double left = surface.u[c][i];
           move_node(surface.u[c][i], surface.w[c][i],
@@ -232,7 +232,7 @@ TopLoad TopSurface<dim>::push_nodes(const SurfaceView<dim> &surface)
         }
       increment[y][i] = moved;
     }
-  load.tangential = transmitted(surface, setup.lateral_held);
+  load.tangential = transmitted(surface, {{setup.held[0], setup.held[1]}});
   return load;
 }
 

@@ -2,6 +2,7 @@
 #define mesoslip_dynamics_top_surface_h
 
 #include "base/serialize_members.h"
+#include "dynamics/supports/side_support.h"
 #include "dynamics/supports/suspended_nodes.h"
 
 #include <array>
@@ -14,37 +15,39 @@
 
 namespace mesoslip
 {
-/** How the top of the body is loaded. */
-struct TopSetup
+/** How the top of the body is held and loaded: each node by itself, or as one by a platen. */
+struct TopSetup : SideSupport
 {
-  /** What the top may do. */
-  enum class Kind
-  {
-    pressure, ///< a pressure on each node, which a suspension may hold besides
-    platen,   ///< rigid: u_x = 0 and one common u_y, pushed by the pressure's resultant
-    held      ///< u = 0
-  };
-
-  Kind kind = Kind::platen; ///< platen, pressure or held
-
-  /** Pressure (Pa), positive when it presses the body on the flat. */
-  LoadHistory pressure;
-
-  /** With Kind::pressure: the components along the flat, x and y, that are zero on the top. */
-  std::array<bool, 2> lateral_held = {};
+  /** The nodes move as one, pushed by the resultant of the pressure: along the normal, and along the flat where
+   * there are springs. */
+  bool is_platen = true;
 
   /** Mass of the platen per unit thickness (kg/m). */
   double platen_mass = 0.;
 
-  /** With Kind::pressure or a platen: springs, dashpots and mass that hold it. A platen moves along the
-   * flat on springs alone. */
-  Suspension suspension;
+  /** A top that does not move. */
+  void hold()
+  {
+    is_platen = false;
+    held.fill(true);
+  }
+
+  /** Whether nothing of it moves from the start. */
+  bool is_held() const
+  {
+    return !is_platen && held == std::array<bool, 3>{{true, true, true}};
+  }
+
+  /** Whether its nodes stand on a suspension or under a traction, each by itself. */
+  bool is_suspended_by_nodes() const
+  {
+    return !is_platen && suspension.is_there();
+  }
 
   /** Whether component @p c along the flat does not move from the start. */
   bool holds(const unsigned int c) const
   {
-    return kind == Kind::platen ? !(suspension.stiffness[c] > 0.)
-                                : kind == Kind::held || lateral_held[c];
+    return is_platen ? !(suspension.stiffness[c] > 0.) : held[c];
   }
 
   /** Whether it keeps the body from moving along the flat from the start, so that it takes the
@@ -63,17 +66,11 @@ struct TopSetup
     return takes;
   }
 
-  /** Whether it keeps the body from moving along the normal from the start. */
-  bool holds_normally() const
-  {
-    return kind == Kind::held;
-  }
-
   /** Whether component @p c of @p dim, the last one along the normal, is held in statics and
-   * modes: that of a platen along the normal as well. */
+   * modes, where a platen has its own degrees of freedom. */
   bool is_fixed(const unsigned int c, const unsigned int dim) const
   {
-    return c + 1 < dim ? holds(c) : kind != Kind::pressure;
+    return is_platen || (c + 1 < dim ? held[c] : is_held());
   }
 
   /** From this time (s) on the top stays where it is. */
@@ -192,7 +189,7 @@ public:
 
   bool wants_total_force() const override
   {
-    return setup.kind == TopSetup::Kind::platen;
+    return setup.is_platen;
   }
 
   /** One step of the surface under its load. */

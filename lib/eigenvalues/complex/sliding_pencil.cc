@@ -89,12 +89,12 @@ void add_supports(const ElasticBody<dim> &body,
   };
   pencil.springs = gather(springs, {});
   std::vector<Triplet> of_mass;
+  const auto first_of_platen =
+    pencil.size() - static_cast<Eigen::Index>(dofs.platen_components().size());
   for (Eigen::Index k = 0; k < pencil.size() && pencil.law.alpha > 0.; ++k)
     {
-      const bool is_platen = dofs.has_platen() && k + 1 == pencil.size();
-      of_mass.emplace_back(k, k,
-                           pencil.law.alpha *
-                             (pencil.mass[k] - (is_platen ? dofs.platen_mass() : 0.)));
+      const double undamped = k >= first_of_platen ? dofs.platen_mass() : 0.;
+      of_mass.emplace_back(k, k, pencil.law.alpha * (pencil.mass[k] - undamped));
     }
   pencil.resistances = gather(body.foundation().dashpots, of_mass);
 }

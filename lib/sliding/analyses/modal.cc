@@ -12,7 +12,7 @@ template <int dim>
 ModalAnalysis<dim>::ModalAnalysis(std::unique_ptr<GivenBody<dim>> given)
   : BodyAnalysis<dim>(std::move(given))
 {
-  const std::size_t of_platen = modal_options(parameters).platen_mass ? 1 : 0;
+  const std::size_t of_platen = modal_options(parameters).platen ? 1 : 0;
   for (const std::string &bottom : modal_bottoms(parameters))
     require_modes(body->n_free(top_at_start(parameters), bottom == "held") + of_platen,
                   parameters);

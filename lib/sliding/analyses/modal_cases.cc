@@ -32,20 +32,17 @@ std::string top_text(const TopSetup &top)
   for (unsigned int c = 0; c + 1 < dim; ++c)
     if (top.holds(c))
       lateral += std::string("u_") + "xy"[c] + " = ";
-  switch (top.kind)
-    {
-    case TopSetup::Kind::platen:
-      return "rigid platen of " + to_text(top.platen_mass) +
-             (dim == 2 ? " kg/m: " : " kg: ") + lateral + "0 and one common u_" +
-             along_normal<dim>();
-    case TopSetup::Kind::held:
-      return "held: u = 0";
-    default:
-      if (top.suspension.is_there())
-        return std::string(top.suspension.has_springs() ? "on springs" : "free") +
-               (top.suspension.mass > 0. ? " with its mass" : "");
-      return lateral.empty() ? "free" : lateral + "0, free in " + along_normal<dim>();
-    }
+  if (top.is_platen)
+    return "rigid platen of " + to_text(top.platen_mass) +
+           (dim == 2 ? " kg/m: " : " kg: ") +
+           (lateral.empty() ? "" : lateral + "0 and ") + "one common u_" +
+           along_normal<dim>() + (top.suspension.has_springs() ? ", on springs" : "");
+  if (top.is_held())
+    return "held: u = 0";
+  if (top.suspension.is_there())
+    return std::string(top.suspension.has_springs() ? "on springs" : "free") +
+           (top.suspension.mass > 0. ? " with its mass" : "");
+  return lateral.empty() ? "free" : lateral + "0, free in " + along_normal<dim>();
 }
 
 template <int dim>
@@ -83,15 +80,15 @@ TopSetup top_at_start(const ContactParameters &parameters)
 {
   TopSetup top = parameters.top;
   if (!(top.hold_from > 0.))
-    top.kind = TopSetup::Kind::held;
+    top.hold();
   return top;
 }
 
 VibrationModesOptions modal_options(const ContactParameters &parameters)
 {
   VibrationModesOptions options = parameters.modal;
-  if (top_at_start(parameters).kind == TopSetup::Kind::platen)
-    options.platen_mass = parameters.top.platen_mass;
+  if (const TopSetup top = top_at_start(parameters); top.is_platen)
+    options.platen = {top.platen_mass, {{!top.holds(0), !top.holds(1)}}};
   return options;
 }
 

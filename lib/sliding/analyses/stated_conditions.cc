@@ -83,15 +83,15 @@ void add_mesh(RunConditions &conditions, const ContactParameters &p, const bool 
 
 RunConditions ContactParameters::stated_conditions() const
 {
-  const std::array<const char *, 3> kinds = {{"pressure", "platen", "held"}};
-  const bool on_nodes = top.kind == TopSetup::Kind::pressure && top.suspension.is_there();
   const bool transient     = analysis == ContactAnalysis::transient;
   RunConditions conditions = {
     {"analysis", transient ? "transient" : "static contact"},
     {"material", body.heterogeneous ? "heterogeneous" : "homogeneous"},
-    {"top", top.suspension.absorbing ? "absorbing"
-            : on_nodes               ? "springs"
-                                     : kinds.at(static_cast<std::size_t>(top.kind))},
+    {"top", top.suspension.absorbing      ? "absorbing"
+            : top.is_suspended_by_nodes() ? "springs"
+            : top.is_platen               ? "platen"
+            : top.is_held()               ? "held"
+                                          : "pressure"},
     {"lateral_held", yes_or_no(top.holds_tangentially())},
     {"left_side", side_text(sides.left_held)},
     {"right_side", side_text(sides.right_held)},
@@ -103,7 +103,7 @@ RunConditions ContactParameters::stated_conditions() const
   if (const auto &along = contact.flat_direction; along[1] != 0.)
     conditions.insert({{"flat_direction_x", along[0]}, {"flat_direction_y", along[1]}});
   add_friction(conditions, *this);
-  if (top.kind == TopSetup::Kind::platen)
+  if (top.is_platen)
     conditions["platen_mass"] = top.platen_mass;
   if (const std::string text = support_texts(*this); !text.empty())
     conditions["supports"] = text;

@@ -10,7 +10,7 @@ TopSetup top_at_rest(const ContactParameters &parameters)
 {
   TopSetup top = parameters.top;
   if (top.suspension.absorbing)
-    top.lateral_held.fill(true);
+    top.held[0] = top.held[1] = true;
   return top;
 }
 
@@ -27,10 +27,9 @@ void check_lateral_support(const ContactParameters &p, const bool rubs)
                                " in u_" + "xy"[c] + " (Supports)";
       const auto suspended = p.suspended();
       if (top_at_rest(p).holds(c) || !p.mesh.held[c].empty() ||
-          std::any_of(suspended.begin(), suspended.end(),
-                      [&](const ContactParameters::Suspended &s) {
-                        return s.suspension->stiffness[c] > 0.;
-                      }))
+          std::any_of(suspended.begin(), suspended.end(), [&](const SideSupport *s) {
+            return s->suspension.stiffness[c] > 0.;
+          }))
         continue;
       const std::string remedy =
         p.top.suspension.is_there()
@@ -58,9 +57,9 @@ void check_tipping(const ContactParameters &p,
   const double height = body.scales.height, half = 0.5 * body.scales.area;
   const bool held = !p.mesh.held[0].empty() || !p.mesh.held[1].empty() ||
                     p.suspended().size() > 1,
-             may_tip = p.top.kind != TopSetup::Kind::platen &&
-                       top_at_rest(p).lateral_held[0] && !p.periodic && !held &&
-                       !p.step.is_heavy() && p.contact.flat_velocity.amplitude() != 0.;
+             may_tip = !p.top.is_platen && top_at_rest(p).held[0] && !p.periodic &&
+                       !held && !p.step.is_heavy() &&
+                       p.contact.flat_velocity.amplitude() != 0.;
   if (may_tip && least_friction * height > half)
     throw UserError(
       "Friction/Coefficient: the friction of the sliding flat tips the body, as a "
@@ -76,13 +75,14 @@ void check_static_load(const ContactParameters &p, const BodyFacts<dim> &body)
 {
   const auto [least, most] =
     std::minmax_element(body.size.friction.begin(), body.size.friction.end());
-  if (p.top.kind == TopSetup::Kind::held)
+  if (p.top.is_held())
     throw UserError(
       "Supports/Top/Kind is held, so nothing presses the body on the flat; use "
       "platen or pressure for a static contact analysis");
   if (!(p.top.pressure.amplitude() > 0.) &&
-      !(p.top.pressure.amplitude() == 0. && p.is_moved_normally() &&
-        p.top.kind == TopSetup::Kind::pressure))
+      !(p.top.pressure.amplitude() == 0. &&
+        (p.top.is_platen ? p.top.suspension.motion[dim - 1].is_expression()
+                         : p.is_moved_normally())))
     throw UserError(
       "Supports/Top/Pressure is " + to_text(p.top.pressure.amplitude()) +
       " Pa; a static contact analysis needs a positive one, with Supports/Top/Kind "

@@ -5,7 +5,10 @@
 #include "sliding/analyses/static_springs.h"
 #include "sliding/given_body.h"
 
+#include <Eigen/Core>
+
 #include <array>
+#include <exception>
 #include <optional>
 #include <vector>
 
@@ -85,14 +88,16 @@ private:
   /** Solves once and adds up iterations. */
   void solve_linear();
 
-  /** Lowers the platen until the flat carries @p share of its pressure. */
+  /** Moves the platen until body and springs carry @p share of its pressure. @throws NotConverged */
   void press(const double share);
+  void start_platen(const double share);
+  std::exception_ptr failure_of_solve();
 
   /** The same where everything is proportional to how far it is lowered. */
   void press_in_proportion();
 
   double normal_force() const;
-  double platen_force() const;
+  Eigen::VectorXd platen_force() const;
   void pull(const SupportNodes &support, const Suspension &suspension);
 
   /** Adds to steps(). */
@@ -112,8 +117,10 @@ private:
   StaticContactProblem problem;
   NodalField<double> whole_load; ///< N, in 2D N/m
   StaticContactSolution solution;
-  double lowered = 0., lowered_before = 0.; ///< the platen (m)
-  double force_before = 0.;                 ///< of the flat then (N)
+  std::vector<unsigned int>
+    platen_moves;           ///< components in which a platen moves, the normal one last
+  Eigen::VectorXd shift;    ///< of the platen in them (m)
+  Eigen::MatrixXd mobility; ///< about how it changes with platen_force() (m/N)
   std::vector<StaticLoadStep> done;
 };
 } // namespace mesoslip

@@ -36,7 +36,7 @@ ComplexModesAnalysis<dim>::ComplexModesAnalysis(std::unique_ptr<GivenBody<dim>> 
 template <int dim>
 bool ComplexModesAnalysis<dim>::is_pressed() const
 {
-  return top_at_start(parameters).kind != TopSetup::Kind::held;
+  return !top_at_start(parameters).is_held();
 }
 
 template <int dim>

@@ -137,13 +137,13 @@ void check_complex_modes(const ContactParameters &p)
         throw UserError("Complex modes/Sweep is friction coefficient, but there is a "
                         "Friction/Coefficient law, whose coefficient is not that key; "
                         "sweep the velocity, or set the law to constant");
-      if (top_at_start(p).kind == TopSetup::Kind::held)
+      if (top_at_start(p).is_held())
         throw UserError(
           "Friction/Coefficient law is not constant, but the top is held and "
           "nothing presses the body on the flat, which slopes of the "
           "coefficient are multiplied with; set Supports/Top/Kind = platen or pressure");
     }
-  if (sweep == ModeSweep::pressure && top_at_start(p).kind == TopSetup::Kind::held)
+  if (sweep == ModeSweep::pressure && top_at_start(p).is_held())
     throw UserError(
       "Complex modes/Sweep is pressure, but the top is held; set Supports/Top/Kind = "
       "platen or pressure");

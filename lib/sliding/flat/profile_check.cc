@@ -51,9 +51,9 @@ Interval own_way(const ContactParameters &p, const unsigned int axis)
     way.to   = std::max(way.to, moved);
   };
   add(p.body.initial_velocity[axis] * p.time.end_time);
-  for (const auto &side : p.suspended())
+  for (const SideSupport *side : p.suspended())
     for (unsigned int k = 0; k <= n; ++k)
-      add(side.suspension->motion[axis](p.time.end_time * k / n));
+      add(side->suspension.motion[axis](p.time.end_time * k / n));
   return way;
 }
 

@@ -138,7 +138,7 @@ void check_supports(const MeshBodyDescription &body,
                       parameters.contact_boundary +
                       "', the Contact boundary, share points; each point may be in one");
   for (const HeldComponent &h : body.held)
-    if (top.kind == TopSetup::Kind::platen && top_points.count(h.point) > 0 &&
+    if (top.is_platen && top_points.count(h.point) > 0 &&
         (h.component == normal || !top.holds(h.component)))
       throw UserError("Supports: " + to_text(parameters.held[h.component]) +
                       " with Held = u_" + "xyz"[h.component] +

@@ -214,7 +214,7 @@ void SlidingMesh<dim>::set_initial_velocity(const std::array<double, 3> &velocit
     hold(h.point, h.component);
   for (const unsigned int point : top.points)
     for (unsigned int c = 0; c < dim; ++c)
-      if (c < normal ? this->setup.top.holds(c) : this->setup.top.holds_normally())
+      if (c < normal ? this->setup.top.holds(c) : this->setup.top.is_held())
         hold(point, c);
   std::vector<std::array<double, dim>> a = start_acceleration(velocity, rests);
   const StepParameters &step             = this->setup.step;
@@ -267,7 +267,7 @@ std::vector<std::array<double, dim>> SlidingMesh<dim>::start_acceleration(
     side.accelerate(k, mass[point], starts_with, a[point]);
     mass[point] += side.mass(k);
   };
-  const bool platen = this->setup.top.kind == TopSetup::Kind::platen; // moves as one
+  const bool platen = this->setup.top.is_platen; // moves as one
   for (std::size_t s = 0; s < this->sides.size(); ++s)
     {
       const SharedSide &side = surfaces.sides[s];

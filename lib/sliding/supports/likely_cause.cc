@@ -29,21 +29,21 @@ std::string likely_cause(const ContactParameters &parameters, const BodyScales &
   std::vector<LoadEstimate> loads = {
     {"Body/Initial velocity", v, "m/s", v / body.wave_speed},
     {"Body/Acceleration", g, "m/s^2", body.density * g * body.height / body.stiffness}};
-  for (const auto &side : parameters.suspended())
+  for (const SideSupport *side : parameters.suspended())
     {
-      const Suspension &on = *side.suspension;
+      const Suspension &on = side->suspension;
       for (unsigned int c = 0; c < 3; ++c)
         {
           const double by   = load_range(on.motion[c], end).largest_size(),
                        pull = std::fabs(on.traction(c, {}, 0.));
           loads.push_back(
-            {side.key("Motion"), by, "m", on.stiffness[c] * by / body.stiffness});
-          loads.push_back({side.key("Traction"), pull, "Pa", pull / body.stiffness});
+            {side->key("Motion"), by, "m", on.stiffness[c] * by / body.stiffness});
+          loads.push_back({side->key("Traction"), pull, "Pa", pull / body.stiffness});
         }
-      if (side.name == "Top" && parameters.top.kind == TopSetup::Kind::held)
+      if (side == &parameters.top && parameters.top.is_held())
         continue;
-      const double p = load_range(*side.pressure, end).largest_size();
-      loads.push_back({side.key("Pressure"), p, "Pa", p / body.stiffness});
+      const double p = load_range(side->pressure, end).largest_size();
+      loads.push_back({side->key("Pressure"), p, "Pa", p / body.stiffness});
     }
   const LoadEstimate &worst = *std::max_element(
     loads.begin(), loads.end(),

@@ -121,9 +121,11 @@ void ContactParameters::bind_top(Keys &keys)
   keys.bind_list("Held", held, {"u_x", "u_y"},
                  "Displacement components along the flat, u_x and, in 3D, u_y, that are "
                  "zero on the top under Kind = pressure; empty: none [-]");
+  top.name = "Top";
+  top.held = {};
   for (const std::string &component : held)
-    top.lateral_held[component == "u_x" ? 0 : 1] = true;
-  keys.require(mesh.mesh.dim == 3 || !top.lateral_held[1], "Held",
+    top.held[component == "u_x" ? 0 : 1] = true;
+  keys.require(mesh.mesh.dim == 3 || !top.held[1], "Held",
                "u_y is along the normal of the flat; set Kind = held, or name u_x only");
   keys.bind("Platen mass", top.platen_mass, Range::non_negative(),
             "Mass of the platen, which moves with the top, in 2D per unit thickness; "
@@ -160,10 +162,10 @@ void ContactParameters::set_top(const Keys &keys, const std::string &kind)
       "a top that absorbs is held along the flat in the static state, so that "
       "a traction along it has no effect; leave it out, or set Kind = springs");
   Suspension &suspension = top.suspension;
-  top.kind               = kind == "platen" ? TopSetup::Kind::platen
-                           : kind == "held" ? TopSetup::Kind::held
-                                            : TopSetup::Kind::pressure;
-  suspension.absorbing   = kind == "absorbing";
+  top.is_platen          = kind == "platen";
+  if (kind == "held")
+    top.hold();
+  suspension.absorbing = kind == "absorbing";
   if (kind == "free")
     top.pressure = LoadHistory();
   keys.require(kind != "springs" || suspension.is_suspended(), "Kind",
@@ -172,11 +174,6 @@ void ContactParameters::set_top(const Keys &keys, const std::string &kind)
   keys.require(!suspension.is_there() || !std::isfinite(top.hold_from), "Hold from",
                "the top is held from then on, but there are springs, dashpots or a "
                "traction; leave one of the two out");
-  keys.require(kind != "platen" || !suspension.is_there() ||
-                 analysis == ContactAnalysis::transient,
-               "Kind",
-               "it is a platen on springs, which transient runs alone know; set it to "
-               "springs, which hold each node by itself");
   for (unsigned int c = 0; c < mesh.mesh.dim; ++c)
     keys.require(!suspension.motion[c].is_expression() || suspension.stiffness[c] > 0. ||
                    suspension.dashpot[c] > 0.,
@@ -232,28 +229,28 @@ std::vector<SideSupport> ContactParameters::loaded_sides() const
   return loaded;
 }
 
-std::vector<ContactParameters::Suspended> ContactParameters::suspended() const
+std::vector<const SideSupport *> ContactParameters::suspended() const
 {
-  std::vector<Suspended> all = {{"Top", &top.suspension, &top.pressure}};
+  std::vector<const SideSupport *> all = {&top};
   for (const SideSupport &side : supports)
     if (side.is_loaded())
-      all.push_back({side.name, &side.suspension, &side.pressure});
+      all.push_back(&side);
   return all;
 }
 
 bool ContactParameters::has_suspensions() const
 {
-  const std::vector<Suspended> all = suspended();
+  const std::vector<const SideSupport *> all = suspended();
   return std::any_of(all.begin(), all.end(),
-                     [](const Suspended &side) { return side.suspension->is_there(); });
+                     [](const SideSupport *side) { return side->suspension.is_there(); });
 }
 
 bool ContactParameters::is_moved_normally() const
 {
-  const std::vector<Suspended> all = suspended();
-  return std::any_of(all.begin(), all.end(), [&](const Suspended &side) {
-    return side.suspension->motion[mesh.mesh.dim - 1].is_expression() ||
-           side.suspension->traction.acts(mesh.mesh.dim - 1);
+  const std::vector<const SideSupport *> all = suspended();
+  return std::any_of(all.begin(), all.end(), [&](const SideSupport *side) {
+    return side->suspension.motion[mesh.mesh.dim - 1].is_expression() ||
+           side->suspension.traction.acts(mesh.mesh.dim - 1);
   });
 }
 
@@ -324,8 +321,7 @@ void ContactParameters::check_platen(const Keys &keys) const
   for (const SideSupport &side : supports)
     for (unsigned int c = 0; c < mesh.mesh.dim; ++c)
       keys.require(
-        top.kind != TopSetup::Kind::platen || !side.held[c] ||
-          (c != normal && top.holds(c)),
+        !top.is_platen || !side.held[c] || (c != normal && top.holds(c)),
         side.name + "/Held",
         std::string("u_") + "xyz"[c] +
           " is held, but the platen of Supports/Top/Kind moves the corner; hold " +

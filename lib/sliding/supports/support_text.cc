@@ -58,9 +58,9 @@ std::string pressure_text(const LoadHistory &pressure)
 }
 } // namespace
 
-std::string support_text(const ContactParameters::Suspended &side, const unsigned int dim)
+std::string support_text(const SideSupport &side, const unsigned int dim)
 {
-  const Suspension &on = *side.suspension;
+  const Suspension &on = side.suspension;
   std::string text;
   for (const std::string &part :
        {components_text("springs", on.stiffness, dim, "Pa/m"),
@@ -68,7 +68,7 @@ std::string support_text(const ContactParameters::Suspended &side, const unsigne
         std::string(on.absorbing ? "dashpots of the impedances behind it" : ""),
         on.mass > 0. ? "a mass of " + to_text(on.mass) + " kg/m^2" : std::string(),
         motion_text(on, dim), traction_text(on.traction, dim),
-        side.name == "Top" ? "" : pressure_text(*side.pressure)})
+        side.name == "Top" ? "" : pressure_text(side.pressure)})
     if (!part.empty())
       text += (text.empty() ? side.name + ": " : "; ") + part;
   return text;
@@ -77,8 +77,8 @@ std::string support_text(const ContactParameters::Suspended &side, const unsigne
 std::string support_texts(const ContactParameters &parameters)
 {
   std::string all;
-  for (const auto &side : parameters.suspended())
-    if (const std::string text = support_text(side, parameters.mesh.mesh.dim);
+  for (const SideSupport *side : parameters.suspended())
+    if (const std::string text = support_text(*side, parameters.mesh.mesh.dim);
         !text.empty())
       all += (all.empty() ? "" : " | ") + text;
   return all;

@@ -171,7 +171,7 @@ std::string separation_remark(const TransientResult &run)
   const TopSetup &top       = run.parameters.top;
   const double pressure     = top.pressure.amplitude();
   const std::string touched = "no node touched the flat in the steady part";
-  return top.kind == TopSetup::Kind::held || pressure > 0.
+  return top.is_held() || pressure > 0.
            ? touched
            : brief_text(
                6, touched, ": Supports/Top/Pressure is ", pressure, " Pa, which ",

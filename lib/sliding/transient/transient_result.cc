@@ -52,7 +52,7 @@ double nominal_load(const TransientResult &run, const double begin, const double
 {
   const TopSetup &top         = run.parameters.top;
   const LoadHistory &velocity = run.parameters.contact.flat_velocity;
-  const bool pressed          = top.kind != TopSetup::Kind::held && top.hold_from > end &&
+  const bool pressed          = !top.is_held() && top.hold_from > end &&
                        !top.suspension.resists(run.body.dim - 1) &&
                        !top.suspension.traction.acts(run.body.dim - 1) &&
                        !run.parameters.sides_carry_normally() &&

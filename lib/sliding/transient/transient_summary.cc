@@ -127,12 +127,12 @@ void TransientResult::write_summary(RunContext &context) const
      {"steady_from", steady_from},
      {"limit_cycle_reached", limit_cycle_reached},
      {"limit_cycle", limit_cycle}});
-  for (const auto &[name, on, pressure] : parameters.suspended())
-    if (on->is_there())
-      summary["supports"][name] = {{"spring_stiffness", on->stiffness},
-                                   {"dashpot", on->dashpot},
-                                   {"mass", on->mass},
-                                   {"absorbing", on->absorbing}};
+  for (const SideSupport *side : parameters.suspended())
+    if (const Suspension &on = side->suspension; on.is_there())
+      summary["supports"][side->name] = {{"spring_stiffness", on.stiffness},
+                                         {"dashpot", on.dashpot},
+                                         {"mass", on.mass},
+                                         {"absorbing", on.absorbing}};
   if (body.dim == 3)
     summary["flat_direction"] = parameters.contact.flat_direction;
   if (!regime.empty())

@@ -1,7 +1,7 @@
 """Random supports at the left, the right and the top against a dense code written apart, in numpy: modes, the static body pressed on the flat, and
 every step of runs that land on it, of random phase maps as a plane grid and as a mesh of the same cells, on one rank and on two.
 
-Each side is free, held, under a pressure, on springs with dashpots, mass and a far end that moves, or absorbs waves; the top may be a platen, too.
+Each side is free, held, under a pressure, on springs with dashpots, mass and a far end that moves, or absorbs waves; the top may be a platen, too, also on springs.
 Modes agree to 1e-8, static displacements to 1e-7 and steps to 1e-10 of the largest."""
 
 import csv
@@ -81,10 +81,13 @@ class Support:
             self.pressure = PRESSURE if name == "Top" else random.uniform(-0.3, 0.5) * PRESSURE
             if kind != "platen" and random.random() < 0.5:
                 self.shear, self.rate = random.uniform(-0.2, 0.2, 2) * PRESSURE * (random.random(2) < 0.7), random.uniform(-1e11, 1e11, 2) * (random.random(2) < 0.7)
+        if kind == "platen" and random.random() < 0.7:
+            self.k = 10 ** random.uniform(11, 13.5, 2) * (random.random(2) < 0.7)
+            self.z, self.motion = 10 ** random.uniform(4, 6, 2) * (self.k > 0), [random.uniform(-1e-8, 1e-8), random.uniform(-1e-2, 1e-2)]
         if kind == "held":
             self.held = [0, 1]
         elif kind == "platen":
-            self.held = [0]
+            self.held = [0] if self.k[0] == 0 else []
         elif random.random() < 0.3 and (name != "Top" or kind == "pressure" and not (self.shear.any() or self.rate.any())):
             self.held = [0] if name == "Top" or kind == "free" else [1]
             for values in (self.k, self.z, self.shear, self.rate):  # where it is held they would have no effect
@@ -113,10 +116,12 @@ class Support:
             result[start + "Traction"] = "; ".join(" + ".join([f"{s:.17g}*(1 + 100*x + 200*y)"] * bool(s) + [f"{r:.17g}*t"] * bool(r)) or "0"
                                                    for s, r in zip(self.shear, self.rate)).replace("+ -", "- ")
         if self.kind == "springs":
-            result |= {start + "Spring stiffness": "%.17g, %.17g" % tuple(self.k), start + "Mass": self.mass}
+            result[start + "Mass"] = self.mass
+        if self.kind == "springs" or self.k.any():
+            result[start + "Spring stiffness"] = "%.17g, %.17g" % tuple(self.k)
             if analysis != "modal":
                 moves = ("%.17g + %.17g*t" % tuple(self.motion), "%.17g - %.17g*t" % tuple(self.motion))
-                result[start + "Motion"] = "; ".join(text if c not in self.held else "0" for c, text in enumerate(moves))
+                result[start + "Motion"] = "; ".join(text if self.k[c] > 0 else "0" for c, text in enumerate(moves))
             if analysis in ("transient", "complex modes"):
                 result[start + "Dashpot"] = "%.17g, %.17g" % tuple(self.z)
         return result
@@ -147,21 +152,27 @@ def supports_of(body, supports):
     return springs, dashpots, added, held, load
 
 
+def moved_by_platen(body, top):
+    """The degrees of freedom that are one, a row for each component in which a platen moves."""
+    return [2 * np.flatnonzero(body.j == NY) + c for c in range(2) if top.kind == "platen" and c not in top.held]
+
+
 def basis(body, supports, held):
-    """From unknowns to degrees of freedom; the last unknown is the platen's if there is one."""
-    if supports[-1].kind != "platen":
-        return np.eye(len(held))[:, ~held]
-    lowered = np.zeros(len(held))
-    lowered[2 * np.flatnonzero(body.j == NY) + 1] = 1
-    return np.hstack([np.eye(len(held))[:, ~held & (lowered == 0)], lowered[:, None]])
+    """From unknowns to degrees of freedom; the last unknowns are the platen's if there is one."""
+    together = [np.isin(np.arange(len(held)), dofs) for dofs in moved_by_platen(body, supports[-1])]
+    return np.hstack([np.eye(len(held))[:, ~held & ~np.any([held & False, *together], axis=0)], *[some[:, None] for some in together]])
+
+
+def with_platen(mass, body, supports):
+    """The masses of the unknowns of basis()."""
+    n = len(moved_by_platen(body, supports[-1]))
+    return mass + PLATEN_MASS * (np.arange(len(mass)) >= len(mass) - n)
 
 
 def modes(body, supports):
     springs, _, added, held, _ = supports_of(body, supports)
     T = basis(body, supports, held)
-    mass = T.T @ (body.mass + added)
-    if supports[-1].kind == "platen":
-        mass[-1] += PLATEN_MASS
+    mass = with_platen(T.T @ (body.mass + added), body, supports)
     root = 1 / np.sqrt(mass)
     squares = np.linalg.eigvalsh(root[:, None] * (T.T @ (body.K + np.diag(springs)) @ T) * root)
     return np.sqrt(squares[squares > 1e-9 * squares[-1]]) / (2 * np.pi)
@@ -199,9 +210,7 @@ def complex_modes(body, supports, touching):
     for dofs, Z, _, _ in dashpots:
         C[dofs, dofs] += Z
     T = basis(body, supports, fixed)
-    K, C, mass = T.T @ (body.K + np.diag(springs)) @ T, T.T @ C @ T, T.T @ (body.mass + added)
-    if supports[-1].kind == "platen":
-        mass[-1] += PLATEN_MASS
+    K, C, mass = T.T @ (body.K + np.diag(springs)) @ T, T.T @ C @ T, with_platen(T.T @ (body.mass + added), body, supports)
     n = len(mass)
     A = np.block([[np.zeros((n, n)), np.eye(n)], [-K / mass[:, None], -C / mass[:, None]]])
     s = np.linalg.eigvals(A)
@@ -217,19 +226,22 @@ def run(body, supports, velocity, weight):
         pull[dofs] += of_side * (support.far(1.0) - support.far(0.0))[c]
     inertia, bottom = m * (1 + 0.5 * ALPHA * DT) + 0.5 * DT * Z, 2 * np.flatnonzero(body.j == 0) + 1
     assert (DT * Z < 2 * m).all()
-    top, platen = 2 * np.flatnonzero(body.j == NY) + 1, supports[-1].kind == "platen"
+    platen = moved_by_platen(body, supports[-1])
     v, g = np.tile(velocity, n // 2), np.tile(weight, n // 2)
     at_start = g + (load(0.0) + pull - Z * v) / m
-    if platen:
-        at_start[top] = (body.mass[top].sum() * weight[1] - PRESSURE * NX * HX) / (body.mass[top].sum() + PLATEN_MASS)
+    far, far_velocity = supports[-1].far(0.0), supports[-1].far(1.0) - supports[-1].far(0.0)
+    for dofs in platen:  # without what sides do at the corners
+        c = dofs[0] % 2
+        push = supports[-1].k[c] * far[c] - supports[-1].z[c] * (velocity[c] - far_velocity[c]) - PRESSURE * c
+        at_start[dofs] = (body.mass[dofs].sum() * weight[c] + push * NX * HX) / (body.mass[dofs].sum() + PLATEN_MASS)
     u, w = np.zeros(n), v - 0.5 * DT * (at_start - ALPHA * v)
     w[held] = 0
     states = [u]
     for step in range(N_STEPS):
         force = load(step * DT) + pull + m * g - springs * u - body.K @ (u + BETA * w) - (Z + ALPHA * m) * w
         a = np.where(held, 0, force / inertia)
-        if platen:
-            a[top] = force[top].sum() / (inertia[top].sum() + PLATEN_MASS)
+        for dofs in platen:
+            a[dofs] = force[dofs].sum() / (inertia[dofs].sum() + PLATEN_MASS)
         for k in bottom[~held[bottom]]:
             a[k] = max(a[k], ((-GAP - u[k]) / DT - w[k]) / DT)
         w = w + DT * a
@@ -243,8 +255,9 @@ def random_supports(random, analysis):
     chosen = [Support(name, random.choice(kinds), random) for name in ("Left", "Right")]
     top = Support("Top", random.choice([*kinds, "platen"] if analysis in ("modal", "transient") else ["pressure", "springs", "platen"]), random)
     for side in chosen:
-        if top.kind == "platen":  # which moves the corners along y
-            side.kind, side.held = "free" if side.kind == "held" else side.kind, [c for c in side.held if side.kind != "held" and c == 0]
+        if top.kind == "platen":  # which moves the corners
+            side.held = [c for c in side.held if side.kind != "held" and c == 0 and c in top.held]
+            side.kind = "free" if side.kind == "held" else side.kind
     return chosen + [top]
 
 

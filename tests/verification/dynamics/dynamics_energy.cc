@@ -47,9 +47,9 @@ observe(BodySetup setup, const double safety = 0.95, const unsigned int n_steps 
     return c == 1 ? -1.5 + 0.3 * std::sin(900. * x + 400. * y) : 0.;
   });
   // What a platen or a held top does not let move does not move at the start either.
-  if (setup.top.kind != TopSetup::Kind::pressure)
+  if (setup.top.is_platen || setup.top.is_held())
     std::fill_n(body.w.row(1, body.w.n_rows() - 1), body.w.n_columns(),
-                setup.top.kind == TopSetup::Kind::held ? 0. : -1.5);
+                setup.top.is_held() ? 0. : -1.5);
   for (unsigned int c = 0; c < 2; ++c)
     for (unsigned int j = 0; j < body.w.n_rows(); ++j)
       {
@@ -97,12 +97,12 @@ TEST(Energy, ClosesUnderEveryTop)
   expect_closed(setup, "platen with mass");
   setup.top.pressure = LoadHistory(P, "5e6*(1 + 0.5*sin(2*pi*3e4*t))");
   expect_closed(setup, "typed pressure");
-  setup.top.kind        = TopSetup::Kind::pressure;
+  setup.top.is_platen   = false;
   setup.top.platen_mass = 0.;
   expect_closed(setup, "pressure");
-  setup.top.lateral_held.fill(true);
+  setup.top.held = {{true, true, false}};
   expect_closed(setup, "pressure, laterally held");
-  setup.top.kind    = TopSetup::Kind::held;
+  setup.top.hold();
   setup.contact.gap = -2e-6;
   expect_closed(setup, "held");
 }
@@ -158,7 +158,7 @@ TEST(Energy, ClosesOnSprings)
   EXPECT_NEAR(stiff.e.impact.back(), impact, 1e-6 * rigid.scale);
   setup.contact.normal_stiffness = 1e13;
   EXPECT_LT(observe(setup, 0.2).e.impact.back(), 0.1 * impact);
-  setup.top.kind         = TopSetup::Kind::held; // pressed from the start
+  setup.top.hold(); // pressed from the start
   setup.contact.gap      = -2e-6;
   const Energies pressed = observe(setup);
   EXPECT_LT(largest(pressed.e.residual()) / pressed.scale, 1e-12);
@@ -218,18 +218,18 @@ TEST(Energy, ClosesOnSpringsAlongTheFlat)
 TEST(Energy, ClosesWhenTheTopIsStopped)
 {
   for (const double b : {0.5, 0.8})
-    for (const auto kind : {TopSetup::Kind::platen, TopSetup::Kind::pressure})
+    for (const bool platen : {true, false})
       {
         BodySetup setup     = thrown_body();
         setup.step.beta2    = b;
         setup.step.beta     = 4e-9;
-        setup.top.kind      = kind;
+        setup.top.is_platen = platen;
         setup.top.hold_from = 2.0371e-5;
-        if (kind == TopSetup::Kind::platen)
+        if (platen)
           setup.top.platen_mass = 0.03;
         const Energies found = observe(setup);
         EXPECT_LT(largest(found.e.residual()) / found.scale, 1e-12)
-          << "beta2 " << b << " top " << static_cast<int>(kind);
+          << "beta2 " << b << " platen " << platen;
       }
 }
 
@@ -251,13 +251,13 @@ TEST(Energy, ClosesWithEverythingElse)
   setup.sides.left_held  = {{true, false}};
   setup.sides.right_held = {{true, true}};
   setup.contact.law      = FrictionLaw();
-  setup.top.kind         = TopSetup::Kind::pressure;
+  setup.top.is_platen    = false;
   setup.contact.law.time = 0.;
   expect_closed(setup, "held sides, Coulomb");
   setup.sides    = SideConstraints();
   setup.periodic = true;
   expect_closed(setup, "periodic, pressure");
-  setup.top.kind = TopSetup::Kind::platen;
+  setup.top.is_platen = true;
   expect_closed(setup, "periodic, platen");
 }
 
@@ -290,7 +290,7 @@ TEST(Energy, FreeVibrationLosesNothing)
 {
   BodySetup setup      = thrown_body();
   setup.contact.gap    = 1.;
-  setup.top.kind       = TopSetup::Kind::pressure;
+  setup.top.is_platen  = false;
   setup.top.pressure   = LoadHistory();
   const Energies found = observe(setup, 0.99);
   EXPECT_LT(largest(found.e.residual()) / found.scale, 1e-12);
@@ -373,12 +373,12 @@ TEST(Energy, DampingIsBetaTimesTheWorkOfTheOperator)
 {
   for (const double b : {0.5, 0.6})
     {
-      BodySetup setup    = thrown_body(8, 5);
-      setup.step.beta    = 3e-8;
-      setup.step.beta2   = b;
-      setup.top.kind     = TopSetup::Kind::pressure;
-      setup.top.pressure = LoadHistory();
-      setup.contact.gap  = 1.;
+      BodySetup setup     = thrown_body(8, 5);
+      setup.step.beta     = 3e-8;
+      setup.step.beta2    = b;
+      setup.top.is_platen = false;
+      setup.top.pressure  = LoadHistory();
+      setup.contact.gap   = 1.;
       setup.choose_time_step(0.1);
       Body body(setup);
       body.set_w([](const double x, const double y, const unsigned int c) {
@@ -423,17 +423,17 @@ TEST(Energy, ClosesWithSparseSamples)
 
 TEST(Momentum, IsWhatTheForcesAtTopAndBottomSay)
 {
-  for (const auto kind : {TopSetup::Kind::platen, TopSetup::Kind::pressure})
+  for (const bool platen : {true, false})
     for (const bool periodic : {false, true})
       {
-        BodySetup setup = thrown_body();
-        setup.periodic  = periodic;
-        setup.top.kind  = kind;
-        setup.top.lateral_held.fill(true);
+        BodySetup setup         = thrown_body();
+        setup.periodic          = periodic;
+        setup.top.is_platen     = platen;
+        setup.top.held          = {{true, true, false}};
         setup.step.acceleration = {{1e5, -2e5}};
         setup.step.beta         = 1e-8;
         setup.choose_time_step(0.9);
-        if (kind == TopSetup::Kind::platen)
+        if (platen)
           setup.top.platen_mass = 0.02;
         Body body(setup);
         body.run(2500);

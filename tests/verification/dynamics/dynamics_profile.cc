@@ -52,7 +52,7 @@ std::complex<double> found_over_exact(const SteadyWave &wave, const unsigned int
   setup.contact.law.time      = 0.;
   setup.contact.profile       = std::make_shared<ProfileExpression>(
     std::to_string(1e12 * wave.height) + "e-12*cos(2*pi*x/1e-3)", 2);
-  setup.top.kind        = TopSetup::Kind::pressure;
+  setup.top.is_platen   = false;
   setup.top.pressure    = LoadHistory(p0);
   setup.energy_interval = 1;
   setup.choose_time_step(0.95);

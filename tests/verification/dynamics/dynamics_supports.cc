@@ -35,7 +35,7 @@ BodySetup column(const unsigned int n, const double height = H)
   s.classes         = {column_material<2>()};
   s.periodic        = true;
   s.contact.gap     = 1.;
-  s.top.kind        = TopSetup::Kind::pressure;
+  s.top.is_platen   = false;
   s.top.pressure    = LoadHistory(0.);
   s.energy_interval = 1;
   return s;
@@ -119,16 +119,16 @@ TEST(Supports, ColumnOnSpringsHasItsFrequency)
       for (const double mass : {0., 8.})
         {
           const double omega = frequency_on_springs(component, stiffness, mass);
-          const auto setup   = [&](const unsigned int n, const TopSetup::Kind kind,
+          const auto setup   = [&](const unsigned int n, const bool platen,
                                  const unsigned int dim) {
-            BodySetup s    = column(n);
-            s.top.kind     = kind;
-            Suspension &on = s.top.suspension;
+            BodySetup s     = column(n);
+            s.top.is_platen = platen;
+            Suspension &on  = s.top.suspension;
             if (component == 0)
               on.stiffness[0] = on.stiffness[dim - 2] = stiffness;
             else
               on.stiffness[dim - 1] = stiffness;
-            if (kind == TopSetup::Kind::pressure)
+            if (!platen)
               on.mass = mass;
             else
               s.top.platen_mass = mass * s.spacing[0] * (dim == 3 ? s.spacing[0] : 1.);
@@ -136,17 +136,17 @@ TEST(Supports, ColumnOnSpringsHasItsFrequency)
           };
           const std::string what = brief_text(3, component == 0 ? "S" : "P", " on ",
                                               stiffness, " Pa/m with ", mass, " kg/m^2");
-          for (const auto kind : {TopSetup::Kind::pressure, TopSetup::Kind::platen})
+          for (const bool platen : {false, true})
             {
-              const std::string top = kind == TopSetup::Kind::platen ? ", platen" : "";
+              const std::string top = platen ? ", platen" : "";
               expect_order_two(
                 [&](const unsigned int n) {
-                  return error_of<2>(setup(n, kind, 2), {component, omega});
+                  return error_of<2>(setup(n, platen, 2), {component, omega});
                 },
                 2e-3, "column: " + what + top, stiffness == 1e12 && mass > 0.);
               expect_order_two(
                 [&](const unsigned int n) {
-                  return error_of<3>(setup(n, kind, 3), {component, omega});
+                  return error_of<3>(setup(n, platen, 3), {component, omega});
                 },
                 2e-3, "box: " + what + top, false);
             }
@@ -275,9 +275,9 @@ TEST(Supports, MovesWithItsFarEnd)
   on.motion[0]   = LoadHistory(1., "3*t");
   on.motion[1]   = LoadHistory(1., "-0.5*t");
   s.step.dt      = 0.5 * s.spacing[0] / c_p;
-  for (const auto kind : {TopSetup::Kind::pressure, TopSetup::Kind::platen})
+  for (const bool platen : {false, true})
     {
-      s.top.kind = kind;
+      s.top.is_platen = platen;
       Body body(s);
       body.set_initial_velocity({{3., -0.5, 0.}});
       body.run(1000);
@@ -294,17 +294,17 @@ TEST(Supports, MovesWithItsFarEnd)
 // energy of the throw is all that there is.
 TEST(Supports, StiffDashpotsAreHolds)
 {
-  for (const auto kind : {TopSetup::Kind::pressure, TopSetup::Kind::platen})
+  for (const bool platen : {false, true})
     for (const double dashpot : {1e12, 1e14})
       {
         BodySetup s                = column(20);
-        s.top.kind                 = kind;
+        s.top.is_platen            = platen;
         s.top.suspension.dashpot   = {{dashpot, dashpot, 0.}};
         s.top.suspension.stiffness = {{1e9, 0., 0.}};
         s.step.dt                  = 0.5 * s.spacing[0] / c_p;
         Body body(s), held([&]() {
-          BodySetup of_held      = s;
-          of_held.top.kind       = TopSetup::Kind::held;
+          BodySetup of_held = s;
+          of_held.top.hold();
           of_held.top.suspension = {};
           return of_held;
         }());
@@ -367,7 +367,7 @@ void expect_closed(BodySetup s, const std::string &what)
         return c == 1 ? -1.5 + 0.3 * std::sin(900. * x + 400. * y) : 0.2;
       });
       // A platen moves as one from the start.
-      if (s.top.kind == TopSetup::Kind::platen)
+      if (s.top.is_platen)
         body.set_w(
           [](double, double, const unsigned int c) { return c == 1 ? -1.5 : 0.; });
       body.run(3000);
@@ -388,22 +388,22 @@ template <int dim>
 void expect_all_closed()
 {
   BodySetup s;
-  Suspension &on = s.top.suspension;
-  s.top.kind     = TopSetup::Kind::pressure;
-  on.stiffness   = {{3e11, 1e12, 1e12}};
-  on.dashpot     = {{1e6, 3e6, 3e6}};
-  on.motion[0]   = LoadHistory(1., "1e-6*sin(2e5*t)+1e-7");
-  on.motion[1]   = LoadHistory(1., "2e-7*cos(3e5*t)");
+  Suspension &on  = s.top.suspension;
+  s.top.is_platen = false;
+  on.stiffness    = {{3e11, 1e12, 1e12}};
+  on.dashpot      = {{1e6, 3e6, 3e6}};
+  on.motion[0]    = LoadHistory(1., "1e-6*sin(2e5*t)+1e-7");
+  on.motion[1]    = LoadHistory(1., "2e-7*cos(3e5*t)");
   expect_closed<dim>(s, "springs");
   on.mass = 2.;
   expect_closed<dim>(s, "springs with mass");
   on.mass           = 0.;
-  s.top.kind        = TopSetup::Kind::platen;
+  s.top.is_platen   = true;
   s.top.platen_mass = 1e-2;
   expect_closed<dim>(s, "platen on springs");
   on                = {};
   on.absorbing      = true;
-  s.top.kind        = TopSetup::Kind::pressure;
+  s.top.is_platen   = false;
   s.top.platen_mass = 0.;
   const auto Z      = impedance<dim>(column_material<dim>().stiffness, rho);
   for (unsigned int k = 0; k < dim * dim; ++k)
@@ -438,7 +438,7 @@ StickSlip pulled(const double critical_slip, const double kinetic, const bool fa
   s.contact.law.slip_law     = std::make_shared<SlipWeakening>(SlipWeakening::Constants{
     0.3, kinetic, critical_slip, false, {Healing::Kind::sticking, 0.}});
   s.contact.law.reference    = 0.3;
-  s.top.kind                 = TopSetup::Kind::platen;
+  s.top.is_platen            = true;
   s.top.platen_mass          = mass * s.spacing[0];
   s.top.pressure             = LoadHistory(1e6, Ramp::smooth, 1e-4);
   s.top.suspension.stiffness = {{1e9, 0., 0.}};

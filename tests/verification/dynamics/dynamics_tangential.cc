@@ -24,10 +24,10 @@ BodySetup column(const unsigned int n, const double friction)
   setup.friction                     = friction;
   setup.contact.law.time             = 0.;
   setup.contact.tangential_stiffness = k_t;
-  setup.top.kind                     = TopSetup::Kind::pressure;
+  setup.top.is_platen                = false;
   setup.top.pressure                 = LoadHistory(P);
-  setup.top.lateral_held.fill(true);
-  setup.energy_interval = 1;
+  setup.top.held                     = {{true, true, false}};
+  setup.energy_interval              = 1;
   return setup;
 }
 

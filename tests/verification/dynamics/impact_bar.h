@@ -27,7 +27,7 @@ inline BodySetup bar(const unsigned int n_cells, const double beta2, const doubl
   s.step.dt         = courant * s.spacing[1] / c;
   s.contact.gap     = 5.;
   s.monitored_nodes = {0, 1};
-  s.top.kind        = TopSetup::Kind::pressure;
+  s.top.is_platen   = false;
   s.energy_interval = 1;
   return s;
 }

@@ -52,8 +52,8 @@ inline BodySetup rectangle(const unsigned int n_vertical)
   s.classes          = {resin()};
   s.sides.left_held  = {{true, false}};
   s.sides.right_held = {{true, false}};
-  s.top.kind         = TopSetup::Kind::pressure;
-  s.top.lateral_held.fill(true);
+  s.top.is_platen    = false;
+  s.top.held         = {{true, true, false}};
   return s;
 }
 

@@ -43,8 +43,8 @@ MeshCase<dim> thrown_body(MeshCase<dim> c)
 template <int dim>
 MeshCase<dim> joined_body(MeshCase<dim> c)
 {
-  c                = thrown_body<dim>(std::move(c));
-  c.setup.top.kind = TopSetup::Kind::pressure;
+  c                     = thrown_body<dim>(std::move(c));
+  c.setup.top.is_platen = false;
   for (unsigned int axis = 0; axis + 1 < dim; ++axis)
     c.join(axis);
   return c;
@@ -70,7 +70,7 @@ void expect_closed(const MeshCase<dim> &c, const std::string &what)
 {
   MeshRun<dim> run(c, MPI_COMM_WORLD);
   run.set_w([&](const auto &p, const unsigned int k) {
-    return c.setup.top.kind == TopSetup::Kind::platen && p[dim - 1] > 0.99 * 1.6e-3
+    return c.setup.top.is_platen && p[dim - 1] > 0.99 * 1.6e-3
              ? (k == dim - 1 ? -1.5 : 0.)
              : thrown(c, p, k);
   });
@@ -96,8 +96,8 @@ void expect_closed(const MeshCase<dim> &c, const std::string &what)
 template <int dim>
 void expect_closed(const std::string &kind, const MeshCase<dim> &cells)
 {
-  MeshCase<dim> c  = thrown_body<dim>(cells);
-  c.setup.top.kind = TopSetup::Kind::pressure;
+  MeshCase<dim> c       = thrown_body<dim>(cells);
+  c.setup.top.is_platen = false;
   expect_closed(c, kind + ", pressure");
   c.setup.step.acceleration          = {{300., 0., 0.}};
   c.setup.step.acceleration[dim - 1] = -2e5;
@@ -143,10 +143,9 @@ TEST(MeshSliding, EnergiesClose)
 // The grid handed in as a mesh, with everything that a run can have.
 TEST(MeshSliding, EqualsTheGrid)
 {
-  for (const auto &[kind, periodic] : {std::make_pair(TopSetup::Kind::platen, false),
-                                       std::make_pair(TopSetup::Kind::platen, true),
-                                       std::make_pair(TopSetup::Kind::pressure, false),
-                                       std::make_pair(TopSetup::Kind::pressure, true)})
+  for (const auto &[platen, periodic] :
+       {std::make_pair(true, false), std::make_pair(true, true),
+        std::make_pair(false, false), std::make_pair(false, true)})
     {
       MeshCase<2> c = (periodic ? joined_body<2> : thrown_body<2>)(body_of_cells<2>({}));
       BodySetup grid;
@@ -157,7 +156,7 @@ TEST(MeshSliding, EqualsTheGrid)
       c.setup.step.acceleration = {{300., -2e5}};
       c.setup.step.beta         = 2e-8;
       c.setup.step.beta2        = 0.8;
-      c.setup.top.kind          = kind;
+      c.setup.top.is_platen     = platen;
       c.setup.periodic          = periodic;
       if (!periodic)
         {
@@ -177,8 +176,7 @@ TEST(MeshSliding, EqualsTheGrid)
 
       Body on_grid(grid);
       MeshRun<2> on_mesh(c, MPI_COMM_WORLD);
-      const bool platen = kind == TopSetup::Kind::platen;
-      const auto start  = [&](const dealii::Point<2> &p, const unsigned int k) {
+      const auto start = [&](const dealii::Point<2> &p, const unsigned int k) {
         return k == 0 ? 0. : platen ? -1.5 : thrown(c, p, k);
       };
       on_grid.set_w([&](const double x, const double y, const unsigned int k) {
@@ -214,7 +212,7 @@ void expect_equal_on_all_ranks()
       const Cells kind = {simplices, simplices ? 0.05 : 0.2};
       MeshCase<dim> c =
         (periodic ? joined_body<dim> : thrown_body<dim>)(body_of_cells<dim>(kind));
-      c.setup.top.kind          = TopSetup::Kind::pressure;
+      c.setup.top.is_platen     = false;
       c.setup.step.acceleration = {{300., 200., 0.}};
       MeshRun<dim> alone(c, MPI_COMM_SELF), together(c, MPI_COMM_WORLD);
       EXPECT_NEAR(together.body.setup.step.dt, alone.body.setup.step.dt,
@@ -254,7 +252,7 @@ TEST(MeshSliding, BlockThrownAskewStopsAfterItsDistance)
   c.phases                  = {{isotropic_stiffness<3>(2e7, 0.2), 1000.}};
   c.friction                = mu;
   c.setup.contact.law.time  = 0.;
-  c.setup.top.kind          = TopSetup::Kind::pressure;
+  c.setup.top.is_platen     = false;
   c.setup.step.acceleration = {{0., 0., -g}};
   c.setup.step.beta         = 2e-5;
   const double deceleration = mu * g, v = std::hypot(vx, vy);
@@ -288,7 +286,7 @@ TEST(MeshSliding, BlockThrownAskewStopsAfterItsDistance)
 TEST(MeshSliding, ExtrudedBodyEqualsThePlaneOne)
 {
   const double depth = 0.7e-3;
-  for (const auto kind : {TopSetup::Kind::platen, TopSetup::Kind::pressure})
+  for (const bool platen : {true, false})
     {
       MeshCase<2> plane = thrown_body<2>(body_of_cells<2>({}));
       MeshCase<3> solid;
@@ -296,17 +294,17 @@ TEST(MeshSliding, ExtrudedBodyEqualsThePlaneOne)
       solid.phases = two_phases<3>();
       for (std::size_t k = 0; k < solid.mesh.cells.size(); ++k)
         solid.mesh.cells[k].material_id = plane.mesh.cells[k].material_id;
-      plane.setup.top.kind = kind;
-      plane.setup.step.dt  = 5e-8;
-      solid.setup          = plane.setup;
-      solid.friction       = plane.friction;
+      plane.setup.top.is_platen = platen;
+      plane.setup.step.dt       = 5e-8;
+      solid.setup               = plane.setup;
+      solid.friction            = plane.friction;
       solid.hold(2, 1);
       solid.hold(3, 1);
       MeshRun<2> in_plane(plane, MPI_COMM_WORLD);
       MeshRun<3> in_space(solid, MPI_COMM_WORLD);
       const auto start = [&](const double x, const double z, const unsigned int k) {
         const dealii::Point<2> p(x, z);
-        return kind == TopSetup::Kind::platen ? -1.5 * k : thrown(plane, p, k);
+        return platen ? -1.5 * k : thrown(plane, p, k);
       };
       in_plane.set_w(
         [&](const auto &p, const unsigned int k) { return start(p[0], p[1], k); });

@@ -46,7 +46,7 @@ MeshCase<3> thrown_on_x(const bool simplices)
   c.setup.contact.flat_velocity = LoadHistory(2., Ramp::smooth, 1e-5);
   c.setup.contact.gap           = 2e-7;
   c.setup.top.pressure          = LoadHistory(5e6);
-  c.setup.top.kind              = TopSetup::Kind::pressure;
+  c.setup.top.is_platen         = false;
   c.setup.step.acceleration     = {{3e4, -5e4, -2e5}};
   c.setup.step.beta             = 2e-8;
   c.setup.energy_interval       = 1;
@@ -74,7 +74,7 @@ std::unique_ptr<MeshRun<3>> moved(const MeshCase<3> &c, const double angle)
 {
   auto run = std::make_unique<MeshRun<3>>(c, MPI_COMM_WORLD);
   run->set_w([&](const dealii::Point<3> &p, const unsigned int k) {
-    const bool stays = c.setup.top.kind == TopSetup::Kind::platen && p[2] > 1.59e-3;
+    const bool stays = c.setup.top.is_platen && p[2] > 1.59e-3;
     return stays ? (k == 2 ? -1.5 : 0.)
                  : turned_by(angle, start_velocity(turned_by(-angle, p)))[k];
   });
@@ -138,7 +138,7 @@ TEST(FlatAskew, TurnsTheSolution)
         MeshCase<3> c = thrown_on_x(simplices);
         if (platen)
           {
-            c.setup.top.kind         = TopSetup::Kind::platen;
+            c.setup.top.is_platen    = true;
             c.setup.contact.law.time = 0.;
           }
         else
@@ -185,7 +185,7 @@ TEST(FlatAskew, BlockIsTakenAlong)
   c.setup.contact.law.time       = 0.;
   c.setup.contact.flat_velocity  = LoadHistory(V);
   c.setup.contact.flat_direction = {{-e, e}};
-  c.setup.top.kind               = TopSetup::Kind::pressure;
+  c.setup.top.is_platen          = false;
   c.setup.step.acceleration      = {{0., 0., -g}};
   c.setup.step.beta              = 2e-5;
   MeshRun<3> run(c, MPI_COMM_WORLD);

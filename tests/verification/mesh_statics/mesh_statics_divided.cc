@@ -129,8 +129,8 @@ TEST(DividedBody, IsThatOfWholeFields)
         EXPECT_NEAR(mass[0], body.total_mass(), 1e-12 * body.total_mass());
 
         VibrationModesOptions options;
-        options.n_modes     = 3;
-        options.platen_mass = 0.7;
+        options.n_modes = 3;
+        options.platen  = Platen{0.7, {}};
         const auto modes =
                      vibration_modes<3>(body, verification::held_at_top(body), options),
                    expected =

@@ -62,10 +62,10 @@ lateral_case(const LateralLayer &layer, const unsigned int n, const bool held = 
   c.friction                    = layer.mu;
   c.setup.contact.flat_velocity = LoadHistory(layer.flat_velocity);
   c.setup.contact.law.time      = 0.;
-  c.setup.top.kind              = TopSetup::Kind::pressure;
-  c.setup.top.lateral_held.fill(true);
-  c.setup.top.pressure = LoadHistory(P);
-  c.setup.step.beta    = layer.beta;
+  c.setup.top.is_platen         = false;
+  c.setup.top.held              = {{true, true, false}};
+  c.setup.top.pressure          = LoadHistory(P);
+  c.setup.step.beta             = layer.beta;
   for (const unsigned int side : {2, 3})
     c.hold(side, 1);
   for (const unsigned int side : {0, 1})

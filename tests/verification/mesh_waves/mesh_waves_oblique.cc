@@ -32,11 +32,11 @@ oblique_case(const ObliqueLayer &layer, const unsigned int n, const bool bricks 
   c.setup.contact.flat_velocity    = LoadHistory(layer.flat_velocity);
   c.setup.contact.law.time         = layer.delta;
   c.setup.contact.normal_stiffness = layer.springs;
-  c.setup.top.kind                 = TopSetup::Kind::pressure;
-  c.setup.top.lateral_held.fill(true);
-  c.setup.top.pressure = LoadHistory(P);
-  c.setup.step.alpha   = layer.alpha;
-  c.setup.step.beta    = layer.beta;
+  c.setup.top.is_platen            = false;
+  c.setup.top.held                 = {{true, true, false}};
+  c.setup.top.pressure             = LoadHistory(P);
+  c.setup.step.alpha               = layer.alpha;
+  c.setup.step.beta                = layer.beta;
   for (const unsigned int side : {2, 3})
     c.hold(side, 1);
   return c;

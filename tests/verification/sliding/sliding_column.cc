@@ -32,7 +32,7 @@ BodySetup column(const unsigned int n, const double courant)
   s.periodic         = true;
   s.friction         = mu;
   s.contact.law.time = 0.;
-  s.top.kind         = TopSetup::Kind::pressure;
+  s.top.is_platen    = false;
   s.top.pressure     = LoadHistory(P);
   s.step.dt          = courant * H / n / c;
   s.energy_interval  = 1;

@@ -268,13 +268,13 @@ inline BodySetup layer_setup(const Layer &layer, const unsigned int n)
   setup.contact.flat_velocity    = LoadHistory(V);
   setup.contact.law.time         = layer.delta;
   setup.contact.normal_stiffness = layer.springs;
-  setup.top.kind                 = TopSetup::Kind::pressure;
-  setup.top.lateral_held.fill(true);
-  setup.top.pressure        = LoadHistory(P);
-  setup.step.alpha          = layer.alpha;
-  setup.step.beta           = layer.beta;
-  setup.step.dt             = 0.9 * H / n / layer.c_L();
-  setup.sweep.steps_at_once = 1;
+  setup.top.is_platen            = false;
+  setup.top.held                 = {{true, true, false}};
+  setup.top.pressure             = LoadHistory(P);
+  setup.step.alpha               = layer.alpha;
+  setup.step.beta                = layer.beta;
+  setup.step.dt                  = 0.9 * H / n / layer.c_L();
+  setup.sweep.steps_at_once      = 1;
   return setup;
 }
 

@@ -94,7 +94,7 @@ BodySetup small_body()
 BodySetup with_platen()
 {
   BodySetup setup       = small_body();
-  setup.top.kind        = TopSetup::Kind::platen;
+  setup.top.is_platen   = true;
   setup.top.platen_mass = 0.01;
   setup.energy_interval = 1;
   setup.choose_time_step(0.8);
@@ -106,7 +106,7 @@ BodySetup with_platen()
 BodySetup with_pressure()
 {
   BodySetup setup            = small_body();
-  setup.top.kind             = TopSetup::Kind::pressure;
+  setup.top.is_platen        = false;
   setup.contact.law.node_law = std::make_shared<SlipRateRegularization>(3e-6, 1e-3);
   setup.periodic             = true;
   setup.energy_interval      = 7;

@@ -52,12 +52,12 @@ struct Column
     result.contact.law.reference = mu;
     result.contact.law.time      = delta;
     result.contact.flat_velocity = LoadHistory(V);
-    result.top.kind              = TopSetup::Kind::pressure;
-    result.top.lateral_held.fill(true);
-    result.top.pressure        = LoadHistory(P);
-    result.step.beta           = beta;
-    result.step.dt             = courant * H / n / c;
-    result.sweep.steps_at_once = 1;
+    result.top.is_platen         = false;
+    result.top.held              = {{true, true, false}};
+    result.top.pressure          = LoadHistory(P);
+    result.step.beta             = beta;
+    result.step.dt               = courant * H / n / c;
+    result.sweep.steps_at_once   = 1;
     return result;
   }
 

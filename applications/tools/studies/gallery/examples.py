@@ -4,13 +4,14 @@ import dataclasses
 import typing
 
 import laws
+import tribometer
 
 
 @dataclasses.dataclass(frozen=True)
 class Example:
     """`targets`: files or folders of prm/examples that run one after the other, files with `program`. `figure`: how the text of the
     picture in the report begins; `pictured`: the folder of the run that has it, where it is not the first one. `draw(folder of the runs,
-    path)` draws a picture that no report has."""
+    path)` draws a picture that no report has. `changes`: (folder, keys) of each run, where the file runs several times with other keys."""
     title: str
     text: str
     targets: tuple
@@ -18,6 +19,7 @@ class Example:
     program: str = ""
     pictured: str = ""
     draw: typing.Callable = None
+    changes: tuple = ()
 
 
 RVE, CONTACT = "rve_homogenization", "contact_dynamics"
@@ -47,6 +49,12 @@ EXAMPLES = (
     Example("How sliding begins", "Slip grows from the edges of the contact until all of it slides.", ("contact_map_onset.prm",), "Map of the contact", CONTACT),
     Example("Stick and slip of a tribometer", "A pin on a spring, with the mass of its holder, is pulled over the flat ([theory](theory.md), section 4).",
             ("tribometer.prm",), "Apparent friction", CONTACT),
+    Example("From stick and slip to continuous sliding",
+            "The pin with a dashpot beside its spring, in sixteen runs with other values of `Supports/Top/Spring stiffness` and `Flat/Velocity`. On a soft spring "
+            "over a slow flat it sticks most of the time, on stiffer springs over faster flats ever less. Where the dashpot takes so much of its swing that it does not "
+            "come back to the speed of the flat, it slides on. Above each panel is the share of the time in which most of the contact sticks, and in brackets that of a "
+            "rigid block whose friction falls at once. Grey stripes come from ruptures that begin at an edge and stop, before one lets the pin go.",
+            ("tribometer_map.prm",), "", CONTACT, draw=tribometer.draw, changes=tribometer.CHANGES),
     Example("Ruptures under slip weakening", "A pad is sheared by the flat; ruptures run through its contact and heal. Every contact node over time.",
             ("friction_laws/rupture.prm",), "Contact states", CONTACT),
     Example("A rupture in a half-space", "A body whose top and sides absorb waves is pressed on the flat and dragged along: a rupture runs through the contact once, and "

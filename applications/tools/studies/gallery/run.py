@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """The gallery of examples: runs every file and chain of prm/examples as it stands, and writes doc/gallery.md with a picture of each."""
 
+import itertools
 import os
 import subprocess
 import sys
@@ -22,8 +23,8 @@ and its report is made by
 
     /usr/bin/python3 applications/tools/report/make_report.py FOLDER --output report.html
 
-Times are by the clock on one core, chains without the report. `./run.sh gallery` runs all of them and writes this page. Pictures are from the reports, but for
-that of the five laws.
+Times are by the clock on one core, chains without the report. `./run.sh gallery` runs all of them and writes this page.
+Pictures are from the reports, but for those of the five laws and of the map of a tribometer.
 
 {examples}
 """
@@ -32,11 +33,12 @@ that of the five laws.
 def run(programs, folder, example):
     """Seconds by the clock of the runs of an example, whose results are then in `folder`; SystemExit when one fails."""
     begin = time.monotonic()
-    for target in example.targets:
+    for target, (changed, keys) in itertools.product(example.targets, example.changes or (("", {}),)):
         name, path = os.path.splitext(os.path.basename(target))[0], os.path.join(TOP, "prm", "examples", target)
-        output = folder if os.path.isdir(path) else os.path.join(folder, name)
+        output = folder if os.path.isdir(path) else os.path.join(folder, changed or name)
         command = [sys.executable, os.path.join(TOP, "applications", "tools", "run_chain.py"), "--programs", programs, "--jobs", "1", "--no-report",
                    path, "--output", output] if os.path.isdir(path) else [os.path.join(programs, example.program), path, "--output", output, "--quiet"]
+        command += [f"--set={key}={value}" for key, value in keys.items()]
         environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
         done = subprocess.run(command, cwd=TOP, env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, check=False, text=True)
         if done.returncode:

@@ -157,10 +157,10 @@ ContactParameters oblique_box(const sliding_layer::ObliqueLayer &layer,
   p.friction.coefficient  = layer.mu;
   p.contact.flat_velocity = LoadHistory(layer.flat_velocity);
   p.contact.law.time      = layer.delta;
-  p.top.kind              = TopSetup::Kind::pressure;
-  p.top.lateral_held.fill(true);
-  p.top.pressure = LoadHistory(P);
-  p.step.beta    = layer.beta;
+  p.top.is_platen         = false;
+  p.top.held              = {{true, true, false}};
+  p.top.pressure          = LoadHistory(P);
+  p.step.beta             = layer.beta;
   return p;
 }
 

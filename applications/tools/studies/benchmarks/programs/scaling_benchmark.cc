@@ -170,7 +170,7 @@ sliding_body(const unsigned int nx, const unsigned int ny, const unsigned int in
   setup.friction              = 0.25;
   setup.contact.law.time      = 1.5e-6;
   setup.contact.flat_velocity = LoadHistory(2.);
-  setup.top.kind              = TopSetup::Kind::platen;
+  setup.top.is_platen         = true;
   setup.top.pressure          = LoadHistory(5e6);
   setup.step.beta             = 4.4e-9;
   setup.step.dt               = 1e-8;
