@@ -15,6 +15,17 @@ std::uint32_t in_sweep(const unsigned int component)
 {
   return component == 0 ? 0 : 3 - component;
 }
+
+/** By an operator of phases_of_damping(). */
+std::unique_ptr<PhaseDamping> damping_by(const std::shared_ptr<const BrickOperator> &op,
+                                         const NodalField<double> &u)
+{
+  auto drags = NodalField<double>::of_points(u.n_columns(), 1);
+  std::copy(op->lumped_mass().begin(), op->lumped_mass().end(), drags.row(0, 0));
+  return std::make_unique<PhaseDamping>(
+    [op](NodalField<double> &Kw, NodalField<double> &w) { op->multiply(Kw, w); },
+    std::move(drags), u);
+}
 } // namespace
 
 BrickStepper::BrickStepper(const BrickOperator &op,
@@ -22,20 +33,39 @@ BrickStepper::BrickStepper(const BrickOperator &op,
                            const StepParameters &parameters,
                            NodalField<double> &u,
                            NodalField<double> &w,
-                           const std::optional<unsigned int> top_point)
-  : SurfaceStepper<3>(parameters, u, w, op.slab().part, top_point, op.communicator)
+                           const std::optional<unsigned int> top_point,
+                           const std::shared_ptr<const BrickOperator> &damping)
+  : SurfaceStepper<3>(parameters,
+                      u,
+                      w,
+                      op.slab().part,
+                      top_point,
+                      op.communicator,
+                      damping ? damping_by(damping, u) : nullptr)
   , op(op)
 {
   set_inverse_mass();
   set_held(held);
+  if (!by_phase)
+    return;
+  mobility = u.zeros_alike(); // that of repeated points stays zero
+  for (const std::size_t start : op.slab().plane_start)
+    for (unsigned int k = 0; k < op.slab().n_nodes[0] * op.slab().n_nodes[1]; ++k)
+      for (unsigned int c = 0; c < 3; ++c)
+        {
+          const auto i          = static_cast<unsigned int>(start) + k;
+          mobility.row(c, 0)[i] = is_held(i, c) ? 0. : inverse_inertia(i);
+        }
 }
 
 /** Rows that are equal are kept once: of bodies of one density these are a few. */
 void BrickStepper::set_inverse_mass()
 {
-  const BrickSlab &slab         = op.slab();
-  const std::size_t n           = slab.n_nodes[0];
-  const std::vector<double> &of = op.lumped_mass();
+  const BrickSlab &slab = op.slab();
+  const std::size_t n   = slab.n_nodes[0];
+  std::vector<double> of;
+  for (unsigned int i = 0; i < op.lumped_mass().size(); ++i)
+    of.push_back(inverse_inertia(i));
   std::map<std::string, std::size_t> known;
   std::vector<std::size_t> first;
   for (const std::size_t start : slab.plane_start)
@@ -46,11 +76,18 @@ void BrickStepper::set_inverse_mass()
         const auto [place, is_new] = known.emplace(bytes, mass_rows.size());
         first.push_back(place->second);
         for (std::size_t i = 0; is_new && i < n; ++i)
-          mass_rows.push_back(1. / (row[i] * parameters.inertia()));
+          mass_rows.push_back(row[i]);
       }
   mass_rows.resize(mass_rows.size() + lanes<double>);
   for (const std::size_t place : first)
     inverse_mass.push_back(mass_rows.data() + place);
+}
+
+/** One over the mass with what alpha makes of it (1/kg). */
+double BrickStepper::inverse_inertia(const unsigned int point) const
+{
+  const double mass = op.lumped_mass()[point];
+  return 1. / (mass * (1. + 0.5 * alpha_of({point, 0}, mass) * parameters.dt));
 }
 
 void BrickStepper::set_held(const std::vector<HeldComponent> &components)
@@ -128,8 +165,7 @@ BrickStepper::make_surface(const SharedNodes &nodes, SurfaceCondition<3> &condit
   return std::make_unique<MeshSurface<3>>(
     nodes,
     [this](const unsigned int point, const unsigned int c) {
-      return is_held(point, c) ? 0.
-                               : 1. / (op.lumped_mass()[point] * parameters.inertia());
+      return is_held(point, c) ? 0. : inverse_inertia(point);
     },
     condition, communicator);
 }
@@ -142,13 +178,14 @@ kernels::BrickStep BrickStepper::brick_step()
       const unsigned int axis = BrickOperator::sweep_axis[c];
       step.u[c]               = u.row(axis, 0);
       step.w[c]               = w.row(axis, 0);
-      step.acceleration[c]    = parameters.acceleration[axis] / parameters.inertia();
+      if (!by_phase) // else damp_by_phase() adds it
+        step.acceleration[c] = parameters.acceleration[axis] / parameters.inertia();
     }
   step.dt           = parameters.dt;
   step.c_new        = parameters.dt * (parameters.beta2 + 0.5);
   step.c_old        = -parameters.dt * (parameters.beta2 - 0.5);
-  step.beta         = parameters.beta;
-  step.alpha        = parameters.alpha / parameters.inertia();
+  step.beta         = parameters.common_beta();
+  step.alpha        = parameters.common_alpha() / parameters.inertia();
   step.inverse_mass = inverse_mass.data();
   step.held_begin   = held_begin.data();
   step.held         = held.data();
@@ -170,18 +207,19 @@ void BrickStepper::advance(const std::uint64_t n_steps)
   for (std::uint64_t k = 0; k < n_steps; ++k, ++n_done)
     {
       const double time = static_cast<double>(n_done) * parameters.dt;
+      if (by_phase)
+        by_phase->start_step(w);
       op.advance(step);
+      if (by_phase)
+        damp_by_phase();
       for (const Side &side : sides)
         if (side.surface)
-          side.surface->start(n_done, time,
-                              [&](const std::size_t i, const unsigned int c) {
-                                const std::size_t place  = side.force_place[i];
-                                const unsigned int point = side.surface->points()[i];
-                                return side.force[place + n * in_sweep(c)] +
-                                       (parameters.alpha * w.row(c, 0)[point] -
-                                        parameters.acceleration[c]) *
-                                         op.lumped_mass()[point];
-                              });
+          side.surface->start(
+            n_done, time, [&](const std::size_t i, const unsigned int c) {
+              const std::size_t place  = side.force_place[i];
+              const unsigned int point = side.surface->points()[i];
+              return side.force[place + n * in_sweep(c)] + nodal_force(point, c);
+            });
       for (const Side &side : sides)
         if (side.surface)
           side.surface->finish(u, w);
@@ -194,6 +232,28 @@ void BrickStepper::advance(const std::uint64_t n_steps)
     }
   op.set_copies(u);
   op.set_copies(w);
+}
+
+/** Forces besides those of the cells: of weight and damping that is not in the sweep (N). */
+double BrickStepper::nodal_force(const unsigned int point, const unsigned int c) const
+{
+  const double of_mass =
+    parameters.common_alpha() * w.row(c, 0)[point] - parameters.acceleration[c];
+  return of_mass * op.lumped_mass()[point] +
+         (by_phase ? by_phase->force().row(c, 0)[point] : 0.);
+}
+
+/** The sweep has moved the nodes without these forces, in which the motion is linear. Surfaces move theirs again. */
+void BrickStepper::damp_by_phase()
+{
+  const double c_new = parameters.dt * (parameters.beta2 + 0.5);
+  for (unsigned int c = 0; c < 3; ++c)
+    for (unsigned int i = 0; i < u.n_columns(); ++i)
+      {
+        const double by = -parameters.dt * mobility.row(c, 0)[i] * nodal_force(i, c);
+        w.row(c, 0)[i] += by;
+        u.row(c, 0)[i] += c_new * by;
+      }
 }
 
 void BrickStepper::multiply(NodalField<double> &Kx, NodalField<double> &x) const

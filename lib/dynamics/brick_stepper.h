@@ -24,7 +24,8 @@ public:
                const StepParameters &parameters,
                NodalField<double> &u,
                NodalField<double> &w,
-               const std::optional<unsigned int> top_point = {});
+               const std::optional<unsigned int> top_point         = {},
+               const std::shared_ptr<const BrickOperator> &damping = nullptr);
 
   /** The nodes have to be the whole bottom or the whole top. @throws std::invalid_argument */
   MeshSurface<3> &add_surface(const SharedNodes &nodes,
@@ -52,6 +53,9 @@ private:
   std::unique_ptr<MeshSurface<3>> make_surface(const SharedNodes &nodes,
                                                SurfaceCondition<3> &condition) const;
   void set_inverse_mass();
+  double inverse_inertia(const unsigned int point) const;
+  void damp_by_phase();
+  double nodal_force(const unsigned int point, const unsigned int c) const;
   void set_held(const std::vector<HeldComponent> &components);
   kernels::BrickStep brick_step();
   bool is_held(const unsigned int point, const unsigned int component) const;
@@ -63,6 +67,7 @@ private:
   std::vector<kernels::HeldNode> held;                  ///< row by row
   Side sides[2];                                        ///< bottom and top
   std::vector<std::unique_ptr<MeshSurface<3>>> lateral; ///< besides
+  NodalField<double> mobility; ///< for damp_by_phase(): 1/kg, 0 where held
 };
 } // namespace mesoslip
 

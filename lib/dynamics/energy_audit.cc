@@ -58,7 +58,12 @@ EnergyAudit::EnergyAudit(Stepper &stepper,
   const std::size_t n  = u.n_columns();
   mass.resize(n * (rows.end - rows.begin));
   for (unsigned int j = rows.begin; j < rows.end; ++j)
-    stepper.mass_row(j, mass.data() + n * (j - rows.begin));
+    {
+      double *row = mass.data() + n * (j - rows.begin);
+      stepper.mass_row(j, row);
+      for (unsigned int i = 0; i < n && step.alpha > 0.; ++i)
+        drag.push_back(stepper.alpha_of({i, rows.local(j)}, row[i]) * row[i]);
+    }
 }
 
 std::uint64_t EnergyAudit::next_step(const std::uint64_t n) const
@@ -183,10 +188,11 @@ EnergyAudit::Sums EnergyAudit::nodal_sums() const
           {
             const double *w1 = w_now.row(component, l), *u0 = u_before.row(component, l),
                          *u2 = u.row(component, l);
-            sums.damping +=
-              0.5 * step.alpha * sum_of(n_distinct, [&](const unsigned int i) {
-                return 0.5 * m[i] * (w1[i] + w2[i]) * (u2[i] - u0[i]);
-              });
+            const double *d =
+              drag.data() + static_cast<std::size_t>(n) * (j - rows.begin);
+            sums.damping += 0.5 * sum_of(n_distinct, [&](const unsigned int i) {
+                              return 0.5 * d[i] * (w1[i] + w2[i]) * (u2[i] - u0[i]);
+                            });
           }
         if (heavy)
           {
@@ -204,7 +210,9 @@ EnergyAudit::Sums EnergyAudit::nodal_sums() const
 void EnergyAudit::multiply(NodalField<double> &u_n, NodalField<double> &w_n)
 {
   stepper.multiply(stiff_u, u_n);
-  if (step.beta > 0.)
+  if (const PhaseDamping *by_phase = stepper.phase_damping(); by_phase && step.beta > 0.)
+    by_phase->multiply(stiff_w, w_n);
+  else if (step.beta > 0.)
     stepper.multiply(stiff_w, w_n);
 }
 
@@ -231,7 +239,8 @@ void EnergyAudit::add_products(Sums &sums) const
 {
   sums.elastic = 0.5 * dot_difference(stiff_u, nullptr);
   if (step.beta > 0.)
-    sums.damping += 0.5 * step.beta * dot_difference(stiff_w, &u_before);
+    sums.damping +=
+      0.5 * (step.damps_by_phase() ? 1. : step.beta) * dot_difference(stiff_w, &u_before);
 }
 
 EnergyHistory EnergyAudit::reduce() const

@@ -132,6 +132,7 @@ private:
   NodalField<double> u_now, w_now;       ///< u_n, w_n
   NodalField<double> stiff_u, stiff_w;   ///< K u_n, K w_n
   std::vector<double> mass;              ///< of the owned nodes, row by row
+  std::vector<double> drag;              ///< alpha m of them; empty without alpha
   double last_scheme = 0., last_damping = 0.;
   double sum_scheme = 0., sum_damping = 0.;
   EnergyHistory samples;

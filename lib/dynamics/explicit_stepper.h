@@ -1,154 +1,18 @@
 #ifndef mesoslip_dynamics_explicit_stepper_h
 #define mesoslip_dynamics_explicit_stepper_h
 
-#include "dynamics/stepper.h"
-#include "dynamics/supports/side_column.h"
-#include "dynamics/surface_condition.h"
-#include "elasticity/row_sweep.h"
+#include "dynamics/temporal_blocking.h"
 #include "elasticity/uniform_grid_operator.h"
-#include "grid/halo.h"
-#include "grid/nodal_field.h"
-#include "grid/row_partition.h"
 
 #include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace mesoslip
 {
-/**
- * Masses in the forms a time step wants them. Inner rows get the kernel's factor
- * -dt / mass (times h/2, in which the kernel's forces lack): one row that stays in the
- * first cache when the density is uniform, else one for each node row. Internal to the
- * stepper.
- */
-class StepMasses
-{
-public:
-  /** Lumped masses of the rows of one rank, with what the time scheme makes of them. */
-  StepMasses(const UniformMaterial &material,
-             const NodeRows &rows,
-             const StepParameters &parameters,
-             const SideConstraints &sides);
-
-  /** Factors (and masses) of the stepping kernel for local node row @p l and above. */
-  void set_inner(kernels::Rows<double> &r, const unsigned int l) const;
-
-  /** Adds the inertia of nodes at the ends of the bottom or @p top row. */
-  void add_guests(const bool top, const std::vector<SideColumn *> &columns);
-
-  /** Masses and inverse masses of the bottom or top row. */
-  void set_boundary(kernels::Rows<double> &r, SurfaceView<2> &view, const bool top) const;
-
-private:
-  /** Inverses of masses times @p inertia, zero where held, and masses of global node row @p j. */
-  void inverse_mass_row(const UniformMaterial &material,
-                        const SideConstraints &sides,
-                        const double inertia,
-                        const unsigned int j,
-                        double *x,
-                        double *y,
-                        double *mass) const;
-
-  /** Bottom and top row. */
-  NodalField<double> inverse_boundary[2], mass_boundary[2];
-
-  /** Inner rows. */
-  NodalField<double> factor, mass;
-  bool one_row;
-  bool has_mass;
-  /** The factors of x and y are the same numbers. */
-  bool equal_components;
-};
-
-/** What the time steps of one rank work on, all of it owned elsewhere. */
-struct SteppedBody
-{
-  const UniformMaterial &material; ///< of the whole grid
-  const StepParameters parameters; ///< of the scheme
-  NodalField<double> &u;           ///< displacement (m)
-  NodalField<double> &w;           ///< velocity of the scheme (m/s)
-
-  /** What moves the bottom and the top row of the grid; null: FreeSurface. */
-  SurfaceCondition<2> *bottom = nullptr;
-  SurfaceCondition<2> *top    = nullptr; ///< see bottom
-
-  /** Node rows that this rank owns, and its ghost rows. */
-  NodeRows rows = NodeRows::all(material.n_rows());
-
-  Halo *halo            = nullptr;       ///< needed where a rank has neighbours
-  MPI_Comm communicator = MPI_COMM_SELF; ///< of the ranks that share the grid
-
-  std::vector<SideColumn *> columns = {}; ///< left or right, where these are loaded
-};
-
-/**
- * Temporal blocking (time skewing): several time steps in one sweep over the rows. Each
- * is a stage that goes from the bottom to the top and follows the one before it as
- * closely as it may, a row needing the row above it to have finished the step before. One
- * stage is the plain sweep.
- *
- * On a slab, n steps start with n ghost rows of each neighbour. Stage s also advances the
- * n - 1 - s nearest ones, so the last stage finds all it needs, and the ranks talk once
- * in n steps. Internal to the stepper.
- */
-class TemporalBlocking
-{
-public:
-  /** Stages for at most @p max_steps steps in a sweep. */
-  TemporalBlocking(const SteppedBody &body,
-                   const RowKernels<double> &kernels,
-                   const StepMasses &masses,
-                   const unsigned int max_steps);
-
-  /** Number of stages. */
-  unsigned int max_steps() const
-  {
-    return stages.size();
-  }
-
-  /** Tell the neighbours what they need for the next @p n_steps steps. */
-  void send(const unsigned int n_steps);
-
-  /** @p n_steps steps from step @p first on, whose ghost rows have been sent; sends what
-   *  the @p n_next steps after them need. */
-  void
-  run(const std::uint64_t first, const unsigned int n_steps, const unsigned int n_next);
-
-private:
-  struct Stage
-  {
-    Stage(const UniformMaterial &material, const RowKernels<double> &kernels);
-
-    RowSweep<double> sweep;
-    NodalField<double> forces;
-    std::uint64_t step = 0;
-    /** It advances the rows begin to end (global numbers); those below next are done. */
-    unsigned int begin = 0, end = 0, next = 0;
-  };
-
-  void start(Stage &stage, const std::uint64_t step, const unsigned int n_more);
-  unsigned int first_limit(const unsigned int stride) const;
-  unsigned int limit_behind(const Stage &before) const;
-  void advance(Stage &stage, const unsigned int limit);
-  void advance_rows(Stage &stage, const unsigned int n);
-  void advance_boundary(Stage &stage);
-
-  kernels::Rows<double> kernel_rows(Stage &stage, const unsigned int j) const;
-  RowBlock block(const unsigned int j, const unsigned int n) const;
-
-  const SteppedBody body;
-  const RowKernels<double> &kernels;
-  const StepMasses &masses;
-  const unsigned int at_once;
-  std::vector<Stage> stages;
-
-  /** Ghost rows above that are still to be received. */
-  unsigned int missing_above = 0;
-};
-
 /**
  * Explicit time integration of the bulk on a uniform grid, force and update fused in one
  * pass over the rows, in place:
@@ -182,15 +46,20 @@ public:
               checked(body, sides).n_columns() - (body.material.periodicity().x ? 1 : 0),
               body.rows.has_upper_ghost() ? std::optional<NodeIndex>()
                                           : NodeIndex{0, body.rows.n_global - 1},
-              body.communicator)
+              body.communicator,
+              body.damping != nullptr ? damping_of(body) : nullptr)
     , material(body.material)
     , isa(resolve(options.isa))
     , columns(body.columns)
     , free_surface(body.parameters)
     , kernels(make_kernels(material, body.parameters, isa))
-    , masses(material, body.rows, body.parameters, sides)
+    , masses(material, body.rows, body.parameters, sides, body.damping)
     , op(material, body.rows)
-    , sweeps(with_free_surfaces(body), kernels, masses, max_steps(body, options))
+    , sweeps(with_free_surfaces(body),
+             kernels,
+             masses,
+             max_steps(body, options),
+             by_phase.get())
   {
     if (rows.begin == 0)
       masses.add_guests(false, columns);
@@ -207,9 +76,15 @@ public:
       return static_cast<unsigned int>(left > 0 ? (left + blocks - 1) / blocks : 0);
     };
 
-    unsigned int n = steps_of_sweep(n_done);
     for (SideColumn *column : columns)
       column->start(n_done);
+    for (; by_phase && n_done < end; ++n_done)
+      {
+        by_phase->start_step(w);
+        sweeps.send(1);
+        sweeps.run(n_done, 1, 0);
+      }
+    unsigned int n = steps_of_sweep(n_done);
     if (n > 0)
       sweeps.send(n);
     while (n > 0)
@@ -290,11 +165,11 @@ private:
                                          const StepParameters &parameters,
                                          const InstructionSet isa)
   {
-    RowKernels<double> kernels(material, isa, parameters.beta != 0.,
+    RowKernels<double> kernels(material, isa, parameters.common_beta() != 0.,
                                parameters.acts_on_mass());
     auto &c         = *kernels.constants;
     const double hx = material.grid().spacing[0], hy = material.grid().spacing[1];
-    c.beta      = parameters.beta;
+    c.beta      = parameters.common_beta();
     c.c_new     = parameters.dt * (parameters.beta2 + 0.5);
     c.c_old     = -parameters.dt * (parameters.beta2 - 0.5);
     c.gravity_x = parameters.acceleration[0];
@@ -302,15 +177,33 @@ private:
     // Stepping kernels have forces times 2/h.
     c.scaled_gravity_x = parameters.acceleration[0] * 2. / hx;
     c.scaled_gravity_y = parameters.acceleration[1] * 2. / hy;
-    c.alpha            = parameters.alpha;
-    c.scaled_alpha_x   = parameters.alpha * 2. / hx;
-    c.scaled_alpha_y   = parameters.alpha * 2. / hy;
+    c.alpha            = parameters.common_alpha();
+    c.scaled_alpha_x   = parameters.common_alpha() * 2. / hx;
+    c.scaled_alpha_y   = parameters.common_alpha() * 2. / hy;
     return kernels;
+  }
+
+  static std::unique_ptr<PhaseDamping> damping_of(const SteppedBody &body)
+  {
+    const UniformMaterial &damping = *body.damping;
+    NodalField<double> drags(body.u.n_columns(), body.u.n_rows(), 1);
+    for (unsigned int l = 0; l < body.u.n_rows(); ++l)
+      damping.mass_row(body.rows.first() + l, drags.row(0, l));
+    const auto op = std::make_shared<const UniformGridOperator>(damping, body.rows);
+    return std::make_unique<PhaseDamping>(
+      [op, rows = body.rows, communicator = body.communicator](NodalField<double> &Kw,
+                                                               NodalField<double> &w) {
+        update_ghost_rows(w, rows, communicator);
+        op->vmult(Kw, w);
+      },
+      std::move(drags), body.u);
   }
 
   /** Time steps in a sweep: with neighbours as many as there are ghost rows. */
   static unsigned int max_steps(const SteppedBody &body, const SweepOptions &options)
   {
+    if (body.damping != nullptr)
+      return 1;
     const NodeRows &rows = body.rows;
     if (rows.has_lower_ghost() || rows.has_upper_ghost())
       return rows.ghosts;

@@ -30,6 +30,35 @@ kernels::NodeArrays node_arrays(NodalField<double> &u,
   a.force = force.data();
   return a;
 }
+
+/** @p Kx = K @p x. */
+template <int dim>
+void multiply_with(const MeshOperator<dim> &op,
+                   NodalField<double> &Kx,
+                   const NodalField<double> &x)
+{
+  LineVector<double> in = op.zero_field(), out = in;
+  for (unsigned int c = 0; c < dim; ++c)
+    for (std::size_t i = 0; i < x.n_columns(); ++i)
+      in[i * stride<dim> + c] = x.row(c, 0)[i];
+  op.add_product(out.data(), in.data());
+  for (unsigned int c = 0; c < dim; ++c)
+    for (std::size_t i = 0; i < x.n_columns(); ++i)
+      Kx.row(c, 0)[i] = out[i * stride<dim> + c];
+}
+
+/** By an operator of phases_of_damping(). */
+template <int dim>
+std::unique_ptr<PhaseDamping>
+damping_by(const std::shared_ptr<const MeshOperator<dim>> &op,
+           const NodalField<double> &u)
+{
+  auto drags = NodalField<double>::of_points(u.n_columns(), 1);
+  std::copy(op->lumped_mass().begin(), op->lumped_mass().end(), drags.row(0, 0));
+  return std::make_unique<PhaseDamping>(
+    [op](NodalField<double> &Kw, NodalField<double> &w) { multiply_with(*op, Kw, w); },
+    std::move(drags), u);
+}
 } // namespace
 
 template <int dim>
@@ -38,8 +67,15 @@ MeshStepper<dim>::MeshStepper(const MeshOperator<dim> &op,
                               const StepParameters &parameters,
                               NodalField<double> &u,
                               NodalField<double> &w,
-                              const std::optional<unsigned int> top_point)
-  : SurfaceStepper<dim>(parameters, u, w, op.part, top_point, op.communicator)
+                              const std::optional<unsigned int> top_point,
+                              const std::shared_ptr<const MeshOperator<dim>> &damping)
+  : SurfaceStepper<dim>(parameters,
+                        u,
+                        w,
+                        op.part,
+                        top_point,
+                        op.communicator,
+                        damping ? damping_by(damping, u) : nullptr)
   , op(op)
   , inverse_mass(u.zeros_alike())
   , own_mass(NodalField<double>::of_points(u.n_columns(), 1))
@@ -57,8 +93,9 @@ MeshStepper<dim>::MeshStepper(const MeshOperator<dim> &op,
     {
       const double mass     = op.lumped_mass()[i];
       own_mass.row(0, 0)[i] = i < op.part.n_distinct ? mass : 0.;
+      const double alpha    = this->alpha_of({static_cast<unsigned int>(i), 0}, mass);
       for (unsigned int c = 0; c < dim; ++c)
-        inverse_mass.row(c, 0)[i] = 1. / (mass * parameters.inertia());
+        inverse_mass.row(c, 0)[i] = 1. / (mass * (1. + 0.5 * alpha * parameters.dt));
     }
   const PointIndex index(op.part, points_of(held));
   for (const HeldComponent &h : held)
@@ -102,7 +139,12 @@ kernels::NodeStep
 MeshStepper<dim>::node_step(const double dt, const double c_new, const double c_old) const
 {
   const auto &g = parameters.acceleration;
-  return {dt, c_new, c_old, parameters.beta, parameters.alpha, {g[0], g[1], g[2]}};
+  return {dt,
+          c_new,
+          c_old,
+          parameters.common_beta(),
+          parameters.common_alpha(),
+          {g[0], g[1], g[2]}};
 }
 
 template <int dim>
@@ -111,6 +153,8 @@ void MeshStepper<dim>::step_once()
   const double dt = parameters.dt, beta2 = parameters.beta2,
                time = static_cast<double>(n_done) * dt;
   op.add_product(force.data(), z.data());
+  if (this->by_phase)
+    add_damping();
   for (const auto &surface : surfaces)
     {
       const std::vector<unsigned int> &points = surface->points();
@@ -126,27 +170,31 @@ void MeshStepper<dim>::step_once()
         for (unsigned int c = 0; c < dim; ++c)
           {
             const double velocity  = w.row(c, 0)[i];
-            z[i * stride<dim> + c] = u.row(c, 0)[i] + parameters.beta * velocity;
-            if (parameters.alpha > 0.)
+            z[i * stride<dim> + c] = u.row(c, 0)[i] + parameters.common_beta() * velocity;
+            if (parameters.common_alpha() > 0.)
               force[i * stride<dim> + c] =
-                (parameters.alpha * velocity - parameters.acceleration[c]) *
+                (parameters.common_alpha() * velocity - parameters.acceleration[c]) *
                 own_mass.row(0, 0)[i];
           }
     }
   ++n_done;
 }
 
+/** The forces C w, which are whole at points of several ranks, as are those of the product. */
+template <int dim>
+void MeshStepper<dim>::add_damping()
+{
+  this->by_phase->start_step(w);
+  const NodalField<double> &damping = this->by_phase->force();
+  for (unsigned int c = 0; c < dim; ++c)
+    for (std::size_t i = 0; i < arrays.n; ++i)
+      force[i * stride<dim> + c] += damping.row(c, 0)[i];
+}
+
 template <int dim>
 void MeshStepper<dim>::multiply(NodalField<double> &Kx, NodalField<double> &x) const
 {
-  LineVector<double> in = op.zero_field(), out = in;
-  for (unsigned int c = 0; c < dim; ++c)
-    for (std::size_t i = 0; i < arrays.n; ++i)
-      in[i * stride<dim> + c] = x.row(c, 0)[i];
-  op.add_product(out.data(), in.data());
-  for (unsigned int c = 0; c < dim; ++c)
-    for (std::size_t i = 0; i < arrays.n; ++i)
-      Kx.row(c, 0)[i] = out[i * stride<dim> + c];
+  multiply_with(op, Kx, x);
 }
 
 template <int dim>

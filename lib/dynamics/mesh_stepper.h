@@ -25,13 +25,14 @@ class MeshStepper : public SurfaceStepper<dim>
 {
 public:
   /** @p op and the fields must outlive the stepper; @p top_point of the whole mesh carries
-   * the platen. Collective. */
+   * the platen; @p damping has phases_of_damping() where these are by phase. Collective. */
   MeshStepper(const MeshOperator<dim> &op,
               const std::vector<HeldComponent> &held,
               const StepParameters &parameters,
               NodalField<double> &u,
               NodalField<double> &w,
-              const std::optional<unsigned int> top_point = {});
+              const std::optional<unsigned int> top_point             = {},
+              const std::shared_ptr<const MeshOperator<dim>> &damping = nullptr);
 
   MeshSurface<dim> &add_surface(const SharedNodes &nodes,
                                 SurfaceCondition<dim> &condition) override;
@@ -53,6 +54,7 @@ private:
 
   void load_state();
   void step_once();
+  void add_damping();
   kernels::NodeStep
   node_step(const double dt, const double c_new, const double c_old) const;
 

@@ -2,12 +2,15 @@
 #define mesoslip_dynamics_stepper_h
 
 #include "dynamics/deformation.h"
+#include "dynamics/phase_damping.h"
 #include "grid/nodal_field.h"
 #include "grid/row_partition.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <mpi.h>
 #include <optional>
 #include <string>
@@ -26,11 +29,42 @@ struct StepParameters
   /** 1/2: leapfrog, order two; up to 1: numerically damped. */
   double beta2 = 0.5;
 
-  /** Stiffness-proportional damping C = beta K (s); zero costs nothing. */
+  /** Stiffness-proportional damping C = beta K (s), the largest of the phases; zero costs nothing. */
   double beta = 0.;
 
-  /** Mass-proportional damping alpha M (1/s); zero costs nothing. */
+  /** Mass-proportional damping alpha M (1/s), the largest of the phases; zero costs nothing. */
   double alpha = 0.;
+
+  /** beta and alpha of each phase p, C = sum of beta_p K_p + alpha_p M_p, see PhaseDamping; both empty: beta and alpha
+   * everywhere. */
+  std::vector<double> beta_of_phases;
+  std::vector<double> alpha_of_phases; ///< see beta_of_phases
+
+  /** Whether beta and alpha differ by phase. */
+  bool damps_by_phase() const
+  {
+    return !beta_of_phases.empty();
+  }
+
+  /** beta where there is one for all phases; else PhaseDamping has it, and this is 0. */
+  double common_beta() const
+  {
+    return damps_by_phase() ? 0. : beta;
+  }
+
+  /** The same of alpha; it acts on masses without a phase, those of supports, as well. */
+  double common_alpha() const
+  {
+    return damps_by_phase() ? 0. : alpha;
+  }
+
+  /** The smallest beta of a phase. */
+  double least_beta() const
+  {
+    return damps_by_phase()
+             ? *std::min_element(beta_of_phases.begin(), beta_of_phases.end())
+             : beta;
+  }
 
   /** Body acceleration (m/s^2), the last one unused in 2D; zero costs nothing. */
   std::array<double, 3> acceleration = {};
@@ -47,13 +81,13 @@ struct StepParameters
    */
   double inertia() const
   {
-    return 1. + 0.5 * alpha * dt;
+    return 1. + 0.5 * common_alpha() * dt;
   }
 
   /** Whether there are forces in proportion to the mass. */
   bool acts_on_mass() const
   {
-    return is_heavy() || alpha > 0.;
+    return is_heavy() || common_alpha() > 0.;
   }
 };
 
@@ -87,6 +121,18 @@ public:
   /** Kc = K x with forces (N, in 2D N/m) on owned rows; the ghost rows of @p x are updated first.
    *  Collective. */
   virtual void multiply(NodalField<double> &Kx, NodalField<double> &x) const = 0;
+
+  /** Damping that differs by phase; null: it does not. */
+  const PhaseDamping *phase_damping() const
+  {
+    return by_phase.get();
+  }
+
+  /** alpha of a node of this mass (kg, in 2D kg/m), the mean of its phases by mass (1/s). */
+  double alpha_of(const NodeIndex &node, const double mass) const
+  {
+    return by_phase ? by_phase->drag(node) / mass : parameters.alpha;
+  }
 
   /** 1/2 u.K u of the owned nodes (J, in 2D J/m). Collective. */
   virtual double elastic_energy() const = 0;
@@ -135,7 +181,8 @@ protected:
           const NodeRows &rows,
           const unsigned int n_distinct,
           const std::optional<NodeIndex> &top_node,
-          const MPI_Comm communicator)
+          const MPI_Comm communicator,
+          std::unique_ptr<PhaseDamping> by_phase = nullptr)
     : parameters(parameters)
     , u(u)
     , w(w)
@@ -143,10 +190,12 @@ protected:
     , n_distinct(n_distinct)
     , top_node(top_node)
     , communicator(communicator)
+    , by_phase(std::move(by_phase))
   {
   }
 
-  std::uint64_t n_done = 0; ///< see step_number()
+  std::uint64_t n_done = 0;                     ///< see step_number()
+  const std::unique_ptr<PhaseDamping> by_phase; ///< see phase_damping()
 };
 
 /**

@@ -7,7 +7,9 @@
 #include "dynamics/surface_condition.h"
 
 #include <cassert>
+#include <memory>
 #include <optional>
+#include <utility>
 
 namespace mesoslip
 {
@@ -59,14 +61,16 @@ protected:
                  NodalField<double> &w,
                  const MeshPart<dim> &part,
                  const std::optional<unsigned int> top_point,
-                 const MPI_Comm communicator)
+                 const MPI_Comm communicator,
+                 std::unique_ptr<PhaseDamping> by_phase = nullptr)
     : Stepper(parameters,
               u,
               w,
               NodeRows::all(1),
               part.n_distinct,
               counted_point(part, top_point),
-              communicator)
+              communicator,
+              std::move(by_phase))
   {
     assert(u.n_columns() == part.points.size());
     assert(w.n_columns() == part.points.size());

@@ -1,4 +1,4 @@
-#include "dynamics/explicit_stepper.h"
+#include "dynamics/temporal_blocking.h"
 
 #include <algorithm>
 
@@ -7,19 +7,24 @@ namespace mesoslip
 StepMasses::StepMasses(const UniformMaterial &material,
                        const NodeRows &rows,
                        const StepParameters &parameters,
-                       const SideConstraints &sides)
-  : one_row(material.has_uniform_density())
+                       const SideConstraints &sides,
+                       const UniformMaterial *damping)
+  : one_row(material.has_uniform_density() &&
+            (damping == nullptr || damping->has_uniform_density()))
   , has_mass(parameters.acts_on_mass())
 {
   const unsigned int n = material.n_columns(), top_row = material.grid().cells[1];
   const std::array<double, 2> h = material.grid().spacing;
+  const auto inertia            = [&](const unsigned int j) {
+    return inertia_row(material, damping, parameters, j);
+  };
   for (const bool top : {false, true})
     {
       inverse_boundary[top] = NodalField<double>(n, 1);
       mass_boundary[top]    = NodalField<double>(n, 1);
-      inverse_mass_row(material, sides, parameters.inertia(), top ? top_row : 0,
-                       inverse_boundary[top].row(0, 0), inverse_boundary[top].row(1, 0),
-                       mass_boundary[top].row(0, 0));
+      const unsigned int j  = top ? top_row : 0;
+      inverse_mass_row(material, sides, inertia(j), j, inverse_boundary[top].row(0, 0),
+                       inverse_boundary[top].row(1, 0), mass_boundary[top].row(0, 0));
     }
 
   const unsigned int n_rows = one_row ? 1 : rows.n_local();
@@ -27,10 +32,10 @@ StepMasses::StepMasses(const UniformMaterial &material,
   mass                      = NodalField<double>(n, has_mass ? n_rows : 1);
   for (unsigned int l = 0; l < n_rows; ++l)
     {
-      double *x = factor.row(0, l);
-      double *y = factor.row(1, l);
-      inverse_mass_row(material, sides, parameters.inertia(),
-                       one_row ? std::min(1u, top_row) : rows.first() + l, x, y,
+      double *x            = factor.row(0, l);
+      double *y            = factor.row(1, l);
+      const unsigned int j = one_row ? std::min(1u, top_row) : rows.first() + l;
+      inverse_mass_row(material, sides, inertia(j), j, x, y,
                        mass.row(0, has_mass ? l : 0));
       for (unsigned int i = 0; i < n; ++i)
         {
@@ -44,7 +49,7 @@ StepMasses::StepMasses(const UniformMaterial &material,
 
 void StepMasses::inverse_mass_row(const UniformMaterial &material,
                                   const SideConstraints &sides,
-                                  const double inertia,
+                                  const std::vector<double> &inertia,
                                   const unsigned int j,
                                   double *x,
                                   double *y,
@@ -53,7 +58,7 @@ void StepMasses::inverse_mass_row(const UniformMaterial &material,
   const unsigned int n = material.n_columns();
   material.mass_row(j, m);
   for (unsigned int i = 0; i < n; ++i)
-    x[i] = y[i] = 1. / (m[i] * inertia);
+    x[i] = y[i] = 1. / inertia[i];
   double *component[2] = {x, y};
   for (const unsigned int c : {0u, 1u})
     {
@@ -101,10 +106,12 @@ TemporalBlocking::Stage::Stage(const UniformMaterial &material,
 TemporalBlocking::TemporalBlocking(const SteppedBody &body,
                                    const RowKernels<double> &kernels,
                                    const StepMasses &masses,
-                                   const unsigned int max_steps)
+                                   const unsigned int max_steps,
+                                   const PhaseDamping *damping)
   : body(body)
   , kernels(kernels)
   , masses(masses)
+  , damping(damping)
   , at_once(kernels.functions.rows_at_once)
 {
   for (unsigned int i = 0; i < max_steps; ++i)
@@ -236,9 +243,36 @@ void TemporalBlocking::advance_rows(Stage &stage, const unsigned int n)
   for (SideColumn *column : body.columns)
     column->save(stage.next, n);
   stage.sweep.step(kernel_rows(stage, stage.next), stage.next, n > 1);
+  if (damping != nullptr)
+    damp_rows(stage, n);
   for (SideColumn *column : body.columns)
     column->advance(stage.next, n, stage.step);
   stage.next += n;
+}
+
+/** The kernel has moved the next @p n rows without the damping of phases, in which the motion is linear. */
+void TemporalBlocking::damp_rows(Stage &stage, const unsigned int n)
+{
+  const kernels::Constants<double> &c = *kernels.constants;
+  for (unsigned int j = stage.next; j < stage.next + n; ++j)
+    {
+      const kernels::Rows<double> r = kernel_rows(stage, j);
+      double *const u[]             = {r.ux, r.uy};
+      double *const w[]             = {r.wx, r.wy};
+      const double *const factor[]  = {r.factor_x, r.factor_y};
+      for (const unsigned int k : {0u, 1u})
+        {
+          // Factors are for forces of the kernel, which lack h/2.
+          const double scale = 2. / body.material.grid().spacing[k];
+          const double *f    = damping->force().row(k, body.rows.local(j));
+          for (unsigned int i = 0; i < body.material.n_columns(); ++i)
+            {
+              const double by = factor[k][i] * scale * f[i];
+              w[k][i] += by;
+              u[k][i] += c.c_new * by;
+            }
+        }
+    }
 }
 
 /** Forces of the bottom or top row, handed to whoever moves it. */
@@ -253,6 +287,11 @@ void TemporalBlocking::advance_boundary(Stage &stage)
     stage.sweep.finish(r);
   else
     stage.sweep.store(r, 0, false);
+  for (unsigned int i = 0; damping != nullptr && i < body.material.n_columns(); ++i)
+    {
+      r.fx[i] += damping->force().row(0, body.rows.local(j))[i];
+      r.fy[i] += damping->force().row(1, body.rows.local(j))[i];
+    }
 
   view.n     = body.material.n_columns();
   view.u     = {{r.ux, r.uy}};

@@ -65,6 +65,15 @@ UniformMaterial::UniformMaterial(const UniformGrid<2> &grid,
     }
 }
 
+UniformMaterial
+UniformMaterial::with_phases(const std::vector<ElasticPhase<2>> &phases) const
+{
+  assert(phases.size() == the_phases.size());
+  UniformMaterial other = *this;
+  other.the_phases      = phases;
+  return other;
+}
+
 UniformMaterial UniformMaterial::with(const Periodicity periodicity) const
 {
   UniformMaterial other = *this;

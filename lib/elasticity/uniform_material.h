@@ -54,6 +54,9 @@ public:
   /** The same material with other periodic sides. */
   UniformMaterial with(const Periodicity periodicity) const;
 
+  /** The same cells of other phases, as many, which may have no stiffness and no density. */
+  UniformMaterial with_phases(const std::vector<ElasticPhase<2>> &phases) const;
+
   /** The cells of the body. */
   const UniformGrid<2> &grid() const
   {

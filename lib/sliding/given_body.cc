@@ -26,6 +26,22 @@ GivenBody<dim>::GivenBody(const ContactParameters &parameters)
 }
 
 template <int dim>
+void GivenBody<dim>::check_damping() const
+{
+  const std::size_t given = parameters.step.beta_of_phases.size(),
+                    n     = known.phases.size();
+  if (given == 0 || given == n)
+    return;
+  std::string names;
+  for (const Phase<dim> &phase : known.phases)
+    names += (names.empty() ? "" : ", ") + phase.name;
+  throw UserError("Time/Rayleigh beta and Body/Rayleigh alpha have " +
+                  std::to_string(given) + " values, but the body has " +
+                  std::to_string(n) + (n == 1 ? " phase, " : " phases, ") + names +
+                  "; give one value, or one for each phase in this order");
+}
+
+template <int dim>
 void GivenBody<dim>::describe(std::ostream &out, const double more_memory) const
 {
   for (const std::string &line : known.lines)

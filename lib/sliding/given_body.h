@@ -153,6 +153,11 @@ public:
 
   virtual const ElasticBody<dim> &elastic() const = 0; ///< see make_elastic()
 
+  /** The body with phases_of_damping() for its own, with whole fields as those of elastic(); its stiffness may be
+   * singular. */
+  virtual std::unique_ptr<ElasticBody<dim>>
+  make_damping(const StepParameters &step, const MPI_Comm communicator) const = 0;
+
   /** What supports and @p top hold of elastic(), of a platen the normal component as well; with
    * @p contact_held the contact along the normal of the flat. */
   virtual DofMask held(const TopSetup &top, const bool contact_held) const = 0;
@@ -211,6 +216,9 @@ public:
   const ContactParameters parameters; ///< all of them, checked
 
 protected:
+  /** @throws UserError if there are not as many constants of damping as phases */
+  void check_damping() const;
+
   /** Of these parameters. */
   explicit GivenBody(const ContactParameters &parameters);
 

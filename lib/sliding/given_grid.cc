@@ -110,9 +110,10 @@ GivenGrid::GivenGrid(const ContactParameters &given, const BodyDescription &desc
   if (parameters.analysis == ContactAnalysis::transient)
     known.memory.on_rank_0 =
       bytes - known.memory.on_other_rank(mpi::n_mpi_processes(MPI_COMM_WORLD));
-  known.n_points         = body.grid.n_nodes();
-  known.heterogeneous    = parameters.body.heterogeneous;
-  known.phases           = body.phases;
+  known.n_points      = body.grid.n_nodes();
+  known.heterogeneous = parameters.body.heterogeneous;
+  known.phases        = body.phases;
+  check_damping();
   known.volume_fractions = body.fractions(body.grid.n_cells());
   known.scales           = scales();
   known.lines            = lines();

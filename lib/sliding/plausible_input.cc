@@ -302,7 +302,7 @@ private:
     at.state                     = law.slip_law->steady_state(flat_speed);
     const RateWeakening friction = {
       at.pressure * std::max(law.slip_law->steepest_fall(), -law.slip_law->slope(at)),
-      scales.shear_impedance, 0., parameters.step.beta};
+      scales.shear_impedance, 0., parameters.step.least_beta()};
     if (!friction.is_too_steep())
       return "";
     const double growth = friction.fastest_growth();

@@ -47,15 +47,33 @@ std::string likely_instability(const double energy, const TimeStepChoice &time)
 }
 } // namespace
 
+std::string damping_text(const StepParameters &step)
+{
+  const auto texts = [](const std::vector<double> &of_phases, const double factor,
+                        const std::string &unit) {
+    std::string text;
+    for (const double value : of_phases)
+      text += (text.empty() ? "" : ", ") + quantity_text(factor * value, unit);
+    return text + (of_phases.size() > 1 ? " by phase" : "");
+  };
+  const bool by_phase = step.damps_by_phase();
+  return "beta = " +
+         texts(by_phase ? step.beta_of_phases : std::vector<double>{step.beta}, 1e9,
+               "ns") +
+         (step.alpha > 0.
+            ? ", alpha = " +
+                texts(by_phase ? step.alpha_of_phases : std::vector<double>{step.alpha},
+                      1., "1/s")
+            : "");
+}
+
 std::string TimeStepChoice::text() const
 {
   const auto nanoseconds = [](const double t) { return quantity_text(1e9 * t, "ns"); };
   return "Time step " + nanoseconds(step.dt) + ", " +
          quantity_text(100. * step.dt / critical, "%") + " of the critical " +
-         nanoseconds(critical) + "; beta2 = " + quantity_text(step.beta2, "") +
-         ", beta = " + nanoseconds(step.beta) +
-         (step.alpha > 0. ? ", alpha = " + quantity_text(step.alpha, "1/s") : "") + "; " +
-         std::to_string(n_steps) + " steps";
+         nanoseconds(critical) + "; beta2 = " + quantity_text(step.beta2, "") + ", " +
+         damping_text(step) + "; " + std::to_string(n_steps) + " steps";
 }
 
 void require_frequency(const UniformMaterial &material)

@@ -45,6 +45,9 @@ PlaceText cell_text(const unsigned int dim);
 /** The same on a grid: "cell (12, 0) around x = 1.25 mm, y = 0.05 mm". */
 PlaceText cell_text(const UniformGrid<2> &grid);
 
+/** "beta = 4.4 ns, alpha = 100 1/s"; with a list of values where they are by phase. */
+std::string damping_text(const StepParameters &step);
+
 /** Time step and what it was chosen from. */
 struct TimeStepChoice
 {

@@ -49,6 +49,7 @@ SlidingSetup completed(SlidingSetup setup,
 std::deque<SideColumn> make_columns(std::deque<SideSurface<2>> &sides,
                                     const SlidingSetup &setup,
                                     const UniformMaterial &material,
+                                    const UniformMaterial *damping,
                                     const NodeRows &rows,
                                     NodalField<double> &u,
                                     NodalField<double> &w)
@@ -58,10 +59,15 @@ std::deque<SideColumn> make_columns(std::deque<SideSurface<2>> &sides,
     {
       const bool left = setup.loaded[k].support.name == "Left";
       columns.emplace_back(sides[k], left ? 0 : material.n_columns() - 1, material, rows,
-                           setup.step,
+                           setup.step, damping,
                            left ? setup.sides.left_held : setup.sides.right_held, u, w);
     }
   return columns;
+}
+
+const UniformMaterial *pointer_to(const std::optional<UniformMaterial> &damping)
+{
+  return damping ? &*damping : nullptr;
 }
 
 std::vector<SideColumn *> pointers_to(std::deque<SideColumn> &columns)
@@ -138,13 +144,17 @@ SlidingGrid::SlidingGrid(const UniformMaterial &material,
                          Timer *timer)
   : SlidingBody<2>(completed(given, material, communicator), material.n_columns(), timer)
   , material(material)
+  , damping(given.step.damps_by_phase()
+              ? std::optional(
+                  material.with_phases(phases_of_damping(material.phases(), given.step)))
+              : std::nullopt)
   , communicator(communicator)
   , rows(
       partition_rows(material.n_columns(), material.n_rows(), communicator, given.sweep))
   , u(material.n_columns(), rows.n_local())
   , w(material.n_columns(), rows.n_local())
   , halo(material.n_columns(), rows.ghosts, communicator)
-  , columns(make_columns(sides, setup, material, rows, u, w))
+  , columns(make_columns(sides, setup, material, pointer_to(damping), rows, u, w))
   , stepper({material, given.step, u, w,
              bottom != nullptr
                ? bottom
@@ -153,7 +163,7 @@ SlidingGrid::SlidingGrid(const UniformMaterial &material,
              rows.end - rows.begin < rows.n_global
                ? profile.timed<TimedHalo>(halo, "Exchange between ranks")
                : nullptr,
-             communicator, pointers_to(columns)},
+             communicator, pointers_to(columns), pointer_to(damping)},
             given.sides,
             given.sweep)
 {
@@ -164,75 +174,100 @@ void SlidingGrid::set_initial_velocity(const std::array<double, 3> &v)
 {
   const unsigned int n = w.n_columns(), last = rows.n_global - 1;
   const double back                = -setup.step.beta2 * setup.step.dt;
-  std::array<double, 3> of_mass    = setup.step.acceleration;
   const std::array<bool, 2> &left  = setup.sides.left_held,
                             &right = setup.sides.right_held;
-  for (unsigned int c = 0; c < 2; ++c)
-    of_mass[c] -= setup.step.alpha * v[c];
-  for (unsigned int c = 0; c < 2; ++c)
-    for (unsigned int j = 0; j < rows.n_local(); ++j)
-      std::fill_n(w.row(c, j), n, v[c] + back * of_mass[c]);
-  for (unsigned int i = 0; rows.begin == 0 && i < n; ++i)
-    if (contact.rests(i, of_mass[1]))
-      w.row(1, rows.local(0))[i] = v[1];
-  if (rows.end == rows.n_global)
-    {
-      std::vector<double> mass(n);
-      stepper.mass_row(last, mass.data());
-      std::vector<std::array<bool, 2>> held(n);
-      held.front() = left;
-      held.back()  = right;
-      const auto a = top.start_acceleration(mass, held, v);
-      for (unsigned int c = 0; c < 2; ++c)
-        for (unsigned int i = 0; i < n; ++i)
-          w.row(c, rows.local(last))[i] =
-            v[c] + back * (a[i][c] - setup.step.alpha * v[c]);
-    }
-  start_sides(v);
-  for (unsigned int c = 0; c < 2; ++c)
-    for (unsigned int j = 0; j < rows.n_local(); ++j)
+  const auto a                     = start_acceleration(v);
+  for (unsigned int l = 0; l < rows.n_local(); ++l)
+    for (unsigned int c = 0; c < 2; ++c)
       {
+        double *of_row    = w.row(c, l);
+        const bool bottom = rows.first() + l == 0, top_row = rows.first() + l == last;
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            const double by = a(c, {i, l});
+            of_row[i] =
+              c == 1 && bottom && contact.rests(i, by) ? v[c] : v[c] + back * by;
+          }
         if (left[c])
-          w.row(c, j)[0] = 0.;
+          of_row[0] = 0.;
         if (right[c])
-          w.row(c, j)[n - 1] = 0.;
+          of_row[n - 1] = 0.;
+        // What the top holds does not move from the start.
+        if (top_row && (c == 0 ? setup.top.holds(0) : setup.top.is_held()))
+          std::fill_n(of_row, n, 0.);
       }
-  // What the top holds does not move from the start.
-  for (unsigned int c = 0; c < 2 && rows.end == rows.n_global; ++c)
-    if (c == 0 ? setup.top.holds(0) : setup.top.is_held())
-      std::fill_n(w.row(c, rows.local(last)), n, 0.);
 }
 
-/** The velocities of the scheme of nodes of loaded sides, which have those of free ones, and of contact and top. */
-void SlidingGrid::start_sides(const std::array<double, 3> &v)
+/** Accelerations (m/s^2) of all nodes at the start, when they move with @p v, by weight, loads and what damps masses. */
+NodalField<double> SlidingGrid::start_acceleration(const std::array<double, 3> &v) const
 {
-  const double back = -setup.step.beta2 * setup.step.dt, alpha = setup.step.alpha;
-  const bool platen = setup.top.is_platen; // moves as one
-  std::vector<double> mass(w.n_columns());
-  for (std::size_t k = 0; k < sides.size(); ++k)
+  const unsigned int n     = w.n_columns();
+  const double of_supports = setup.step.common_alpha();
+  NodalField<double> a     = w.zeros_alike();
+  std::vector<double> mass(n), whole, drag(n);
+  for (unsigned int l = 0; l < rows.n_local(); ++l)
     {
-      const unsigned int i = columns[k].column;
-      const auto &held     = i == 0 ? setup.sides.left_held : setup.sides.right_held;
-      for (unsigned int l = 0; l < rows.n_local(); ++l)
-        {
-          const unsigned int j = rows.first() + l;
-          if (platen && j + 1 == rows.n_global)
-            continue;
-          stepper.mass_row(j, mass.data());
-          std::array<double, 2> a, starts_with;
-          for (unsigned int c = 0; c < 2; ++c)
-            {
-              starts_with[c] = held[c] ? 0. : v[c];
-              a[c]           = (w.row(c, l)[i] - v[c]) / back + alpha * v[c];
-            }
-          const bool rests  = j == 0 && w.row(1, l)[i] == v[1];
-          const double more = j + 1 == rows.n_global ? top.suspended_mass(i) : 0.;
-          sides[k].accelerate(l, mass[i] + more, starts_with, a);
-          for (unsigned int c = 0; c < 2; ++c)
-            if (c == 0 || !rests)
-              w.row(c, l)[i] = v[c] + back * (a[c] - alpha * v[c]);
-        }
+      const unsigned int j = rows.first() + l;
+      const bool top_row   = j + 1 == rows.n_global,
+                 platen    = top_row && setup.top.is_platen; // moves as one
+      stepper.mass_row(j, mass.data());
+      whole = mass;
+      for (unsigned int c = 0; c < 2; ++c)
+        std::fill_n(a.row(c, l), n, setup.step.acceleration[c]);
+      for (unsigned int i = 0; i < n; ++i)
+        drag[i] = stepper.alpha_of({i, l}, mass[i]) * mass[i];
+      if (top_row)
+        load_top(v, drag, whole, a);
+      if (platen)
+        continue;
+      for (std::size_t k = 0; k < sides.size(); ++k)
+        load_side(k, l, v, whole, a);
+      for (unsigned int c = 0; c < 2; ++c)
+        for (unsigned int i = 0; i < n; ++i)
+          a.row(c, l)[i] -=
+            (drag[i] + of_supports * (whole[i] - mass[i])) / whole[i] * v[c];
     }
+  return a;
+}
+
+/** Makes accelerations of the top row those under its load, and @p whole, their masses, those with what is on them. */
+void SlidingGrid::load_top(const std::array<double, 3> &v,
+                           const std::vector<double> &drag,
+                           std::vector<double> &whole,
+                           NodalField<double> &a) const
+{
+  const unsigned int n = w.n_columns();
+  std::vector<std::array<bool, 2>> held(n);
+  held.front()     = setup.sides.left_held;
+  held.back()      = setup.sides.right_held;
+  const auto found = top.start_acceleration(whole, drag, held, v);
+  for (unsigned int i = 0; i < n; ++i)
+    {
+      whole[i] += top.suspended_mass(i);
+      for (unsigned int c = 0; c < 2; ++c)
+        a(c, {i, rows.local(rows.n_global - 1)}) = found[i][c];
+    }
+}
+
+/** The same of the node of side @p k in row @p l. */
+void SlidingGrid::load_side(const std::size_t k,
+                            const unsigned int l,
+                            const std::array<double, 3> &v,
+                            std::vector<double> &whole,
+                            NodalField<double> &a) const
+{
+  const unsigned int i = columns[k].column;
+  const auto &held     = i == 0 ? setup.sides.left_held : setup.sides.right_held;
+  std::array<double, 2> of_node, starts_with;
+  for (unsigned int c = 0; c < 2; ++c)
+    {
+      starts_with[c] = held[c] ? 0. : v[c];
+      of_node[c]     = a(c, {i, l});
+    }
+  sides[k].accelerate(l, whole[i], starts_with, of_node);
+  whole[i] += sides[k].mass(l);
+  for (unsigned int c = 0; c < 2; ++c)
+    a(c, {i, l}) = of_node[c];
 }
 
 template class SlidingBody<2>;

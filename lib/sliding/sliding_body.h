@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <deque>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace mesoslip
@@ -149,17 +150,27 @@ public:
   void set_initial_velocity(const std::array<double, 3> &velocity);
 
 private:
-  void start_sides(const std::array<double, 3> &v);
+  NodalField<double> start_acceleration(const std::array<double, 3> &v) const;
+  void load_top(const std::array<double, 3> &v,
+                const std::vector<double> &drag,
+                std::vector<double> &whole,
+                NodalField<double> &a) const;
+  void load_side(const std::size_t k,
+                 const unsigned int l,
+                 const std::array<double, 3> &v,
+                 std::vector<double> &whole,
+                 NodalField<double> &a) const;
 
 public:
   const UniformMaterial &material; ///< the grid, with stiffness and density of its cells
-  const MPI_Comm communicator;     ///< of the ranks that share the body
-  const NodeRows rows;             ///< node rows of this rank, and ghost rows
-  NodalField<double> u;            ///< displacement (m), own and ghost rows
-  NodalField<double> w;            ///< velocity of the scheme (m/s)
-  MPIHalo halo;                    ///< exchange with the ranks above and below
-  std::deque<SideColumn> columns;  ///< sides under a load
-  ExplicitStepper stepper;         ///< the time integration
+  const std::optional<UniformMaterial> damping; ///< of phases_of_damping(), if there are
+  const MPI_Comm communicator;                  ///< of the ranks that share the body
+  const NodeRows rows;            ///< node rows of this rank, and ghost rows
+  NodalField<double> u;           ///< displacement (m), own and ghost rows
+  NodalField<double> w;           ///< velocity of the scheme (m/s)
+  MPIHalo halo;                   ///< exchange with the ranks above and below
+  std::deque<SideColumn> columns; ///< sides under a load
+  ExplicitStepper stepper;        ///< the time integration
 };
 } // namespace mesoslip
 

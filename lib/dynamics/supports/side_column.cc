@@ -1,5 +1,7 @@
 #include "dynamics/supports/side_column.h"
 
+#include "dynamics/phase_damping.h"
+
 namespace mesoslip
 {
 SideColumn::SideColumn(SideSurface<2> &surface,
@@ -7,6 +9,7 @@ SideColumn::SideColumn(SideSurface<2> &surface,
                        const UniformMaterial &material,
                        const NodeRows &rows,
                        const StepParameters &step,
+                       const UniformMaterial *damping,
                        const std::array<bool, 2> &held,
                        NodalField<double> &u,
                        NodalField<double> &w)
@@ -17,13 +20,13 @@ SideColumn::SideColumn(SideSurface<2> &surface,
   , u(u)
   , w(w)
 {
-  std::vector<double> mass(material.n_columns());
   for (unsigned int l = 0; l < rows.n_local(); ++l)
     {
-      material.mass_row(rows.first() + l, mass.data());
+      const double inertia =
+        inertia_row(material, damping, step, rows.first() + l)[column];
       std::array<double, 2> &inverse = inverse_mass.emplace_back();
       for (unsigned int c = 0; c < 2; ++c)
-        inverse[c] = held[c] ? 0. : 1. / (mass[column] * step.inertia());
+        inverse[c] = held[c] ? 0. : 1. / inertia;
     }
 }
 

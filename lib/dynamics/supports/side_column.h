@@ -20,12 +20,14 @@ namespace mesoslip
 class SideColumn
 {
 public:
-  /** @p surface, @p u and @p w must outlive it; components that are @p held stay where they are. */
+  /** @p surface, @p u and @p w must outlive it; components that are @p held stay where they are; @p damping is
+   * that of SteppedBody. */
   SideColumn(SideSurface<2> &surface,
              const unsigned int column,
              const UniformMaterial &material,
              const NodeRows &rows,
              const StepParameters &step,
+             const UniformMaterial *damping,
              const std::array<bool, 2> &held,
              NodalField<double> &u,
              NodalField<double> &w);

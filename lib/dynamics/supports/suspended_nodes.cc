@@ -149,7 +149,7 @@ SuspendedNodes<dim>::force(const unsigned int k,
     {
       const double w = surface.w[c][i];
       slid[c]        = w - load.far.velocity[c];
-      f[c] += mass(k) * (step.acceleration[c] - step.alpha * w) -
+      f[c] += mass(k) * (step.acceleration[c] - step.common_alpha() * w) -
               nodes.area[k] * stiffness[c] * (surface.u[c][i] - load.far.now[c]);
     }
   return f - dashpots[k] * slid;
@@ -212,7 +212,7 @@ SuspendedNodes<dim>::account(const unsigned int k,
       increment[c][k]      = by;
       next.work += push * central - f * far.moved(c);
       next.lost += drag[c] * (central - far.moved(c)) +
-                   m * step.alpha * 0.5 * (w + moved.w_before[c]) * central;
+                   m * step.common_alpha() * 0.5 * (w + moved.w_before[c]) * central;
       next.stored += 0.5 * pull[c] * (moved.u_after[c] - far.after[c]);
       next.kinetic += 0.5 * m * w * w + 0.25 * c_a * m * a[c] * a[c];
       of_inertia += m * a[c] * central;

@@ -90,9 +90,9 @@ void TopSurface<dim>::advance(const SurfaceView<dim> &surface)
   if (!started)
     initialize(surface);
 
-  std::vector<TopRecorder *> &all = recorders;
-  const bool sampled              = std::any_of(
-                 all.begin(), all.end(), [&](const TopRecorder *r) { return r->wants(surface.step); });
+  const bool sampled =
+    std::any_of(recorders.begin(), recorders.end(),
+                [&](const TopRecorder *r) { return r->wants(surface.step); });
   const double displacement =
     sampled ? sum_of(surface.u[dim - 1], n_distinct) / n_in_top : 0.;
 
@@ -135,6 +135,7 @@ void TopSurface<dim>::initialize(const SurfaceView<dim> &surface)
 template <int dim>
 std::vector<std::array<double, dim>>
 TopSurface<dim>::start_acceleration(const std::vector<double> &mass,
+                                    const std::vector<double> &drag,
                                     const std::vector<std::array<bool, dim>> &held,
                                     const std::array<double, 3> &velocity) const
 {
@@ -142,10 +143,13 @@ TopSurface<dim>::start_acceleration(const std::vector<double> &mass,
   AssertDimension(held.size(), tributary.size());
   constexpr unsigned int y = dim - 1;
   const double pressure = setup.pressure(0.), g = step.acceleration[y];
-  double moved = 0.;
-  for (unsigned int i = 0; i < n_distinct; ++i)
-    moved += held[i][y] ? 0. : mass[i];
-  moved = mpi::sum(moved, ranks);
+  const auto sum_of_moving = [&](const std::vector<double> &values) {
+    double sum = 0.;
+    for (unsigned int i = 0; i < n_distinct; ++i)
+      sum += held[i][y] ? 0. : values[i];
+    return mpi::sum(sum, ranks);
+  };
+  const double moved = sum_of_moving(mass), damped = sum_of_moving(drag);
   std::array<double, dim> rigid;
   const FarEnd<dim> far(setup.suspension, 0., step.dt);
   for (unsigned int c = 0; c < dim; ++c)
@@ -155,8 +159,8 @@ TopSurface<dim>::start_acceleration(const std::vector<double> &mass,
                                             (moved + setup.platen_mass)),
                    load  = k * far.now[c] - share * z * (velocity[c] - far.velocity[c]) -
                           (c == y ? pressure : 0.);
-      rigid[c] =
-        (step.acceleration[c] * moved + load * top_area) / (moved + setup.platen_mass);
+      rigid[c] = (step.acceleration[c] * moved + load * top_area - damped * velocity[c]) /
+                 (moved + setup.platen_mass);
     }
   std::array<double, dim> by_weight;
   std::copy_n(step.acceleration.begin(), dim, by_weight.begin());
@@ -337,10 +341,8 @@ TopLoad TopSurface<dim>::hold(const SurfaceView<dim> &surface)
   for (unsigned int c = 0; c < dim; ++c)
     std::fill_n(surface.w[c], surface.n, 0.);
 
-  TopLoad load;
-  load.normal     = -sum_of(surface.force[dim - 1], n_distinct);
-  load.tangential = transmitted(surface, {{true, true}});
-  return load;
+  return {-sum_of(surface.force[dim - 1], n_distinct),
+          transmitted(surface, {{true, true}})};
 }
 
 template class TopSurface<2>;

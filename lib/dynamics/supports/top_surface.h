@@ -196,9 +196,11 @@ public:
   void advance(const SurfaceView<dim> &surface) override;
 
   /** Accelerations (m/s^2) of the nodes of these masses (kg, in 2D kg/m) by load, weight and suspension when they
-   * start with @p velocity (m/s), but for what is @p held. Collective. */
+   * start with @p velocity (m/s), but for what is @p held; of a platen also by what damps their masses, the @p drag
+   * alpha m (kg/s, in 2D kg/(m s)). Collective. */
   std::vector<std::array<double, dim>>
   start_acceleration(const std::vector<double> &mass,
+                     const std::vector<double> &drag,
                      const std::vector<std::array<bool, dim>> &held,
                      const std::array<double, 3> &velocity) const;
 

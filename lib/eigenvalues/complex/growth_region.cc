@@ -9,10 +9,12 @@
 
 namespace mesoslip
 {
-double friction_radius(const SlidingPencil &pencil)
+namespace
 {
-  using Complex             = SlidingPencil::Complex;
-  const RealMatrix friction = pencil.whole_friction();
+/** Bound of |u^H N u| / u^H K u with @p friction as N, see friction_radius(). */
+double radius_of(const RealMatrix &friction, const SlidingPencil &pencil)
+{
+  using Complex = SlidingPencil::Complex;
   if (pencil.rows.empty() || friction.norm() == 0.)
     return 0.;
   const ComplexMatrix stiffness = pencil.whole_stiffness().cast<Complex>();
@@ -41,6 +43,12 @@ double friction_radius(const SlidingPencil &pencil)
       largest = std::max(largest, *found);
     }
   return 1.0001 * largest / std::cos(0.5 * step); // corners of the polygon
+}
+} // namespace
+
+double friction_radius(const SlidingPencil &pencil)
+{
+  return radius_of(pencil.whole_friction(), pencil);
 }
 
 namespace
@@ -77,11 +85,12 @@ bool feeds(const RealMatrix &matrix)
 
 FeedingDrag feeding_drag(const SlidingPencil &pencil)
 {
+  const double damped = radius_of(pencil.damped_friction, pencil);
   if (pencil.rows.empty() ||
       (pencil.late_resistance.nonZeros() == 0 && !feeds(pencil.resistance)))
-    return {};
+    return {0., 0., damped};
   return {largest_rate(pencil.resistance, pencil.mass),
-          largest_rate(pencil.late_resistance, pencil.mass)};
+          largest_rate(pencil.late_resistance, pencil.mass), damped};
 }
 
 double largest_growth(const SlidingPencil &pencil, const FeedingDrag &drag)
@@ -89,7 +98,8 @@ double largest_growth(const SlidingPencil &pencil, const FeedingDrag &drag)
   // |s|^2 <= |1 + beta s| stiff + |s| feeding
   const double stiff = largest_rate(pencil.whole_stiffness(), pencil.mass) +
                        largest_rate(pencil.whole_friction(), pencil.mass),
-               linear = pencil.law.beta * stiff + drag.at_once + drag.late;
+               linear = pencil.law.beta * stiff + drag.at_once + drag.late +
+                        largest_rate(pencil.damped_friction, pencil.mass);
   return 0.5 * (linear + std::sqrt(linear * linear + 4. * stiff));
 }
 
@@ -101,7 +111,8 @@ GrowthRegion::GrowthRegion(const SlidingLaw &law,
   , drag(drag)
   , highest(std::numeric_limits<double>::infinity())
 {
-  const bool nothing_feeds = radius == 0. && drag.at_once == 0. && drag.late == 0.;
+  const bool nothing_feeds =
+    radius == 0. && drag.at_once == 0. && drag.late == 0. && drag.damped == 0.;
   if (nothing_feeds)
     highest = 0.;
   double low = 0., high = 1.;
@@ -123,7 +134,7 @@ double GrowthRegion::angle(const double omega) const
   const double lag = std::hypot(1., omega * law.delta),
                feeding =
                  drag.at_once + drag.late / std::hypot(1., omega * law.state_time);
-  return std::min(M_PI, turn(radius / lag) +
+  return std::min(M_PI, turn((radius + M_SQRT2 * omega * drag.damped) / lag) +
                           (feeding > 0. ? turn(feeding / (omega * lag)) : 0.));
 }
 

@@ -18,13 +18,15 @@ struct FeedingDrag
 {
   double at_once = 0.; ///< largest eigenvalue of |C_0| in the metric of M (1/s)
   double late    = 0.; ///< of |C_1|, which lags behind by tau (1/s)
+  double damped  = 0.; ///< bound of |u^H N_d u| / u^H K u, as friction_radius() (s)
 };
 
 /** No s that grows is larger than this (1/s), from the largest sums of rows of K and N over the
  * mass. */
 double largest_growth(const SlidingPencil &pencil, const FeedingDrag &drag);
 
-/** Zeros if the drag of @p pencil only takes energy: C_0 >= 0, C_1 = 0. */
+/** Zeros if the drag of @p pencil only takes energy, C_0 >= 0, C_1 = 0, and damping does not differ by phase.
+ * @throws NotConverged */
 FeedingDrag feeding_drag(const SlidingPencil &pencil);
 
 /**
@@ -39,6 +41,8 @@ FeedingDrag feeding_drag(const SlidingPencil &pencil);
  *
  *     2 atan(a / w) + atan(beta w / (1 + beta a))
  *       <= asin(r / |1 + i w delta|) + asin(g / (w |1 + i w delta|))
+ *
+ * Damping by phase adds w sqrt(2) |N_d| to r, for a up to w.
  *
  * Springs below the nodes are not damped: the force of the body and them together then points
  * somewhere between those of an undamped and a damped stiffness, and the term with beta is left out.

@@ -137,7 +137,9 @@ private:
   {
     factors.factorize(of.pencil(s));
     ++report.n_factorizations;
-    double sum = factors.phase_of_determinant();
+    // Both pencils are divided by 1 + beta s, with another beta where damping differs by phase.
+    double sum = factors.phase_of_determinant() + static_cast<double>(of.pencil.size()) *
+                                                    std::arg(1. + of.pencil.law.beta * s);
     for (const Complex zero : of.zeros)
       sum -= std::arg(s - zero) + std::arg(s - std::conj(zero));
     return sum;

@@ -99,10 +99,33 @@ void add_supports(const ElasticBody<dim> &body,
   pencil.resistances = gather(body.foundation().dashpots, of_mass);
 }
 
+/** The drags of nodes on the diagonal of the free degrees of freedom, of a platen their sum. */
+template <int dim>
+RealMatrix drags_of(const ElasticBody<dim> &body,
+                    const FreeDofs<dim> &dofs,
+                    const std::vector<double> &drags)
+{
+  NodalField<double> field = body.zero_field();
+  for (unsigned int j = 0; j < body.n_rows(); ++j)
+    for (unsigned int i = 0; i < body.n_columns(); ++i)
+      for (unsigned int c = 0; c < dim; ++c)
+        field(c, {i, j}) = drags[std::size_t{j} * body.n_columns() + i];
+  typename FreeDofs<dim>::Vector values = dofs.zero();
+  dofs.gather_forces(values, field);
+  std::vector<Triplet> diagonal;
+  for (std::size_t k = 0; k < dofs.size(); ++k)
+    diagonal.emplace_back(k, k, values.local_element(k));
+  const auto n = static_cast<Eigen::Index>(dofs.size());
+  RealMatrix matrix(n, n);
+  matrix.setFromTriplets(diagonal.begin(), diagonal.end());
+  return matrix;
+}
+
 /** The friction forces, their targets and the drag. */
 template <int dim>
 void add_contact(const ElasticBody<dim> &body,
                  const RealMatrix &reactions,
+                 const RealMatrix &damped_reactions,
                  const std::vector<std::int64_t> &number,
                  const SlidingNodesAtRest &contact,
                  SlidingPencil &pencil)
@@ -110,7 +133,7 @@ void add_contact(const ElasticBody<dim> &body,
   const double speed = std::hypot(contact.velocity[0], contact.velocity[1]);
   const std::array<double, 2> direction = {
     {contact.velocity[0] / speed, contact.velocity[1] / speed}};
-  std::vector<Triplet> target, spring_target, drag, late_drag;
+  std::vector<Triplet> target, damped_target, spring_target, drag, late_drag;
   for (std::size_t k = 0; k < contact.nodes.size(); ++k)
     for (unsigned int c = 0; c + 1 < dim; ++c)
       {
@@ -124,7 +147,10 @@ void add_contact(const ElasticBody<dim> &body,
           contact.slopes.empty() ? FrictionSlopes() : contact.slopes[k];
         const double coupling = (contact.friction[k] + slopes.pressure) * direction[c];
         if (contact.stiffness.empty())
-          add_target(k, coupling, reactions, q, target);
+          {
+            add_target(k, coupling, reactions, q, target);
+            add_target(k, coupling, damped_reactions, q, damped_target);
+          }
         else
           spring_target.emplace_back(q, number[row_of(body, contact.nodes[k], dim - 1)],
                                      -coupling * contact.stiffness[k]);
@@ -152,12 +178,14 @@ void add_contact(const ElasticBody<dim> &body,
     matrix.prune(0., 0.);
   };
   gather(pencil.targets, target);
+  gather(pencil.damped_targets, damped_target);
   gather(pencil.spring_targets, spring_target);
   gather(pencil.drag, drag);
   gather(pencil.late_drag, late_drag);
   const RealMatrix E     = distribution(pencil.rows, pencil.size());
   pencil.friction        = E * pencil.targets;
   pencil.spring_friction = E * pencil.spring_targets;
+  pencil.damped_friction = E * pencil.damped_targets;
   pencil.resistance      = E * pencil.drag;
   pencil.late_resistance = E * pencil.late_drag;
 }
@@ -184,15 +212,16 @@ ComplexMatrix SlidingPencil::operator()(const Complex s) const
          springs.cast<Complex>() * (1. / damped) + stiffness.cast<Complex>() +
          friction.cast<Complex>() * (-1. / lag) +
          spring_friction.cast<Complex>() * (-1. / (lag * damped)) +
-         resistance.cast<Complex>() * (s / (damped * lag)) +
+         (resistance - damped_friction).cast<Complex>() * (s / (damped * lag)) +
          late_resistance.cast<Complex>() *
            (s / (damped * lag * (1. + law.state_time * s)));
 }
 
 ComplexVector SlidingPencil::friction_force(const Complex s, const ComplexVector &u) const
 {
-  return ((1. + law.beta * s) * product(targets, u) + product(spring_targets, u) -
-          s * product(drag, u) - s / (1. + law.state_time * s) * product(late_drag, u)) /
+  return ((1. + law.beta * s) * product(targets, u) + product(spring_targets, u) +
+          s * product(damped_targets, u) - s * product(drag, u) -
+          s / (1. + law.state_time * s) * product(late_drag, u)) /
          (1. + law.delta * s);
 }
 
@@ -246,7 +275,8 @@ SlidingPencil make_sliding_pencil(const ElasticBody<dim> &body,
                                   const RealMatrix &all,
                                   const FreeDofs<dim> &dofs,
                                   const SlidingNodesAtRest &contact,
-                                  const SlidingLaw &law)
+                                  const SlidingLaw &law,
+                                  const DampingByPhase &damping)
 {
   const std::vector<std::int64_t> number = free_numbers(body, dofs);
   // Of sliding nodes and their duplicates: normal reactions are sums over both.
@@ -257,31 +287,43 @@ SlidingPencil make_sliding_pencil(const ElasticBody<dim> &body,
     reaction[row_of(body, duplicate, dim - 1)] =
       reaction[row_of(body, original, dim - 1)];
 
-  std::vector<Triplet> stiffness, reactions;
-  for (Eigen::Index column = 0; column < all.outerSize(); ++column)
-    for (RealMatrix::InnerIterator entry(all, column); entry; ++entry)
-      {
-        const std::int64_t to   = number[static_cast<std::size_t>(entry.col())],
-                           from = number[static_cast<std::size_t>(entry.row())],
-                           at   = reaction[static_cast<std::size_t>(entry.row())];
-        if (to >= 0 && from >= 0)
-          stiffness.emplace_back(from, to, entry.value());
-        if (to >= 0 && at >= 0)
-          reactions.emplace_back(to, at, entry.value()); // the transpose
-      }
   SlidingPencil pencil;
   pencil.law   = law;
   const auto n = static_cast<Eigen::Index>(dofs.size());
-  pencil.stiffness.resize(n, n);
-  pencil.stiffness.setFromTriplets(stiffness.begin(), stiffness.end());
+  const auto m = static_cast<Eigen::Index>(contact.nodes.size());
+  // What a matrix of the whole body is among the free ones, and the transpose of its rows of reactions.
+  const auto split = [&](const RealMatrix &whole) {
+    std::vector<Triplet> among, reactions;
+    for (Eigen::Index column = 0; column < whole.outerSize(); ++column)
+      for (RealMatrix::InnerIterator entry(whole, column); entry; ++entry)
+        {
+          const std::int64_t to   = number[static_cast<std::size_t>(entry.col())],
+                             from = number[static_cast<std::size_t>(entry.row())],
+                             at   = reaction[static_cast<std::size_t>(entry.row())];
+          if (to >= 0 && from >= 0)
+            among.emplace_back(from, to, entry.value());
+          if (to >= 0 && at >= 0)
+            reactions.emplace_back(to, at, entry.value());
+        }
+    auto parts = std::make_pair(RealMatrix(n, n), RealMatrix(n, m));
+    parts.first.setFromTriplets(among.begin(), among.end());
+    parts.second.setFromTriplets(reactions.begin(), reactions.end());
+    return parts;
+  };
+  const auto elastic = split(all), damped = split(damping.stiffness);
+  pencil.stiffness                   = elastic.first;
   typename FreeDofs<dim>::Vector one = dofs.zero(), masses = dofs.zero();
   one.add(1.);
   dofs.vmult(masses, one);
   pencil.mass = Eigen::Map<const Eigen::VectorXd>(masses.begin(), n);
-  RealMatrix of_nodes(n, static_cast<Eigen::Index>(contact.nodes.size()));
-  of_nodes.setFromTriplets(reactions.begin(), reactions.end());
   add_supports(body, dofs, number, contact, pencil);
-  add_contact(body, of_nodes, number, contact, pencil);
+  if (damping.stiffness.size() > 0)
+    {
+      pencil.resistances += damped.first + drags_of(body, dofs, damping.drags);
+      pencil.beta_besides =
+        damped.first.diagonal().sum() / pencil.stiffness.diagonal().sum();
+    }
+  add_contact(body, elastic.second, damped.second, number, contact, pencil);
   return pencil;
 }
 
@@ -291,10 +333,12 @@ template SlidingPencil make_sliding_pencil(const ElasticBody<2> &,
                                            const RealMatrix &,
                                            const FreeDofs<2> &,
                                            const SlidingNodesAtRest &,
-                                           const SlidingLaw &);
+                                           const SlidingLaw &,
+                                           const DampingByPhase &);
 template SlidingPencil make_sliding_pencil(const ElasticBody<3> &,
                                            const RealMatrix &,
                                            const FreeDofs<3> &,
                                            const SlidingNodesAtRest &,
-                                           const SlidingLaw &);
+                                           const SlidingLaw &,
+                                           const DampingByPhase &);
 } // namespace mesoslip

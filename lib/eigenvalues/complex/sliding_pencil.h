@@ -45,22 +45,23 @@ struct SlidingLaw
 /**
  * Small vibrations u exp(s t) about steady sliding, in the free degrees of freedom:
  *
- *     [ s (s M + C_v)/(1 + beta s) + K - N/(1 + s delta) + s/((1 + beta s)(1 + s delta)) C(s)
+ *     [ s (s M + C_v)/(1 + beta s) + K - N/(1 + s delta) + s/((1 + beta s)(1 + s delta)) (C(s) - N_d)
  *       + (K_s - N_s/(1 + s delta))/(1 + beta s) ] u = 0,   C_v = alpha M + C_d
  *     C(s) = C_0 + C_1/(1 + s tau)
  *
  * N moves mu + p dmu/dp times the normal reaction of each contact node to its rows along the
  * motion of the flat. Springs below contact nodes and of the foundation, which are not damped, are K_s,
  * dashpots of the foundation C_d. Where contact nodes stand on springs, N_s moves their reactions; N is
- * zero then. C is the drag of each node, whose static normal force is f:
+ * zero then. Where damping differs by phase, beta is the smallest, C_d has what phases p have besides, the sum of
+ * (beta_p - beta) K_p + alpha_p M_p, and N_d moves its normal reactions. C is the drag of each node, whose static normal force is f:
  * along the motion f dmu/dV, of which a law with a state has a part C_1 that follows within tau; across
  * it, in 3D only, mu f over the speed of the flat, as friction turns against the velocity of
  * the node. Linear in s with v = s u, the friction forces q, and their parts z by the state:
  *
  *     s u = v,                     s M v = -K (u + beta v) - K_s u - C_v v + E q,
- *     s tau z = -D_1 v - z,        s delta q = G (u + beta v) + G_s u - D_0 v + z - q
+ *     s tau z = -D_1 v - z,        s delta q = G (u + beta v) + G_s u + (G_d - D_0) v + z - q
  *
- * with N = E G, N_s = E G_s and C_i = E D_i. Without delta there is no q, without tau no z.
+ * with N = E G, N_s = E G_s, N_d = E G_d and C_i = E D_i. Without delta there is no q, without tau no z.
  */
 class SlidingPencil
 {
@@ -110,15 +111,25 @@ public:
   RealMatrix resistances;                 ///< C_v
   RealMatrix targets;                     ///< G, a row for each friction force
   RealMatrix spring_targets;              ///< G_s, likewise
+  RealMatrix damped_targets;              ///< G_d, likewise
   RealMatrix drag;                        ///< D_0, likewise
   RealMatrix late_drag;                   ///< D_1, likewise
   RealMatrix friction;                    ///< N
   RealMatrix spring_friction;             ///< N_s
+  RealMatrix damped_friction;             ///< N_d
   RealMatrix resistance;                  ///< C_0
   RealMatrix late_resistance;             ///< C_1
   std::vector<Eigen::Index> rows;         ///< degrees of freedom that E gives the forces
   std::vector<std::size_t> contact_nodes; ///< those of the forces
   SlidingLaw law;                         ///< delta and beta
+  double beta_besides = 0.; ///< mean of beta_p - beta where these differ by phase (s)
+};
+
+/** Damping by phase of the whole body, numbered as MatrixEntry says. */
+struct DampingByPhase
+{
+  RealMatrix stiffness;      ///< sum of (beta_p - beta) K_p; empty: there is none
+  std::vector<double> drags; ///< sum of alpha_p M_p of the nodes
 };
 
 /** What @p matrix does with a complex vector. */
@@ -133,14 +144,15 @@ RealMatrix whole_stiffness(const ElasticBody<dim> &body, const MPI_Comm communic
 
 /**
  * @p all is whole_stiffness(); @p dofs are the free ones, of the normal displacement of sliding
- * nodes none, unless they stand on springs.
+ * nodes none, unless they stand on springs. Collective if there is @p damping and the body is distributed.
  */
 template <int dim>
 SlidingPencil make_sliding_pencil(const ElasticBody<dim> &body,
                                   const RealMatrix &all,
                                   const FreeDofs<dim> &dofs,
                                   const SlidingNodesAtRest &contact,
-                                  const SlidingLaw &law);
+                                  const SlidingLaw &law,
+                                  const DampingByPhase &damping = {});
 
 } // namespace mesoslip
 

@@ -129,17 +129,20 @@ void collect(const SlidingPencil &still,
 }
 } // namespace
 
-// A reference for the count is as good without alpha and dashpots, and with springs that are damped as the body is.
+// A reference for the count is as good without alpha and dashpots, with springs that are damped as the body is, and with
+// the mean of damping by phase.
 SlidingPencil without_friction(SlidingPencil pencil)
 {
-  for (RealMatrix *matrix : {&pencil.targets, &pencil.spring_targets, &pencil.drag,
-                             &pencil.late_drag, &pencil.friction, &pencil.spring_friction,
-                             &pencil.resistance, &pencil.late_resistance})
+  for (RealMatrix *matrix :
+       {&pencil.targets, &pencil.spring_targets, &pencil.damped_targets,
+        &pencil.damped_friction, &pencil.drag, &pencil.late_drag, &pencil.friction,
+        &pencil.spring_friction, &pencil.resistance, &pencil.late_resistance})
     *matrix *= 0.;
   pencil.stiffness   = pencil.whole_stiffness();
   pencil.springs     = RealMatrix(pencil.size(), pencil.size());
   pencil.resistances = pencil.springs;
   pencil.law.delta = pencil.law.state_time = pencil.law.alpha = 0.;
+  pencil.law.beta += pencil.beta_besides;
   return pencil;
 }
 

@@ -1,5 +1,6 @@
 #include "base/text.h"
 #include "sliding/contact_parameters.h"
+#include "sliding/run_plan.h"
 #include "sliding/supports/support_text.h"
 
 #include <array>
@@ -126,6 +127,8 @@ RunConditions ContactParameters::stated_conditions() const
       conditions["rayleigh_beta"]      = step.beta;
       if (step.alpha > 0.)
         conditions["rayleigh_alpha"] = step.alpha;
+      if (step.damps_by_phase())
+        conditions["damping_by_phase"] = damping_text(step);
     }
   if (!mesh.is_plane_grid())
     add_mesh(conditions, *this, transient);

@@ -64,6 +64,19 @@ SlidingState ComplexModesAnalysis<dim>::at_rest(const ContactParameters &of_case
                             body->held(top_at_start(of_case), false), friction, solve);
 }
 
+/** K and M of a body of phases_of_damping(), but for the smallest beta, which SlidingLaw has. */
+template <int dim>
+DampingByPhase ComplexModesAnalysis<dim>::damping(const MPI_Comm communicator) const
+{
+  StepParameters besides = parameters.step;
+  if (!besides.damps_by_phase())
+    return {};
+  for (double &beta : besides.beta_of_phases)
+    beta -= parameters.step.least_beta();
+  const auto of_phases = body->make_damping(besides, communicator);
+  return {whole_stiffness(*of_phases, communicator), of_phases->lumped_mass()};
+}
+
 template <int dim>
 void ComplexModesAnalysis<dim>::run(RunContext &context)
 {
@@ -78,7 +91,8 @@ void ComplexModesAnalysis<dim>::run(RunContext &context)
     [&](const ContactParameters &of_case, const double friction_factor) {
       return at_rest(of_case, friction_factor, context);
     },
-    body->contact_parts(), facts.scales.shear_impedance, context);
+    body->contact_parts(), facts.scales.shear_impedance, damping(context.communicator()),
+    context);
   if (!context.root())
     return;
   log_complex_modes(cases, parameters, context);

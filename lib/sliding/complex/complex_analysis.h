@@ -26,6 +26,8 @@ private:
   /** Whether the static state follows from a load; if not, the top is held, see sliding_state(). */
   bool is_pressed() const;
 
+  DampingByPhase damping(const MPI_Comm communicator) const;
+
   /** See StateAtRest. */
   SlidingState at_rest(const ContactParameters &of_case,
                        const double friction_factor,

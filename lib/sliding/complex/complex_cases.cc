@@ -141,6 +141,7 @@ ComplexCases<dim> compute_complex_modes(const ElasticBody<dim> &body,
                                         const StateAtRest &at_rest,
                                         const ContactParts &parts,
                                         const double shear_impedance,
+                                        const DampingByPhase &damping,
                                         RunContext &context)
 {
   const MPI_Comm communicator        = context.communicator();
@@ -194,10 +195,10 @@ ComplexCases<dim> compute_complex_modes(const ElasticBody<dim> &body,
                         " free degrees of freedom or more, and the body has " +
                         std::to_string(free.back().size()) + "; take more cells");
       if (context.root())
-        warn_of_weakening({states.back().steepest_fall, shear_impedance,
-                           sliding_law(parameters_of.back()).delta, parameters.step.beta},
-                          k == 0 ? "" : brief_text(6, " at ", keys.values[k - 1]),
-                          context);
+        warn_of_weakening(
+          {states.back().steepest_fall, shear_impedance,
+           sliding_law(parameters_of.back()).delta, parameters.step.least_beta()},
+          k == 0 ? "" : brief_text(6, " at ", keys.values[k - 1]), context);
     }
   result.state = states[0];
   result.dofs.push_back(free[0]);
@@ -216,7 +217,7 @@ ComplexCases<dim> compute_complex_modes(const ElasticBody<dim> &body,
           SlidingLaw law            = sliding_law(of_case);
           law.state_time            = state.state_time;
           const SlidingPencil pencil =
-            make_sliding_pencil<dim>(body, all, dofs, state.contact, law);
+            make_sliding_pencil<dim>(body, all, dofs, state.contact, law, damping);
           const RateWeakening weakening{state.steepest_fall, shear_impedance, law.delta,
                                         law.beta};
           options.steep = weakening.is_too_steep();
@@ -268,6 +269,7 @@ template ComplexCases<2> compute_complex_modes(const ElasticBody<2> &,
                                                const StateAtRest &,
                                                const ContactParts &,
                                                const double,
+                                               const DampingByPhase &,
                                                RunContext &);
 template ComplexCases<3> compute_complex_modes(const ElasticBody<3> &,
                                                const ContactParameters &,
@@ -275,5 +277,6 @@ template ComplexCases<3> compute_complex_modes(const ElasticBody<3> &,
                                                const StateAtRest &,
                                                const ContactParts &,
                                                const double,
+                                               const DampingByPhase &,
                                                RunContext &);
 } // namespace mesoslip

@@ -86,7 +86,7 @@ double complex_modes_memory(const double n_dofs, const unsigned int dim);
 
 /**
  * The modes for the parameters, and for each value of the sweep; each case is computed by one
- * rank, which knows the @p parts of the contact. Warns where friction falls with the slip rate by
+ * rank, which knows the @p parts of the contact and the @p damping by phase. Warns where friction falls with the slip rate by
  * more than @p shear_impedance, that of BodyScales. Collective. @throws NumericalFailure
  */
 template <int dim>
@@ -96,6 +96,7 @@ ComplexCases<dim> compute_complex_modes(const ElasticBody<dim> &body,
                                         const StateAtRest &at_rest,
                                         const ContactParts &parts,
                                         const double shear_impedance,
+                                        const DampingByPhase &damping,
                                         RunContext &context);
 
 } // namespace mesoslip

@@ -93,11 +93,8 @@ void log_complex_modes(const ComplexCases<dim> &cases,
     (base.n_separated > 0 ? ", " + std::to_string(base.n_separated) +
                               " are separated in the static state and free"
                           : "") +
-    brief_text(4, "; delta = ", 1e9 * base.delta,
-               " ns, beta = ", 1e9 * parameters.step.beta, " ns (Time/Rayleigh beta)") +
-    (parameters.step.alpha > 0.
-       ? brief_text(4, ", alpha = ", parameters.step.alpha, " 1/s")
-       : "") +
+    brief_text(4, "; delta = ", 1e9 * base.delta, " ns, ") +
+    damping_text(parameters.step) + " (Time/Rayleigh beta)" +
     (parameters.contact.is_compliant()
        ? brief_text(4, "; on springs of ", parameters.contact.normal_stiffness, " Pa/m")
        : "") +

@@ -173,11 +173,14 @@ void write_complex_tables(const ComplexCases<dim> &cases,
   json["least_growth_rate"] = keys.least_growth;
   json["largest_growth_rate_counted"] =
     keys.count ? nlohmann::json(cases.base.fastest_counted) : nlohmann::json();
-  json["nothing_grows_above"]    = finite_or_null(cases.base.nothing_grows_above);
-  json["regularization_time"]    = cases.base.delta;
-  json["flat_velocity"]          = parameters.contact.flat_velocity.amplitude();
-  json["rayleigh_beta"]          = parameters.step.beta;
-  json["rayleigh_alpha"]         = parameters.step.alpha;
+  json["nothing_grows_above"] = finite_or_null(cases.base.nothing_grows_above);
+  json["regularization_time"] = cases.base.delta;
+  json["flat_velocity"]       = parameters.contact.flat_velocity.amplitude();
+  json["rayleigh_beta"]       = parameters.step.beta;
+  json["rayleigh_alpha"]      = parameters.step.alpha;
+  if (parameters.step.damps_by_phase())
+    json.update({{"rayleigh_beta_of_phases", parameters.step.beta_of_phases},
+                 {"rayleigh_alpha_of_phases", parameters.step.alpha_of_phases}});
   json["normal_stiffness"]       = finite_or_null(parameters.contact.normal_stiffness);
   json["sliding_nodes"]          = cases.base.n_sliding;
   json["separated_nodes"]        = cases.base.n_separated;

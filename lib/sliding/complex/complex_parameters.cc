@@ -100,8 +100,8 @@ SlidingLaw sliding_law(const ContactParameters &p)
 {
   const FrictionParameters &friction = p.friction;
   SlidingLaw law;
-  law.alpha = p.step.alpha;
-  law.beta  = p.step.beta;
+  law.alpha = p.step.common_alpha();
+  law.beta  = p.step.least_beta();
   if (friction.law_name == "slip rate")
     law.delta = friction.slip_length / (std::fabs(p.contact.flat_velocity.amplitude()) +
                                         friction.reference_velocity);

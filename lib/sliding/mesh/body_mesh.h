@@ -58,6 +58,21 @@ public:
     return oriented.empty() ? m : oriented[m].phase;
   }
 
+  /** Damping by phase for materials(). */
+  StepParameters of_materials(StepParameters step) const
+  {
+    const StepParameters of_phases = step;
+    if (step.damps_by_phase() && !oriented.empty())
+      step.beta_of_phases = step.alpha_of_phases = std::vector<double>(oriented.size());
+    for (std::size_t m = 0; m < step.beta_of_phases.size(); ++m)
+      {
+        const unsigned int phase = phase_of(static_cast<unsigned int>(m));
+        step.beta_of_phases[m]   = of_phases.beta_of_phases[phase];
+        step.alpha_of_phases[m]  = of_phases.alpha_of_phases[phase];
+      }
+    return step;
+  }
+
   /** All faces of the boundary, unless group() needs none. */
   virtual std::vector<BoundaryFace<dim>> boundary() const
   {

@@ -57,6 +57,8 @@ public:
               const InstructionSet isa,
               const MPI_Comm communicator)
     : own_part(part_of_mesh(mesh, contact, communicator))
+    , phases(phases)
+    , isa(isa)
     , op(own_part, phases, communicator, isa)
   {
   }
@@ -88,11 +90,18 @@ public:
                NodalField<double> &w,
                const std::optional<unsigned int> top_point) const override
   {
-    return std::make_unique<MeshStepper<dim>>(op, held, parameters, u, w, top_point);
+    std::shared_ptr<const MeshOperator<dim>> damping;
+    if (parameters.damps_by_phase())
+      damping = std::make_shared<MeshOperator<dim>>(
+        own_part, phases_of_damping(phases, parameters), op.communicator, isa);
+    return std::make_unique<MeshStepper<dim>>(op, held, parameters, u, w, top_point,
+                                              damping);
   }
 
 private:
   const MeshPart<dim> own_part;
+  const std::vector<ElasticPhase<dim>> phases;
+  const InstructionSet isa;
   const MeshOperator<dim> op;
 };
 
@@ -106,7 +115,9 @@ public:
                const std::vector<ElasticPhase<3>> &phases,
                const InstructionSet isa,
                const MPI_Comm communicator)
-    : op(divide_box(box,
+    : phases(phases)
+    , isa(isa)
+    , op(divide_box(box,
                     materials,
                     static_cast<unsigned int>(phases.size()),
                     communicator,
@@ -146,7 +157,12 @@ public:
                NodalField<double> &w,
                const std::optional<unsigned int> top_point) const override
   {
-    return std::make_unique<BrickStepper>(op, held, parameters, u, w, top_point);
+    std::shared_ptr<const BrickOperator> damping;
+    if (parameters.damps_by_phase())
+      damping = std::make_shared<BrickOperator>(BrickSlab(op.slab()),
+                                                phases_of_damping(phases, parameters),
+                                                op.communicator, isa);
+    return std::make_unique<BrickStepper>(op, held, parameters, u, w, top_point, damping);
   }
 
 private:
@@ -158,6 +174,8 @@ private:
     return cells;
   }
 
+  const std::vector<ElasticPhase<3>> phases;
+  const InstructionSet isa;
   const BrickOperator op;
   std::optional<FrequencyEstimate> of_blocks; ///< where there is one phase
 };

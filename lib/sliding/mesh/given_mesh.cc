@@ -26,7 +26,8 @@ GivenMesh<dim>::GivenMesh(const ContactParameters &given,
   , mesh(std::move(unread))
 {
   parameters.mesh.check();
-  known.phases               = make_phases<dim>(parameters.mesh.phases);
+  known.phases = make_phases<dim>(parameters.mesh.phases);
+  this->check_damping();
   const unsigned int n_here  = ranks_of_this_machine(),
                      n_ranks = mpi::n_mpi_processes(MPI_COMM_WORLD);
   on_root(MPI_COMM_WORLD, [&]() {
@@ -138,6 +139,7 @@ BodyInMotion<dim> GivenMesh<dim>::start(const SlidingSetup &given,
                                         RunContext &context) const
 {
   SlidingSetup setup                    = given;
+  setup.step                            = mesh->of_materials(given.step);
   setup.top.nodes                       = body.top_nodes;
   const std::vector<SideSupport> loaded = parameters.loaded_sides();
   for (std::size_t k = 0; k < loaded.size(); ++k)
@@ -229,6 +231,16 @@ template <int dim>
 const ElasticBody<dim> &GivenMesh<dim>::elastic() const
 {
   return *of_statics;
+}
+
+template <int dim>
+std::unique_ptr<ElasticBody<dim>>
+GivenMesh<dim>::make_damping(const StepParameters &step,
+                             const MPI_Comm communicator) const
+{
+  return mesh->make_elastic(
+    parameters.mesh, parameters.mesh.contact_boundary, parameters.mesh.top_boundary,
+    phases_of_damping(phases, mesh->of_materials(step)), communicator, true);
 }
 
 template <int dim>

@@ -217,11 +217,7 @@ void SlidingMesh<dim>::set_initial_velocity(const std::array<double, 3> &velocit
       if (c < normal ? this->setup.top.holds(c) : this->setup.top.is_held())
         hold(point, c);
   std::vector<std::array<double, dim>> a = start_acceleration(velocity, rests);
-  const StepParameters &step             = this->setup.step;
-  const double back                      = -step.beta2 * step.dt;
-  for (unsigned int c = 0; c < dim; ++c)
-    for (std::size_t i = 0; i < n; ++i)
-      a[i][c] -= step.alpha * velocity[c];
+  const double back                      = -this->setup.step.beta2 * this->setup.step.dt;
   for (unsigned int i = 0; i < contact_nodes.size(); ++i)
     if (const unsigned int point = contact_nodes.point(i);
         point != SharedNodes::none && this->contact.rests(i, a[point][normal]))
@@ -240,22 +236,31 @@ std::vector<std::array<double, dim>> SlidingMesh<dim>::start_acceleration(
   std::array<double, dim> by_weight;
   std::copy_n(this->setup.step.acceleration.begin(), dim, by_weight.begin());
   std::vector<std::array<double, dim>> a(n, by_weight);
-  const SharedNodes &top = surfaces.top;
-  std::vector<double> mass(n), of_top(top.size(), 0.);
+  const SharedNodes &top   = surfaces.top;
+  const double of_supports = this->setup.step.common_alpha();
+  std::vector<double> mass(n), drag(n), of_top(top.size(), 0.), drag_of_top(of_top);
   stepper.mass_row(0, mass.data());
+  for (std::size_t i = 0; i < n; ++i)
+    drag[i] = stepper.alpha_of({static_cast<unsigned int>(i), 0}, mass[i]) * mass[i];
   std::vector<std::array<bool, dim>> held_on_top(top.size());
   for (unsigned int i = 0; i < top.size(); ++i)
     if (const unsigned int point = top.point(i); point != SharedNodes::none)
       {
         of_top[i]      = mass[point];
+        drag_of_top[i] = drag[point];
         held_on_top[i] = rests[point];
       }
-  const auto pushed = this->top.start_acceleration(of_top, held_on_top, velocity);
+  const auto pushed =
+    this->top.start_acceleration(of_top, drag_of_top, held_on_top, velocity);
+  const bool platen = this->setup.top.is_platen; // moves as one
   for (unsigned int i = 0; i < top.size(); ++i)
     if (const unsigned int point = top.point(i); point != SharedNodes::none)
       {
         a[point] = pushed[i];
         mass[point] += this->top.suspended_mass(i);
+        drag[point] += of_supports * this->top.suspended_mass(i);
+        if (platen)
+          drag[point] = 0.; // pushed has it
       }
   const auto load = [&](const SideSurface<dim> &side, const unsigned int k,
                         const unsigned int point) {
@@ -266,8 +271,8 @@ std::vector<std::array<double, dim>> SlidingMesh<dim>::start_acceleration(
       starts_with[c] = rests[point][c] ? 0. : velocity[c];
     side.accelerate(k, mass[point], starts_with, a[point]);
     mass[point] += side.mass(k);
+    drag[point] += of_supports * side.mass(k);
   };
-  const bool platen = this->setup.top.is_platen; // moves as one
   for (std::size_t s = 0; s < this->sides.size(); ++s)
     {
       const SharedSide &side = surfaces.sides[s];
@@ -277,6 +282,9 @@ std::vector<std::array<double, dim>> SlidingMesh<dim>::start_acceleration(
         if (guest.host != 1 || !platen)
           load(this->sides[s], guest.k, surfaces.host(guest.host).point(guest.i));
     }
+  for (std::size_t i = 0; i < n; ++i)
+    for (unsigned int c = 0; c < dim; ++c)
+      a[i][c] -= drag[i] / mass[i] * velocity[c];
   return a;
 }
 

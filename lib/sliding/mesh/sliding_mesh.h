@@ -96,7 +96,7 @@ public:
   NodalField<double> w;            ///< velocity of the scheme (m/s)
 
 private:
-  /** Accelerations (m/s^2) at the start without damping. */
+  /** Accelerations (m/s^2) at the start, of the damping with what acts on masses. */
   std::vector<std::array<double, dim>>
   start_acceleration(const std::array<double, 3> &velocity,
                      const std::vector<std::array<bool, dim>> &rests) const;

@@ -26,6 +26,8 @@ def numbers(text):
 def check_example(build):
     stopped, exact = numbers(call(os.path.join(build, "block_on_flat")))
     assert abs(stopped / exact - 1.0) < 2e-3, (stopped, exact)
+    swung, exact = numbers(call(os.path.join(build, "block_on_springs")))
+    assert abs(swung / exact - 1.0) < 3e-4, (swung, exact)
     d11, exact11, d33, exact33 = numbers(call(os.path.join(build, "checkerboard_stiffness")))
     assert exact11 < d11 < 1.004 * exact11, "Q1 elements are too stiff, but not by much"
     assert abs(d33 / exact33 - 1.0) < 1e-6, (d33, exact33)

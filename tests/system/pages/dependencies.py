@@ -1,4 +1,4 @@
-"""A topic of lib/ includes only topics below it, and few headers include what takes long to compile. No folder has more than 25 files, no
+"""A topic of lib/ includes only topics below it that its library is linked with, and few headers include what takes long to compile. No folder has more than 25 files, no
 file more than 350 lines. Ranks exchange whole objects. The drawing of the topics is that of the sources."""
 
 import os
@@ -9,9 +9,13 @@ import architecture
 from architecture import includes
 from scenes import TOP
 
-# From below: a topic includes only topics that stand before it.
+# From below: a topic includes only topics that stand before it. Another project links what it uses alone.
+ORDER, LINKED = [], {}
 with open(os.path.join(TOP, "lib", "CMakeLists.txt"), encoding="utf-8") as lists:
-    ORDER = re.findall(r"^mesoslip_library\((\w+)", lists.read(), re.MULTILINE)
+    for library, more in re.findall(r"^mesoslip_library\((\w+)([^)]*)\)", lists.read(), re.MULTILINE):
+        below = re.findall(r"\bmesoslip_(\w+)", more)
+        ORDER.append(library)
+        LINKED[library] = {library, *below}.union(*(LINKED[name] for name in below))
 # Further borders: the physics knows neither programs nor files; the last two meet in exchange alone.
 NEVER = {"grid": {"parameters", "io", "program"}, "elasticity": {"parameters", "io", "program"}, "statics": {"parameters", "io", "program"},
          "body": {"parameters", "io", "program"}, "dynamics": {"io", "program"}, "contact": {"io", "program"}, "eigenvalues": {"io", "program"},
@@ -66,6 +70,8 @@ def of_file(topic, path, lib):
     name = os.path.relpath(path, lib)
     forbidden = set(ORDER[ORDER.index(topic) + 1:]) | NEVER.get(topic, set())
     problems = [f"lib/{name} includes {used}/" for used in includes(path) if used in forbidden]
+    problems += [f"lib/{name} includes {used}/, with which lib/CMakeLists.txt does not link mesoslip_{topic}" for used in includes(path)
+                 if used in ORDER and used not in LINKED[topic]]
     problems += [f"lib/{name} has {words}: see ONLY_IN in dependencies.py" for words in only_in(name, path)]
     if name not in SEND:
         problems += [f"lib/{name} calls {call}: use base/exchange.h" for call in sends(path)]

@@ -23,10 +23,12 @@ BOX = "set Dimension = 3\n" + prm({"Body/Material": "heterogeneous", "Body/RVE f
 MESH = "set Dimension = 3\n" + prm({"Mesh/File": "mesh.msh", **MATERIALS, **COMMON})
 PROBES = probes(inside="0.0011, 0.0009, 0.0021", contact="0.0022, 0.0011, 0")
 SIDES = {"Left": (0, False), "Right": (0, True), "Front": (1, False), "Back": (1, True), "Contact": (2, False), "Top": (2, True)}
+BY_PHASE = {"Time/Rayleigh beta": "2e-9, 7e-9", "Body/Rayleigh alpha": "4e4, 1e4"}
 # What is held: of the box and of the mesh; and sides that are one.
 SUPPORTS = {"held": (prm({"Supports/Left/Held": "u_x, u_z", "Supports/Back/Held": "u_y", "Supports/Top/Kind": "pressure"}),
                      prm({"Supports/Left/Held": "u_x, u_z", "Supports/Back/Held": "u_y", "Supports/Top/Kind": "pressure"})),
             "platen": (prm({"Supports/Top/Kind": "platen"}),) * 2,
+            "damped": (prm({**BY_PHASE, "Supports/Top/Kind": "springs", "Supports/Top/Spring stiffness": "1e13, 2e13, 3e13", "Supports/Left/Kind": "absorbing"}),) * 2,
             "periodic": (prm({"Sides/Periodic": "true", "Sides/Periodic in y": "true", "Supports/Top/Kind": "platen"}),
                          prm({"Mesh/Periodic in x": "Left, Right", "Mesh/Periodic in y": "Front, Back", "Supports/Top/Kind": "platen"}))}
 

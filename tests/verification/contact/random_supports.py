@@ -2,7 +2,8 @@
 every step of runs that land on it, of random phase maps as a plane grid and as a mesh of the same cells, on one rank and on two.
 
 Each side is free, held, under a pressure, on springs with dashpots, mass and a far end that moves, or absorbs waves; the top may be a platen, too, also on springs.
-Modes agree to 1e-8, static displacements to 1e-7 and steps to 1e-10 of the largest."""
+Damping is that of all phases or differs by phase, and bodies about whose steady sliding complex modes vibrate are dragged by friction. Modes
+agree to 1e-8, static displacements to 1e-7 and steps to 1e-10 of the largest."""
 
 import csv
 import tempfile
@@ -21,6 +22,7 @@ PRESSURE, GAP, PLATEN_MASS = 4e6, 2e-9, 0.004
 DT, N_STEPS = 2e-8, 150
 HIGHEST, FASTEST = 5e5, 1e6  # of complex modes (Hz, 1/s)
 BETA, ALPHA = 3e-9, 2e4
+BY_PHASE = ((3e-9, 1.1e-8), (5e4, 1e4))  # beta (s), alpha (1/s)
 
 
 class Body:
@@ -30,7 +32,8 @@ class Body:
         self.phases = random.choice(2, size=(NY, NX))
         self.i, self.j = (a.ravel() for a in np.meshgrid(np.arange(NX + 1), np.arange(NY + 1)))
         n = 2 * len(self.i)
-        self.K, self.mass = np.zeros((n, n)), np.zeros(n)
+        self.K, self.mass, self.K_beta, self.alpha_mass = np.zeros((n, n)), np.zeros(n), np.zeros((n, n)), np.zeros(n)
+        self.betas, self.alphas = BY_PHASE if random.random() < 0.6 else ((BETA, BETA), (ALPHA, ALPHA))
         points = (0.5 - 0.5 / 3**0.5, 0.5 + 0.5 / 3**0.5)
         for row in range(NY):
             for column in range(NX):
@@ -43,8 +46,30 @@ class Body:
                         B = np.zeros((3, 8))
                         B[0, 0::2] = B[2, 1::2] = np.array([y - 1, 1 - y, -y, y]) / HX
                         B[1, 1::2] = B[2, 0::2] = np.array([x - 1, -x, 1 - x, x]) / HY
-                        self.K[np.ix_(dofs, dofs)] += HX * HY / 4 * B.T @ np.array([[a, b, 0], [b, c, 0], [0, 0, d]]) @ B
-                self.mass[dofs] += DENSITY[self.phases[row, column]] * HX * HY / 4
+                        of_cell = HX * HY / 4 * B.T @ np.array([[a, b, 0], [b, c, 0], [0, 0, d]]) @ B
+                        self.K[np.ix_(dofs, dofs)] += of_cell
+                        self.K_beta[np.ix_(dofs, dofs)] += self.betas[self.phases[row, column]] * of_cell
+                mass = DENSITY[self.phases[row, column]] * HX * HY / 4
+                self.mass[dofs] += mass
+                self.alpha_mass[dofs] += self.alphas[self.phases[row, column]] * mass
+
+    def damps_by_phase(self):
+        return self.betas is BY_PHASE[0]
+
+    def drags(self, added):
+        """alpha M; that of all phases acts on masses of supports as well."""
+        return self.alpha_mass + (0 if self.damps_by_phase() else ALPHA) * added
+
+    def damping_keys(self):
+        values = [", ".join(map(str, of_phases)) if self.damps_by_phase() else of_phases[0] for of_phases in (self.betas, self.alphas)]
+        return {"Time/Rayleigh beta": values[0], "Body/Rayleigh alpha": values[1]}
+
+    def dragged(self, mu, touching):
+        """What adds to the forces on nodes that slide along x the friction of their reactions."""
+        drag = np.eye(len(self.mass))
+        for node in np.flatnonzero(self.j == 0)[touching]:
+            drag[2 * node, 2 * node + 1] = -mu
+        return drag
 
     def side(self, name):
         """Its nodes, their lengths, the axis of its normal, the sign of the normal into the body, and the diagonals of its impedances."""
@@ -178,8 +203,8 @@ def modes(body, supports):
     return np.sqrt(squares[squares > 1e-9 * squares[-1]]) / (2 * np.pi)
 
 
-def statics(body, supports, weight):
-    """Displacement on a flat without friction, and which bottom nodes touch it: they leave it where they would be pulled. None where a part of the
+def statics(body, supports, weight, mu=0.0):
+    """Displacement on a flat that slides, and which bottom nodes touch it: they leave it where they would be pulled. None where a part of the
     body may float."""
     springs, _, added, held, load = supports_of(body, supports)
     K, force, bottom = body.K + np.diag(springs), load(0.0) + (body.mass + added) * np.tile(weight, len(body.mass) // 2), 2 * np.flatnonzero(body.j == 0) + 1
@@ -187,11 +212,11 @@ def statics(body, supports, weight):
     for _ in range(100):
         fixed = held.copy()
         fixed[bottom[touching]] = True
-        T = basis(body, supports, fixed)
-        A = T.T @ K @ T
+        T, drag = basis(body, supports, fixed), body.dragged(mu, touching & ~held[bottom])
+        A = T.T @ drag @ K @ T
         if np.linalg.cond(A) > 1e11:
             return None
-        u = T @ np.linalg.solve(A, T.T @ force)
+        u = T @ np.linalg.solve(A, T.T @ drag @ force)
         reaction = (K @ u - force)[bottom]
         now = np.where(held[bottom], True, np.where(touching, reaction > 0, u[bottom] < 0))
         if now[~held[bottom]].sum() < 2:  # it lifts off, or tips
@@ -202,15 +227,16 @@ def statics(body, supports, weight):
     return None
 
 
-def complex_modes(body, supports, touching):
-    """Eigenvalues above the real axis (1/s) about sliding without friction: no touching node leaves the flat."""
+def complex_modes(body, supports, touching, mu):
+    """Eigenvalues above the real axis (1/s) about sliding: no touching node leaves the flat."""
     springs, dashpots, added, held, _ = supports_of(body, supports)
-    fixed, C = held.copy(), ALPHA * np.diag(body.mass + added) + BETA * body.K
-    fixed[(2 * np.flatnonzero(body.j == 0) + 1)[touching]] = True
+    bottom = 2 * np.flatnonzero(body.j == 0) + 1
+    fixed, C, drag = held.copy(), np.diag(body.drags(added)) + body.K_beta, body.dragged(mu, touching & ~held[bottom])
+    fixed[bottom[touching]] = True
     for dofs, Z, _, _ in dashpots:
         C[dofs, dofs] += Z
     T = basis(body, supports, fixed)
-    K, C, mass = T.T @ (body.K + np.diag(springs)) @ T, T.T @ C @ T, with_platen(T.T @ (body.mass + added), body, supports)
+    K, C, mass = T.T @ drag @ (body.K + np.diag(springs)) @ T, T.T @ drag @ C @ T, with_platen(T.T @ (body.mass + added), body, supports)
     n = len(mass)
     A = np.block([[np.zeros((n, n)), np.eye(n)], [-K / mass[:, None], -C / mass[:, None]]])
     s = np.linalg.eigvals(A)
@@ -224,7 +250,8 @@ def run(body, supports, velocity, weight):
     for dofs, of_side, support, c in dashpots:
         Z[dofs] += of_side
         pull[dofs] += of_side * (support.far(1.0) - support.far(0.0))[c]
-    inertia, bottom = m * (1 + 0.5 * ALPHA * DT) + 0.5 * DT * Z, 2 * np.flatnonzero(body.j == 0) + 1
+    drags = body.drags(added)
+    inertia, bottom = m + 0.5 * DT * (drags + Z), 2 * np.flatnonzero(body.j == 0) + 1
     assert (DT * Z < 2 * m).all()
     platen = moved_by_platen(body, supports[-1])
     v, g = np.tile(velocity, n // 2), np.tile(weight, n // 2)
@@ -234,11 +261,14 @@ def run(body, supports, velocity, weight):
         c = dofs[0] % 2
         push = supports[-1].k[c] * far[c] - supports[-1].z[c] * (velocity[c] - far_velocity[c]) - PRESSURE * c
         at_start[dofs] = (body.mass[dofs].sum() * weight[c] + push * NX * HX) / (body.mass[dofs].sum() + PLATEN_MASS)
-    u, w = np.zeros(n), v - 0.5 * DT * (at_start - ALPHA * v)
+    alpha = drags / m
+    for dofs in platen:
+        alpha[dofs] = body.alpha_mass[dofs].sum() / (body.mass[dofs].sum() + PLATEN_MASS)
+    u, w = np.zeros(n), v - 0.5 * DT * (at_start - alpha * v)
     w[held] = 0
     states = [u]
     for step in range(N_STEPS):
-        force = load(step * DT) + pull + m * g - springs * u - body.K @ (u + BETA * w) - (Z + ALPHA * m) * w
+        force = load(step * DT) + pull + m * g - springs * u - body.K @ u - body.K_beta @ w - (Z + drags) * w
         a = np.where(held, 0, force / inertia)
         for dofs in platen:
             a[dofs] = force[dofs].sum() / (inertia[dofs].sum() + PLATEN_MASS)
@@ -307,15 +337,16 @@ def check(folder, random, number):
             expected, more = (statics(body, supports, 5 * weight) or [None])[0], {
                 "Flat/Velocity": 0, "Friction/Coefficient": 0, "Static contact/Tolerance": 1e-11, "Body/Acceleration": "%.17g, %.17g" % tuple(5 * weight)}
         elif analysis == "complex modes":
-            state = statics(body, supports, 5 * weight)
-            expected = None if state is None else complex_modes(body, supports, state[1])
-            more = {"Friction/Coefficient": 0, "Friction/Regularization time": 0, "Time/Rayleigh beta": BETA, "Body/Rayleigh alpha": ALPHA,
+            mu = random.choice([0.0, 0.25])
+            state = statics(body, supports, 5 * weight, mu)
+            expected = None if state is None else complex_modes(body, supports, state[1], mu)
+            more = {"Friction/Coefficient": mu, "Friction/Regularization time": 0, **body.damping_keys(),
                     "Body/Acceleration": "%.17g, %.17g" % tuple(5 * weight), "Complex modes/Highest frequency": HIGHEST,
                     "Complex modes/Fastest decay": FASTEST}
         else:
             expected = run(body, supports, velocity, weight)
             more = {"Flat/Velocity": 1, "Flat/Gap": GAP, "Friction/Coefficient": 0, "Time/Time step": DT, "Time/End time": N_STEPS * DT,
-                    "Time/Rayleigh beta": BETA, "Body/Rayleigh alpha": ALPHA, "Body/Initial velocity": "%.17g, %.17g" % tuple(velocity),
+                    **body.damping_keys(), "Body/Initial velocity": "%.17g, %.17g" % tuple(velocity),
                     "Body/Acceleration": "%.17g, %.17g" % tuple(weight), "Snapshots/Interval": DT, "Friction/Regularization time": 0}
         if expected is None:
             continue
