@@ -4,6 +4,7 @@
 #include "eigenvalues/free_dofs.h"
 
 #include <cmath>
+#include <random>
 
 namespace mesoslip
 {
@@ -97,6 +98,29 @@ void add_supports(const ElasticBody<dim> &body,
       of_mass.emplace_back(k, k, pencil.law.alpha * (pencil.mass[k] - undamped));
     }
   pencil.resistances = gather(body.foundation().dashpots, of_mass);
+}
+
+/** Mean over all vibrations of what @p damped is over @p stiffness in them, the trace of K^-1 C over their number, from
+ * random signs. */
+double mean_beta(const RealMatrix &stiffness, const RealMatrix &damped)
+{
+  constexpr int n_samples     = 20;
+  const ComplexMatrix complex = stiffness.cast<Complex>();
+  ComplexFactorization factors(complex);
+  factors.factorize(complex);
+  std::mt19937 generator(1);
+  std::bernoulli_distribution coin;
+  double sum = 0.;
+  for (int k = 0; k < n_samples; ++k)
+    {
+      Eigen::VectorXd signs(stiffness.rows());
+      for (double &sign : signs)
+        sign = coin(generator) ? 1. : -1.;
+      ComplexVector solution;
+      factors.solve(solution, (damped * signs).cast<Complex>());
+      sum += signs.dot(solution.real());
+    }
+  return sum / (n_samples * static_cast<double>(stiffness.rows()));
 }
 
 /** The drags of nodes on the diagonal of the free degrees of freedom, of a platen their sum. */
@@ -320,8 +344,7 @@ SlidingPencil make_sliding_pencil(const ElasticBody<dim> &body,
   if (damping.stiffness.size() > 0)
     {
       pencil.resistances += damped.first + drags_of(body, dofs, damping.drags);
-      pencil.beta_besides =
-        damped.first.diagonal().sum() / pencil.stiffness.diagonal().sum();
+      pencil.beta_besides = mean_beta(pencil.whole_stiffness(), damped.first);
     }
   add_contact(body, elastic.second, damped.second, number, contact, pencil);
   return pencil;

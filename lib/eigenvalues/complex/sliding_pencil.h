@@ -122,7 +122,7 @@ public:
   std::vector<Eigen::Index> rows;         ///< degrees of freedom that E gives the forces
   std::vector<std::size_t> contact_nodes; ///< those of the forces
   SlidingLaw law;                         ///< delta and beta
-  double beta_besides = 0.; ///< mean of beta_p - beta where these differ by phase (s)
+  double beta_besides = 0.; ///< mean over the vibrations of beta_p - beta (s)
 };
 
 /** Damping by phase of the whole body, numbered as MatrixEntry says. */
