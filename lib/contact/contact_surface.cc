@@ -46,12 +46,12 @@ ContactSurface<dim>::ContactSurface(const ContactSetup &setup, const StepParamet
     }
   std::fill_n(column(Column::pressing), n_padded, -1.);
   constexpr double softest = 1e100; // of nodes without area
-  if (setup.is_compliant() && !setup.normal_spring().is_linear())
-    springs = std::make_unique<PowerSprings<dim>>(setup.normal_spring(), setup.area,
+  if (setup.is_compliant() && !setup.normal_spring.is_linear())
+    springs = std::make_unique<PowerSprings<dim>>(setup.normal_spring, setup.area,
                                                   setup.n_owned.value_or(n_nodes), step);
   for (unsigned int i = 0; setup.is_compliant() && !springs && i < setup.area.size(); ++i)
     column(Column::softness)[i] =
-      std::min(softest, 1. / (setup.normal_stiffness * std::fabs(setup.area[i])));
+      std::min(softest, 1. / (setup.normal_spring.stiffness * std::fabs(setup.area[i])));
   for (unsigned int i = 0; setup.slips_on_springs() && i < setup.area.size(); ++i)
     column(Column::slackness)[i] =
       std::min(softest, 1. / (setup.tangential_stiffness * std::fabs(setup.area[i])));

@@ -59,18 +59,8 @@ struct ContactSetup
   /** Height of the flat over its plane; null: it is even. */
   std::shared_ptr<const FlatProfile> profile;
 
-  /** Of springs between surface and flat, for the area (Pa/m); infinite: there are none. */
-  double normal_stiffness = std::numeric_limits<double>::infinity();
-
-  double normal_exponent = 1.; ///< power of their depth with which their pressure grows
-  double normal_stiffness_at =
-    0.; ///< pressure (Pa) of that stiffness, where the exponent is not 1
-
-  /** The springs, where there are any. */
-  PowerSpring normal_spring() const
-  {
-    return {normal_stiffness, normal_exponent, normal_stiffness_at};
-  }
+  /** Springs between surface and flat; of infinite stiffness: there are none. */
+  PowerSpring normal_spring = {std::numeric_limits<double>::infinity(), 1., 0.};
 
   /** Of springs along the flat, through which it drags the surface, for the area (Pa/m); infinite: there are none. */
   double tangential_stiffness = std::numeric_limits<double>::infinity();
@@ -91,13 +81,14 @@ struct ContactSetup
   /** Whether there are springs. */
   bool is_compliant() const
   {
-    return std::isfinite(normal_stiffness);
+    return std::isfinite(normal_spring.stiffness);
   }
 
   /** Whether nodes take part in more than linear springs along the normal of an even flat. */
   bool is_full() const
   {
-    return profile || slips_on_springs() || (is_compliant() && normal_exponent != 1.);
+    return profile || slips_on_springs() ||
+           (is_compliant() && !normal_spring.is_linear());
   }
 
   /** Whether there are springs along the flat. */

@@ -56,7 +56,9 @@ damping_by(const std::shared_ptr<const MeshOperator<dim>> &op,
   auto drags = NodalField<double>::of_points(u.n_columns(), 1);
   std::copy(op->lumped_mass().begin(), op->lumped_mass().end(), drags.row(0, 0));
   return std::make_unique<PhaseDamping>(
-    [op](NodalField<double> &Kw, NodalField<double> &w) { multiply_with(*op, Kw, w); },
+    [op](NodalField<double> &Kw, const NodalField<double> &w) {
+      multiply_with(*op, Kw, w);
+    },
     std::move(drags), u);
 }
 } // namespace

@@ -253,25 +253,25 @@ void TemporalBlocking::advance_rows(Stage &stage, const unsigned int n)
 /** The kernel has moved the next @p n rows without the damping of phases, in which the motion is linear. */
 void TemporalBlocking::damp_rows(Stage &stage, const unsigned int n)
 {
-  const kernels::Constants<double> &c = *kernels.constants;
+  const double c_new        = kernels.constants->c_new;
+  const unsigned int n_here = body.material.n_columns();
+  // Factors are for forces of the kernel, which lack h/2.
+  const auto damp = [&](const double *f, const double h, const double *factor, double *u,
+                        double *w) {
+    for (unsigned int i = 0; i < n_here; ++i)
+      {
+        const double by = factor[i] * (2. / h) * f[i];
+        w[i] += by;
+        u[i] += c_new * by;
+      }
+  };
   for (unsigned int j = stage.next; j < stage.next + n; ++j)
     {
-      const kernels::Rows<double> r = kernel_rows(stage, j);
-      double *const u[]             = {r.ux, r.uy};
-      double *const w[]             = {r.wx, r.wy};
-      const double *const factor[]  = {r.factor_x, r.factor_y};
-      for (const unsigned int k : {0u, 1u})
-        {
-          // Factors are for forces of the kernel, which lack h/2.
-          const double scale = 2. / body.material.grid().spacing[k];
-          const double *f    = damping->force().row(k, body.rows.local(j));
-          for (unsigned int i = 0; i < body.material.n_columns(); ++i)
-            {
-              const double by = factor[k][i] * scale * f[i];
-              w[k][i] += by;
-              u[k][i] += c.c_new * by;
-            }
-        }
+      const kernels::Rows<double> r   = kernel_rows(stage, j);
+      const std::array<double, 2> h   = body.material.grid().spacing;
+      const NodalField<double> &force = damping->force();
+      damp(force.row(0, body.rows.local(j)), h[0], r.factor_x, r.ux, r.wx);
+      damp(force.row(1, body.rows.local(j)), h[1], r.factor_y, r.uy, r.wy);
     }
 }
 

@@ -190,6 +190,8 @@ void check_mesh(const Keys &keys, const ContactParameters &p)
                "the body is a mesh", "remove Mesh/File");
   keys.only_if(p.mesh.is_plane_grid(), {"Performance/Temporal blocking"},
                "the body is no plane grid", "remove it");
+  keys.only_if(!p.step.damps_by_phase(), {"Performance/Temporal blocking"},
+               "runs with damping by phase go step by step", "remove it");
   const auto only_solver =
     p.mesh.is_given() ? StaticSolverKind::ml : StaticSolverKind::multigrid;
   keys.only_if(p.mesh.is_plane_grid() || p.static_solver == only_solver,

@@ -184,8 +184,8 @@ void GivenBody<dim>::add_implausible(std::vector<std::string> &sentences,
                                         scales.stiffness));
   const ContactSetup &flat = parameters.contact;
   if (flat.is_compliant())
-    ranges.push_back(plausible_springs("Flat/Normal stiffness", flat.normal_stiffness,
-                                       parameters, scales.height));
+    ranges.push_back(plausible_springs(
+      "Flat/Normal stiffness", flat.normal_spring.stiffness, parameters, scales.height));
   if (flat.slips_on_springs())
     ranges.push_back(plausible_springs(
       "Flat/Tangential stiffness", flat.tangential_stiffness, parameters, scales.height));

@@ -204,14 +204,14 @@ NodalField<double> SlidingGrid::start_acceleration(const std::array<double, 3> &
   const unsigned int n     = w.n_columns();
   const double of_supports = setup.step.common_alpha();
   NodalField<double> a     = w.zeros_alike();
-  std::vector<double> mass(n), whole, drag(n);
+  std::vector<double> mass(n), drag(n);
   for (unsigned int l = 0; l < rows.n_local(); ++l)
     {
       const unsigned int j = rows.first() + l;
       const bool top_row   = j + 1 == rows.n_global,
                  platen    = top_row && setup.top.is_platen; // moves as one
       stepper.mass_row(j, mass.data());
-      whole = mass;
+      std::vector<double> whole = mass;
       for (unsigned int c = 0; c < 2; ++c)
         std::fill_n(a.row(c, l), n, setup.step.acceleration[c]);
       for (unsigned int i = 0; i < n; ++i)
@@ -245,7 +245,7 @@ void SlidingGrid::load_top(const std::array<double, 3> &v,
     {
       whole[i] += top.suspended_mass(i);
       for (unsigned int c = 0; c < 2; ++c)
-        a(c, {i, rows.local(rows.n_global - 1)}) = found[i][c];
+        a.row(c, rows.local(rows.n_global - 1))[i] = found[i][c];
     }
 }
 
@@ -267,7 +267,7 @@ void SlidingGrid::load_side(const std::size_t k,
   sides[k].accelerate(l, whole[i], starts_with, of_node);
   whole[i] += sides[k].mass(l);
   for (unsigned int c = 0; c < 2; ++c)
-    a(c, {i, l}) = of_node[c];
+    a.row(c, l)[i] = of_node[c];
 }
 
 template class SlidingBody<2>;

@@ -109,10 +109,10 @@ RunConditions ContactParameters::stated_conditions() const
   if (const std::string text = support_texts(*this); !text.empty())
     conditions["supports"] = text;
   if (contact.is_compliant())
-    conditions["normal_stiffness"] = contact.normal_stiffness;
-  if (contact.normal_exponent != 1.)
-    conditions.insert({{"normal_exponent", contact.normal_exponent},
-                       {"normal_stiffness_at", contact.normal_stiffness_at}});
+    conditions["normal_stiffness"] = contact.normal_spring.stiffness;
+  if (contact.normal_spring.exponent != 1.)
+    conditions.insert({{"normal_exponent", contact.normal_spring.exponent},
+                       {"normal_stiffness_at", contact.normal_spring.at}});
   if (contact.slips_on_springs())
     conditions["tangential_stiffness"] = contact.tangential_stiffness;
   if (contact.profile)

@@ -70,8 +70,8 @@ StaticLoad<dim>::StaticLoad(const GivenBody<dim> &body,
   problem.friction_coefficient = friction;
   gaps                         = facts.contact_height;
   if (parameters.contact.is_compliant())
-    springs.emplace(parameters.contact.normal_spring(), facts.size.area,
-                    load > 0. ? load : parameters.contact.normal_stiffness_at);
+    springs.emplace(parameters.contact.normal_spring, facts.size.area,
+                    load > 0. ? load : parameters.contact.normal_spring.at);
   if (parameters.contact.slips_on_springs() && v == 0.)
     for (const double area : spring_areas(facts.size.area))
       problem.tangential_stiffness.push_back(parameters.contact.tangential_stiffness *

@@ -96,11 +96,12 @@ void log_complex_modes(const ComplexCases<dim> &cases,
     brief_text(4, "; delta = ", 1e9 * base.delta, " ns, ") +
     damping_text(parameters.step) + " (Time/Rayleigh beta)" +
     (parameters.contact.is_compliant()
-       ? brief_text(4, "; on springs of ", parameters.contact.normal_stiffness, " Pa/m")
+       ? brief_text(4, "; on springs of ", parameters.contact.normal_spring.stiffness,
+                    " Pa/m")
        : "") +
-    (parameters.contact.is_compliant() && !parameters.contact.normal_spring().is_linear()
-       ? brief_text(4, " at ", parameters.contact.normal_stiffness_at,
-                    " Pa, with the power ", parameters.contact.normal_exponent,
+    (parameters.contact.is_compliant() && !parameters.contact.normal_spring.is_linear()
+       ? brief_text(4, " at ", parameters.contact.normal_spring.at,
+                    " Pa, with the power ", parameters.contact.normal_spring.exponent,
                     " of their depth")
        : ""));
   if (!cases.state.contact.slopes.empty())

@@ -181,9 +181,9 @@ void write_complex_tables(const ComplexCases<dim> &cases,
   if (parameters.step.damps_by_phase())
     json.update({{"rayleigh_beta_of_phases", parameters.step.beta_of_phases},
                  {"rayleigh_alpha_of_phases", parameters.step.alpha_of_phases}});
-  json["normal_stiffness"]       = finite_or_null(parameters.contact.normal_stiffness);
-  json["sliding_nodes"]          = cases.base.n_sliding;
-  json["separated_nodes"]        = cases.base.n_separated;
+  json["normal_stiffness"] = finite_or_null(parameters.contact.normal_spring.stiffness);
+  json["sliding_nodes"]    = cases.base.n_sliding;
+  json["separated_nodes"]  = cases.base.n_separated;
   json["steepest_friction_fall"] = parameters.contact.law.slip_law
                                      ? nlohmann::json(cases.base.steepest_fall)
                                      : nlohmann::json();

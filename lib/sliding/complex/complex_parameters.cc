@@ -88,7 +88,7 @@ ContactParameters with_swept(ContactParameters p, const double value)
       p.top.pressure = LoadHistory(value);
       break;
     case ModeSweep::normal_stiffness:
-      p.contact.normal_stiffness = value;
+      p.contact.normal_spring.stiffness = value;
       break;
     default:
       break;

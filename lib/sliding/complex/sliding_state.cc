@@ -112,7 +112,7 @@ SlidingState sliding_state(const ElasticBody<dim> &body,
                            const StaticContact &solve)
 {
   if (!solve && parameters.contact.is_compliant() &&
-      !parameters.contact.normal_spring().is_linear())
+      !parameters.contact.normal_spring.is_linear())
     throw UserError("Flat/Normal exponent: the top is held, so that the pressure on the "
                     "springs is not known, and with it their stiffness; set "
                     "Supports/Top/Kind = platen or pressure, or the exponent to 1");
@@ -139,7 +139,7 @@ SlidingState sliding_state(const ElasticBody<dim> &body,
         }
       if (flat.is_compliant())
         state.contact.stiffness.push_back(
-          tangent_of(flat.normal_spring(), area_of<dim>(bottom, k),
+          tangent_of(flat.normal_spring, area_of<dim>(bottom, k),
                      solution ? solution->normal_force[k] : 0.));
       else
         state.held.constrain(dim - 1, node);

@@ -43,19 +43,19 @@ void ContactParameters::bind_loads(Keys &keys)
                     "the asperities of rough surfaces; auto: none, the flat is rigid "
                     "[Pa/m]");
   if (!std::isnan(stiffness))
-    contact.normal_stiffness = stiffness;
-  keys.bind("Normal exponent", contact.normal_exponent, Range::closed(1., 10.),
+    contact.normal_spring.stiffness = stiffness;
+  keys.bind("Normal exponent", contact.normal_spring.exponent, Range::closed(1., 10.),
             "n of springs between body and flat whose pressure grows with the power n of "
             "their depth, 2 to 3.3 of rough surfaces; 1: they are linear [-]");
-  keys.bind("Normal stiffness at", contact.normal_stiffness_at, Range::non_negative(),
+  keys.bind("Normal stiffness at", contact.normal_spring.at, Range::non_negative(),
             "Pressure at which they have the Normal stiffness, which grows with its "
             "power 1 - 1/n [Pa]");
   keys.only_if(contact.is_compliant(), {"Normal exponent"},
                "Flat/Normal stiffness is auto", "give it");
-  keys.only_if(contact.normal_exponent != 1., {"Normal stiffness at"},
+  keys.only_if(contact.normal_spring.exponent != 1., {"Normal stiffness at"},
                "Flat/Normal exponent is 1", "set it to 2, say");
   keys.require(
-    contact.normal_exponent == 1. || contact.normal_stiffness_at > 0.,
+    contact.normal_spring.exponent == 1. || contact.normal_spring.at > 0.,
     "Normal stiffness at",
     "it is 0; give the pressure in Pa at which the springs have the Normal stiffness");
   keys.bind_or_auto(

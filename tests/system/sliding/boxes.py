@@ -178,6 +178,10 @@ def check_refused(folder):
     refused(["5 layers of cells along y", "not 6"], ranks=6)
     refused(["Supports/wall: the body is a grid, whose sides are Left"], "Supports/wall/Held=u_x")
     refused(["Performance/Temporal blocking has no effect, as the body is no plane grid"], "Performance/Temporal blocking=4")
+    refused(["have 3 values, but the body has 2 phases, matrix, fibre", "one for each phase in this order"], "Time/Rayleigh beta=1e-9, 2e-9, 3e-9")
+    refused(["Time/Rayleigh beta", "2 values found, but Body/Rayleigh alpha has 3"], "Time/Rayleigh beta=1e-9, 2e-9", "Body/Rayleigh alpha=1, 2, 3")
+    refused(["Rayleigh beta", "numbers >= 0"], "Time/Rayleigh beta=1e-9, -1e-9")
+    refused(["Supports/Top/Hold from", "alpha by phase"], "Body/Rayleigh alpha=1, 2", "Supports/Top/Hold from=1e-6")
     refused(["of memory, but the machine has", "cells would fit; reduce Body/Cells"], "Body/Cells=9000, 5000, 6000")
     for name in ("platen", "mesh"):
         told = [folder.run(0, "contact_dynamics", name + ".prm", "--validate", ranks=ranks) for ranks in (1, 2)]

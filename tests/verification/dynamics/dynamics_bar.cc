@@ -197,9 +197,9 @@ template <int dim>
 double error_on_soft_wall(const unsigned int n_cells, const double stiffness)
 {
   constexpr double Z = 1. * c, start = 0.5;
-  BodySetup setup                = bar(n_cells, 0.5, 0.95);
-  setup.contact.normal_stiffness = stiffness;
-  auto body                      = bar_in<dim>(setup);
+  BodySetup setup                       = bar(n_cells, 0.5, 0.95);
+  setup.contact.normal_spring.stiffness = stiffness;
+  auto body                             = bar_in<dim>(setup);
   throw_down(body);
   body.run(std::lround((start + 0.9 * exact_duration) / setup.step.dt));
   const ContactHistory &h = body.contact_recorder.history();
@@ -238,8 +238,8 @@ TEST(Bar, HitsASoftWall)
 TEST(Bar, HitsAWallThatIsAsGoodAsRigid)
 {
   const auto kept = [](const double stiffness) {
-    BodySetup setup                = bar(100, 0.5, 0.95);
-    setup.contact.normal_stiffness = stiffness;
+    BodySetup setup                       = bar(100, 0.5, 0.95);
+    setup.contact.normal_spring.stiffness = stiffness;
     Body body(setup);
     throw_down(body);
     body.run(std::lround(1.5 / setup.step.dt));

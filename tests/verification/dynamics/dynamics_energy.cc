@@ -116,7 +116,7 @@ TEST(Energy, ClosesOnSprings)
   EXPECT_EQ(largest(rigid.e.contact), 0.);
   for (const double stiffness : {1e13, 1e15, 1e25})
     {
-      setup.contact.normal_stiffness = stiffness;
+      setup.contact.normal_spring.stiffness = stiffness;
       for (const double beta2 : {0.5, 0.8})
         {
           setup.step.beta2     = beta2;
@@ -130,33 +130,33 @@ TEST(Energy, ClosesOnSprings)
         }
     }
   // A power that is as good as one is linear, another one stores and takes as well.
-  setup.step.beta2                  = 0.5;
-  setup.contact.normal_stiffness    = 1e14;
-  const Energies linear             = observe(setup);
-  setup.contact.normal_stiffness_at = P;
-  setup.contact.normal_exponent     = 1. + 1e-9;
-  const Energies nearly             = observe(setup);
+  setup.step.beta2                      = 0.5;
+  setup.contact.normal_spring.stiffness = 1e14;
+  const Energies linear                 = observe(setup);
+  setup.contact.normal_spring.at        = P;
+  setup.contact.normal_spring.exponent  = 1. + 1e-9;
+  const Energies nearly                 = observe(setup);
   for (const auto term :
        {&EnergyHistory::impact, &EnergyHistory::contact, &EnergyHistory::elastic})
     EXPECT_NEAR((nearly.e.*term).back(), (linear.e.*term).back(), 1e-6 * linear.scale);
   for (const double exponent : {2., 3.3})
     for (const double beta2 : {0.5, 0.8})
       {
-        setup.contact.normal_exponent = exponent;
-        setup.step.beta2              = beta2;
-        const Energies found          = observe(setup);
+        setup.contact.normal_spring.exponent = exponent;
+        setup.step.beta2                     = beta2;
+        const Energies found                 = observe(setup);
         EXPECT_LT(largest(found.e.residual()) / found.scale, 1e-12) << exponent;
         EXPECT_GT(largest(found.e.contact), 1e-3 * found.scale) << exponent;
         for (std::size_t k = 1; k < found.e.impact.size(); ++k)
           ASSERT_GE(found.e.impact[k] - found.e.impact[k - 1], -1e-13 * found.scale)
             << exponent << " at sample " << k;
       }
-  setup.contact.normal_exponent  = 1.;
-  setup.contact.normal_stiffness = 1e25;
-  setup.step.beta2               = 0.5;
-  const Energies stiff           = observe(setup);
+  setup.contact.normal_spring.exponent  = 1.;
+  setup.contact.normal_spring.stiffness = 1e25;
+  setup.step.beta2                      = 0.5;
+  const Energies stiff                  = observe(setup);
   EXPECT_NEAR(stiff.e.impact.back(), impact, 1e-6 * rigid.scale);
-  setup.contact.normal_stiffness = 1e13;
+  setup.contact.normal_spring.stiffness = 1e13;
   EXPECT_LT(observe(setup, 0.2).e.impact.back(), 0.1 * impact);
   setup.top.hold(); // pressed from the start
   setup.contact.gap      = -2e-6;
@@ -175,8 +175,8 @@ TEST(Energy, ClosesOverAProfile)
   for (const double stiffness : {1e14, std::numeric_limits<double>::infinity()})
     for (const double beta2 : {0.5, 0.8})
       {
-        setup.contact.normal_stiffness = stiffness;
-        setup.step.beta2               = beta2;
+        setup.contact.normal_spring.stiffness = stiffness;
+        setup.step.beta2                      = beta2;
         expect_closed(setup, "profile");
       }
   setup.step.beta             = 4e-9;
@@ -205,10 +205,10 @@ TEST(Energy, ClosesOnSpringsAlongTheFlat)
   const Energies rigid               = observe(setup);
   EXPECT_NEAR(stiff.e.friction.back(), rigid.e.friction.back(), 1e-6 * rigid.scale);
   EXPECT_EQ(stiff.stick, rigid.stick);
-  setup.contact.tangential_stiffness = 1e13;
-  setup.contact.normal_stiffness     = 2e13;
-  setup.contact.flat_velocity        = LoadHistory(V, "2*cos(2*pi*5e4*t)");
-  setup.contact.law.reference        = setup.friction;
+  setup.contact.tangential_stiffness    = 1e13;
+  setup.contact.normal_spring.stiffness = 2e13;
+  setup.contact.flat_velocity           = LoadHistory(V, "2*cos(2*pi*5e4*t)");
+  setup.contact.law.reference           = setup.friction;
   setup.contact.law.slip_law =
     std::make_shared<Stribeck>(Stribeck({setup.friction, 0.2, 0.5, 1.5, 0.02}));
   setup.contact.law.normal_stress = {0., 2e-6, 0.1};
@@ -242,8 +242,8 @@ TEST(Energy, ClosesWithEverythingElse)
   expect_closed(setup, "gravity, damping");
   setup.step.beta2 = 0.8;
   expect_closed(setup, "gravity, damping, beta2 = 0.8");
-  setup.step.alpha               = 2e4;
-  setup.contact.normal_stiffness = 1e14;
+  setup.step.alpha                      = 2e4;
+  setup.contact.normal_spring.stiffness = 1e14;
   expect_closed(setup, "damping by the mass, springs");
   setup.contact.law.node_law  = std::make_shared<SlipRateRegularization>(3e-6, 1e-3);
   setup.contact.flat_velocity = LoadHistory(V, "2*cos(2*pi*2e4*t)");

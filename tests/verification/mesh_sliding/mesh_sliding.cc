@@ -106,8 +106,8 @@ void expect_closed(const std::string &kind, const MeshCase<dim> &cells)
   c.hold(0, 0);
   c.hold(1, dim - 1);
   expect_closed(c, kind + ", gravity, damping, beta2, held sides");
-  c.setup.step.alpha               = 2e4;
-  c.setup.contact.normal_stiffness = 1e14;
+  c.setup.step.alpha                      = 2e4;
+  c.setup.contact.normal_spring.stiffness = 1e14;
   expect_closed(c, kind + ", damping by the mass, springs");
   expect_closed(joined_body<dim>(cells), kind + ", periodic");
   c                        = thrown_body<dim>(cells);

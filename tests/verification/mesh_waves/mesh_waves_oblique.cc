@@ -27,16 +27,16 @@ oblique_case(const ObliqueLayer &layer, const unsigned int n, const bool bricks 
   else
     c.mesh = brick<3>({{nx, ny, n}}, {{length, width, H}},
                       {false, plane || layer.delta > 0. ? 0. : 0.15});
-  c.phases                         = {layer_material<3>()};
-  c.friction                       = layer.mu;
-  c.setup.contact.flat_velocity    = LoadHistory(layer.flat_velocity);
-  c.setup.contact.law.time         = layer.delta;
-  c.setup.contact.normal_stiffness = layer.springs;
-  c.setup.top.is_platen            = false;
-  c.setup.top.held                 = {{true, true, false}};
-  c.setup.top.pressure             = LoadHistory(P);
-  c.setup.step.alpha               = layer.alpha;
-  c.setup.step.beta                = layer.beta;
+  c.phases                                = {layer_material<3>()};
+  c.friction                              = layer.mu;
+  c.setup.contact.flat_velocity           = LoadHistory(layer.flat_velocity);
+  c.setup.contact.law.time                = layer.delta;
+  c.setup.contact.normal_spring.stiffness = layer.springs;
+  c.setup.top.is_platen                   = false;
+  c.setup.top.held                        = {{true, true, false}};
+  c.setup.top.pressure                    = LoadHistory(P);
+  c.setup.step.alpha                      = layer.alpha;
+  c.setup.step.beta                       = layer.beta;
   for (const unsigned int side : {2, 3})
     c.hold(side, 1);
   return c;

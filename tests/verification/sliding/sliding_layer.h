@@ -258,23 +258,23 @@ struct FourierProbe : StepObserver, Amplitude
 inline BodySetup layer_setup(const Layer &layer, const unsigned int n)
 {
   BodySetup setup;
-  const double length            = 2. * M_PI / layer.k();
-  const unsigned int n_length    = 20 * std::lround(length / H * n / 20.);
-  setup.cells                    = {{n_length, n}};
-  setup.spacing                  = {{length / n_length, H / n}};
-  setup.classes                  = {resin()};
-  setup.periodic                 = true;
-  setup.friction                 = layer.mu;
-  setup.contact.flat_velocity    = LoadHistory(V);
-  setup.contact.law.time         = layer.delta;
-  setup.contact.normal_stiffness = layer.springs;
-  setup.top.is_platen            = false;
-  setup.top.held                 = {{true, true, false}};
-  setup.top.pressure             = LoadHistory(P);
-  setup.step.alpha               = layer.alpha;
-  setup.step.beta                = layer.beta;
-  setup.step.dt                  = 0.9 * H / n / layer.c_L();
-  setup.sweep.steps_at_once      = 1;
+  const double length                   = 2. * M_PI / layer.k();
+  const unsigned int n_length           = 20 * std::lround(length / H * n / 20.);
+  setup.cells                           = {{n_length, n}};
+  setup.spacing                         = {{length / n_length, H / n}};
+  setup.classes                         = {resin()};
+  setup.periodic                        = true;
+  setup.friction                        = layer.mu;
+  setup.contact.flat_velocity           = LoadHistory(V);
+  setup.contact.law.time                = layer.delta;
+  setup.contact.normal_spring.stiffness = layer.springs;
+  setup.top.is_platen                   = false;
+  setup.top.held                        = {{true, true, false}};
+  setup.top.pressure                    = LoadHistory(P);
+  setup.step.alpha                      = layer.alpha;
+  setup.step.beta                       = layer.beta;
+  setup.step.dt                         = 0.9 * H / n / layer.c_L();
+  setup.sweep.steps_at_once             = 1;
   return setup;
 }
 
