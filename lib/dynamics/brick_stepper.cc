@@ -18,11 +18,13 @@ std::uint32_t in_sweep(const unsigned int component)
 
 /** By an operator of phases_of_damping(). */
 std::unique_ptr<PhaseDamping> damping_by(const std::shared_ptr<const BrickOperator> &op,
+                                         const StepParameters &parameters,
                                          const NodalField<double> &u)
 {
   auto drags = NodalField<double>::of_points(u.n_columns(), 1);
   std::copy(op->lumped_mass().begin(), op->lumped_mass().end(), drags.row(0, 0));
   return std::make_unique<PhaseDamping>(
+    parameters,
     [op](NodalField<double> &Kw, const NodalField<double> &w) { op->multiply(Kw, w); },
     std::move(drags), u);
 }
@@ -41,7 +43,7 @@ BrickStepper::BrickStepper(const BrickOperator &op,
                       op.slab().part,
                       top_point,
                       op.communicator,
-                      damping ? damping_by(damping, u) : nullptr)
+                      damping ? damping_by(damping, parameters, u) : nullptr)
   , op(op)
 {
   set_inverse_mass();
@@ -146,6 +148,8 @@ MeshSurface<3> &BrickStepper::add_surface(const SharedNodes &nodes,
     {
       const auto [node, row, plane] = slab.place_of(point);
       side.force_place.push_back(3 * n * plane + node);
+      for (unsigned int c = 0; c < 3 && by_phase; ++c)
+        mobility.row(c, 0)[point] = 0.; // the surface moves it
     }
   if (side.force_place.size() < std::size_t{slab.box.grid.cells[0] + 1} * slab.n_planes)
     throw std::invalid_argument("a surface of a box has to be the whole bottom or top");
@@ -178,7 +182,7 @@ kernels::BrickStep BrickStepper::brick_step()
       const unsigned int axis = BrickOperator::sweep_axis[c];
       step.u[c]               = u.row(axis, 0);
       step.w[c]               = w.row(axis, 0);
-      if (!by_phase) // else damp_by_phase() adds it
+      if (parameters.alpha_of_phases.empty()) // else damp_by_phase() adds it
         step.acceleration[c] = parameters.acceleration[axis] / parameters.inertia();
     }
   step.dt           = parameters.dt;
@@ -243,14 +247,17 @@ double BrickStepper::nodal_force(const unsigned int point, const unsigned int c)
          (by_phase ? by_phase->force().row(c, 0)[point] : 0.);
 }
 
-/** The sweep has moved the nodes without these forces, in which the motion is linear. Surfaces move theirs again. */
+/** The sweep has moved the nodes without these forces, in which the motion is linear. */
 void BrickStepper::damp_by_phase()
 {
   const double c_new = parameters.dt * (parameters.beta2 + 0.5);
   for (unsigned int c = 0; c < 3; ++c)
     for (unsigned int i = 0; i < u.n_columns(); ++i)
       {
-        const double by = -parameters.dt * mobility.row(c, 0)[i] * nodal_force(i, c);
+        double force = by_phase->force().row(c, 0)[i];
+        if (!parameters.alpha_of_phases.empty()) // then the sweep has no weight
+          force -= op.lumped_mass()[i] * parameters.acceleration[c];
+        const double by = -parameters.dt * mobility.row(c, 0)[i] * force;
         w.row(c, 0)[i] += by;
         u.row(c, 0)[i] += c_new * by;
       }

@@ -67,7 +67,8 @@ private:
   std::vector<kernels::HeldNode> held;                  ///< row by row
   Side sides[2];                                        ///< bottom and top
   std::vector<std::unique_ptr<MeshSurface<3>>> lateral; ///< besides
-  NodalField<double> mobility; ///< for damp_by_phase(): 1/kg, 0 where held
+  NodalField<double>
+    mobility; ///< for damp_by_phase(): 1/kg, 0 where held or at bottom and top
 };
 } // namespace mesoslip
 

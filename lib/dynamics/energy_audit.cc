@@ -210,8 +210,8 @@ EnergyAudit::Sums EnergyAudit::nodal_sums() const
 void EnergyAudit::multiply(NodalField<double> &u_n, NodalField<double> &w_n)
 {
   stepper.multiply(stiff_u, u_n);
-  if (const PhaseDamping *by_phase = stepper.phase_damping(); by_phase && step.beta > 0.)
-    by_phase->multiply(stiff_w, w_n);
+  if (step.beta > 0. && !step.beta_of_phases.empty())
+    stepper.phase_damping()->multiply(stiff_w, w_n);
   else if (step.beta > 0.)
     stepper.multiply(stiff_w, w_n);
 }
@@ -239,8 +239,8 @@ void EnergyAudit::add_products(Sums &sums) const
 {
   sums.elastic = 0.5 * dot_difference(stiff_u, nullptr);
   if (step.beta > 0.)
-    sums.damping +=
-      0.5 * (step.damps_by_phase() ? 1. : step.beta) * dot_difference(stiff_w, &u_before);
+    sums.damping += 0.5 * (step.beta_of_phases.empty() ? step.beta : 1.) *
+                    dot_difference(stiff_w, &u_before);
 }
 
 EnergyHistory EnergyAudit::reduce() const

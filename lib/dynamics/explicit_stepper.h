@@ -191,6 +191,7 @@ private:
       damping.mass_row(body.rows.first() + l, drags.row(0, l));
     const auto op = std::make_shared<const UniformGridOperator>(damping, body.rows);
     return std::make_unique<PhaseDamping>(
+      body.parameters,
       [op, rows = body.rows, communicator = body.communicator](NodalField<double> &Kw,
                                                                NodalField<double> &w) {
         update_ghost_rows(w, rows, communicator);

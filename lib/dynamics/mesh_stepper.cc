@@ -51,11 +51,13 @@ void multiply_with(const MeshOperator<dim> &op,
 template <int dim>
 std::unique_ptr<PhaseDamping>
 damping_by(const std::shared_ptr<const MeshOperator<dim>> &op,
+           const StepParameters &parameters,
            const NodalField<double> &u)
 {
   auto drags = NodalField<double>::of_points(u.n_columns(), 1);
   std::copy(op->lumped_mass().begin(), op->lumped_mass().end(), drags.row(0, 0));
   return std::make_unique<PhaseDamping>(
+    parameters,
     [op](NodalField<double> &Kw, const NodalField<double> &w) {
       multiply_with(*op, Kw, w);
     },
@@ -77,7 +79,7 @@ MeshStepper<dim>::MeshStepper(const MeshOperator<dim> &op,
                         op.part,
                         top_point,
                         op.communicator,
-                        damping ? damping_by(damping, u) : nullptr)
+                        damping ? damping_by(damping, parameters, u) : nullptr)
   , op(op)
   , inverse_mass(u.zeros_alike())
   , own_mass(NodalField<double>::of_points(u.n_columns(), 1))

@@ -6,9 +6,22 @@
 
 namespace mesoslip
 {
+PhaseDamping::PhaseDamping(const StepParameters &step,
+                           Product multiply,
+                           NodalField<double> drags,
+                           const NodalField<double> &like)
+  : product(step.beta_of_phases.empty() ? Product() : std::move(multiply))
+  , drags(std::move(drags))
+  , of_step(like.zeros_alike())
+{
+}
+
 void PhaseDamping::start_step(NodalField<double> &w)
 {
-  product(of_step, w);
+  if (product)
+    product(of_step, w);
+  else
+    of_step.set_zero();
   for (unsigned int c = 0; c < w.n_components(); ++c)
     for (unsigned int j = 0; j < w.n_rows(); ++j)
       {
@@ -23,12 +36,14 @@ template <int dim>
 std::vector<ElasticPhase<dim>> phases_of_damping(std::vector<ElasticPhase<dim>> phases,
                                                  const StepParameters &step)
 {
-  assert(step.beta_of_phases.size() == phases.size());
-  assert(step.alpha_of_phases.size() == phases.size());
+  const auto of_phase = [&](const std::vector<double> &values, const std::size_t p) {
+    assert(values.empty() || values.size() == phases.size());
+    return values.empty() ? 0. : values[p];
+  };
   for (std::size_t p = 0; p < phases.size(); ++p)
     {
-      phases[p].stiffness *= step.beta_of_phases[p];
-      phases[p].density *= step.alpha_of_phases[p];
+      phases[p].stiffness *= of_phase(step.beta_of_phases, p);
+      phases[p].density *= of_phase(step.alpha_of_phases, p);
     }
   return phases;
 }

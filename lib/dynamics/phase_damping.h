@@ -15,8 +15,8 @@ struct StepParameters;
 /**
  * The damping C = sum over the phases p of beta_p K_p + alpha_p M_p on the nodes of a rank. Steppers form K (u + beta w)
  * in one product, with one beta; where it differs by phase they take K u, and the forces C w come from a product of
- * their own, with an operator whose phases have the stiffness beta_p D_p and the density alpha_p rho_p. A step then costs about
- * twice as much. As a common alpha, alpha_p acts on the mean of w_n and w_(n+1), so that a node has the inertia
+ * their own, with an operator whose phases have the stiffness beta_p D_p and the density alpha_p rho_p. A step then costs two
+ * to three times as much, with alpha_p alone little more. As a common alpha, alpha_p acts on the mean of w_n and w_(n+1), so that a node has the inertia
  * m + dt/2 sum of alpha_p m_p.
  */
 class PhaseDamping
@@ -26,12 +26,10 @@ public:
   using Product = std::function<void(NodalField<double> &, NodalField<double> &)>;
 
   /** @p drags are the alpha_p m_p of the nodes (kg/s, in 2D kg/(m s)), @p like has their layout. */
-  PhaseDamping(Product multiply, NodalField<double> drags, const NodalField<double> &like)
-    : product(std::move(multiply))
-    , drags(std::move(drags))
-    , of_step(like.zeros_alike())
-  {
-  }
+  PhaseDamping(const StepParameters &step,
+               Product multiply,
+               NodalField<double> drags,
+               const NodalField<double> &like);
 
   /** Sum of alpha_p m_p of a node (kg/s, in 2D kg/(m s)). */
   double drag(const NodeIndex &node) const
@@ -55,12 +53,13 @@ public:
   }
 
 private:
-  const Product product;
+  const Product product;          ///< null without beta_p
   const NodalField<double> drags; ///< one component
   NodalField<double> of_step;
 };
 
-/** Phases with the stiffness beta_p D_p (Pa s) and the density alpha_p rho_p (kg/(m^3 s)). */
+/** Phases with the stiffness beta_p D_p (Pa s) and the density alpha_p rho_p (kg/(m^3 s)); zero where there is one value
+ * for all, which steppers know themselves. */
 template <int dim>
 std::vector<ElasticPhase<dim>> phases_of_damping(std::vector<ElasticPhase<dim>> phases,
                                                  const StepParameters &step);

@@ -35,35 +35,36 @@ struct StepParameters
   /** Mass-proportional damping alpha M (1/s), the largest of the phases; zero costs nothing. */
   double alpha = 0.;
 
-  /** beta and alpha of each phase p, C = sum of beta_p K_p + alpha_p M_p, see PhaseDamping; both empty: beta and alpha
-   * everywhere. */
+  /** beta of each phase p, C = alpha M + sum of beta_p K_p, see PhaseDamping; empty: beta everywhere. */
   std::vector<double> beta_of_phases;
-  std::vector<double> alpha_of_phases; ///< see beta_of_phases
 
-  /** Whether beta and alpha differ by phase. */
+  /** alpha likewise, which then does not act on masses without a phase, those of supports. */
+  std::vector<double> alpha_of_phases;
+
+  /** Whether beta or alpha differ by phase. */
   bool damps_by_phase() const
   {
-    return !beta_of_phases.empty();
+    return !beta_of_phases.empty() || !alpha_of_phases.empty();
   }
 
   /** beta where there is one for all phases; else PhaseDamping has it, and this is 0. */
   double common_beta() const
   {
-    return damps_by_phase() ? 0. : beta;
+    return beta_of_phases.empty() ? beta : 0.;
   }
 
   /** The same of alpha; it acts on masses without a phase, those of supports, as well. */
   double common_alpha() const
   {
-    return damps_by_phase() ? 0. : alpha;
+    return alpha_of_phases.empty() ? alpha : 0.;
   }
 
   /** The smallest beta of a phase. */
   double least_beta() const
   {
-    return damps_by_phase()
-             ? *std::min_element(beta_of_phases.begin(), beta_of_phases.end())
-             : beta;
+    return beta_of_phases.empty()
+             ? beta
+             : *std::min_element(beta_of_phases.begin(), beta_of_phases.end());
   }
 
   /** Body acceleration (m/s^2), the last one unused in 2D; zero costs nothing. */
@@ -131,7 +132,8 @@ public:
   /** alpha of a node of this mass (kg, in 2D kg/m), the mean of its phases by mass (1/s). */
   double alpha_of(const NodeIndex &node, const double mass) const
   {
-    return by_phase ? by_phase->drag(node) / mass : parameters.alpha;
+    return parameters.alpha_of_phases.empty() ? parameters.alpha
+                                              : by_phase->drag(node) / mass;
   }
 
   /** 1/2 u.K u of the owned nodes (J, in 2D J/m). Collective. */

@@ -30,34 +30,23 @@ void bind_vector(Keys &keys,
   std::copy(list.begin(), list.end(), vector.begin());
 }
 
-/** The constants that are given for all phases or one by one, and the largest; @p of_phases is empty where there is one. */
-void bind_damping(Keys &keys,
-                  const std::string &key,
-                  double &largest,
-                  std::vector<double> &of_phases,
-                  const std::string &meaning)
+/** The constants that are given for all phases or one by one, and the largest; @p of_phases is empty where all are
+ * alike. Returns how many are given. */
+std::size_t bind_damping(Keys &keys,
+                         const std::string &key,
+                         double &largest,
+                         std::vector<double> &of_phases,
+                         const std::string &meaning)
 {
   constexpr std::size_t most_phases = 256;
   of_phases                         = {largest};
   keys.bind_list(key, of_phases, Range::non_negative(), meaning, 1, most_phases);
-  largest = *std::max_element(of_phases.begin(), of_phases.end());
-  if (of_phases.size() == 1)
+  const auto [least, most] = std::minmax_element(of_phases.begin(), of_phases.end());
+  const std::size_t given  = of_phases.size();
+  largest                  = *most;
+  if (*least == *most)
     of_phases.clear();
-}
-
-/** Both by phase, where one of them is. */
-void complete_damping(const Keys &keys, StepParameters &step)
-{
-  std::vector<double> &alphas = step.alpha_of_phases, &betas = step.beta_of_phases;
-  const std::size_t n = std::max(alphas.size(), betas.size());
-  if (alphas.empty())
-    alphas.assign(n, step.alpha);
-  if (betas.empty())
-    betas.assign(n, step.beta);
-  keys.require(
-    alphas.size() == betas.size(), "Rayleigh beta",
-    std::to_string(betas.size()) + " values found, but Body/Rayleigh alpha has " +
-      std::to_string(alphas.size()) + "; give one value, or one for each phase");
+  return given;
 }
 
 void bind_body(Keys &keys, ContactParameters &p)
@@ -106,10 +95,12 @@ void bind_body(Keys &keys, ContactParameters &p)
     keys, "Acceleration", p.step.acceleration, p.mesh.mesh.dim,
     "Acceleration that acts on the whole body, such as gravity: x, y and, in 3D, "
     "z [m/s^2]");
-  bind_damping(keys, "Rayleigh alpha", p.step.alpha, p.step.alpha_of_phases,
-               "alpha of the mass-proportional damping C = alpha M, which damps a "
-               "vibration of the frequency f with the ratio alpha / (4 pi f); one value, "
-               "or one for each phase [1/s]");
+  p.n_alphas = bind_damping(
+    keys, "Rayleigh alpha", p.step.alpha, p.step.alpha_of_phases,
+    "alpha of the mass-proportional damping C = alpha M, which damps a "
+    "vibration of the frequency f with the ratio alpha / (4 pi f); one value, "
+    "or one for each phase, which then does not act on masses of supports "
+    "[1/s]");
   const unsigned int dim  = p.mesh.mesh.dim;
   const auto require_axes = [&](const std::string &key, const std::size_t n) {
     keys.require(p.mesh.is_given() || n == 0 || n == dim, key,
@@ -159,15 +150,15 @@ void bind_time(Keys &keys, ContactParameters &p)
   keys.bind("Beta2", p.step.beta2, Range::closed(0.5, 1.),
             "beta2 of the time scheme: 1/2 is the leapfrog scheme of order two; larger "
             "values dissipate vibrations whose periods are a few time steps [-]");
-  bind_damping(keys, "Rayleigh beta", p.step.beta, p.step.beta_of_phases,
-               "beta of the stiffness-proportional damping C = beta K, which damps a "
-               "vibration of the frequency f with the ratio pi f beta; it reduces the "
-               "critical time step; one value, or one for each phase, with which steps "
-               "take twice as long [s]");
+  p.n_betas =
+    bind_damping(keys, "Rayleigh beta", p.step.beta, p.step.beta_of_phases,
+                 "beta of the stiffness-proportional damping C = beta K, which damps a "
+                 "vibration of the frequency f with the ratio pi f beta; it reduces the "
+                 "critical time step; one value, or one for each phase, with which steps "
+                 "take two to three times as long [s]");
   keys.bind("Check time step", p.time.check_time_step,
             "Refuse a Time step above the critical one; false is for studies of unstable "
             "runs");
-  complete_damping(keys, p.step);
   keys.only_with("Time step", {"auto"}, {"Safety factor"});
   keys.require(!(p.step.dt > p.time.end_time), "Time step",
                to_text(p.step.dt) + " s is longer than End time, " +

@@ -28,17 +28,19 @@ GivenBody<dim>::GivenBody(const ContactParameters &parameters)
 template <int dim>
 void GivenBody<dim>::check_damping() const
 {
-  const std::size_t given = parameters.step.beta_of_phases.size(),
-                    n     = known.phases.size();
-  if (given == 0 || given == n)
-    return;
+  const std::size_t n = known.phases.size();
   std::string names;
   for (const Phase<dim> &phase : known.phases)
     names += (names.empty() ? "" : ", ") + phase.name;
-  throw UserError("Time/Rayleigh beta and Body/Rayleigh alpha have " +
-                  std::to_string(given) + " values, but the body has " +
-                  std::to_string(n) + (n == 1 ? " phase, " : " phases, ") + names +
-                  "; give one value, or one for each phase in this order");
+  const auto check = [&](const std::string &key, const std::size_t given) {
+    if (given != 1 && given != n)
+      throw UserError(key + " has " + std::to_string(given) +
+                      " values, but the body has " + std::to_string(n) +
+                      (n == 1 ? " phase, " : " phases, ") + names +
+                      "; give one value, or one for each phase in this order");
+  };
+  check("Time/Rayleigh beta", parameters.n_betas);
+  check("Body/Rayleigh alpha", parameters.n_alphas);
 }
 
 template <int dim>
@@ -156,8 +158,11 @@ std::vector<PlausibleRange> plausible_suspension(const ContactParameters &parame
     quantity_text(pressure / softest, "m") + of_area;
   stiff.value   = stiffest;
   stiff.highest = 1e6 * body;
-  stiff.if_high = "a million times as stiff as the body, " + quantity_text(body, "Pa/m") +
-                  ", and the time step shrinks" + of_area;
+  stiff.if_high =
+    "a million times as stiff as the body, " + quantity_text(body, "Pa/m") +
+    (parameters.analysis == ContactAnalysis::transient ? ", and the time step shrinks"
+                                                       : "") +
+    of_area;
   thick.key     = side.key("Dashpot");
   thick.value   = thickest;
   thick.unit    = "Pa s/m";

@@ -96,7 +96,8 @@ public:
     if (slides_undamped())
       sentences.emplace_back(
         "the run has neither regularization (Friction/Law = coulomb or Regularization "
-        "time = 0) nor damping (Time/Rayleigh beta = 0): while nodes slide, waves of "
+        "time = 0) nor damping (Time/Rayleigh beta = 0, or 0 in a phase): while nodes "
+        "slide, waves of "
         "three to four cells grow that the body does not have, the faster the finer the "
         "grid is, so that no grid is fine enough; set one of them, the paper has 1.5e-6 "
         "and 4.4e-9 s");
@@ -323,7 +324,7 @@ private:
     const FrictionParameters &friction = parameters.friction;
     return parameters.contact.law.time == 0. && !parameters.contact.law.node_law &&
            !parameters.contact.law.normal_stress.is_given() &&
-           parameters.step.beta == 0. && parameters.step.beta2 == 0.5 &&
+           parameters.step.least_beta() == 0. && parameters.step.beta2 == 0.5 &&
            (friction.coefficient_by_phase || friction.coefficient > 0.) &&
            flat_speed > 0.;
   }

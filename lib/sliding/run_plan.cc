@@ -56,14 +56,12 @@ std::string damping_text(const StepParameters &step)
       text += (text.empty() ? "" : ", ") + quantity_text(factor * value, unit);
     return text + (of_phases.size() > 1 ? " by phase" : "");
   };
-  const bool by_phase = step.damps_by_phase();
-  return "beta = " +
-         texts(by_phase ? step.beta_of_phases : std::vector<double>{step.beta}, 1e9,
-               "ns") +
+  const auto values = [](const std::vector<double> &of_phases, const double of_all) {
+    return of_phases.empty() ? std::vector<double>{of_all} : of_phases;
+  };
+  return "beta = " + texts(values(step.beta_of_phases, step.beta), 1e9, "ns") +
          (step.alpha > 0.
-            ? ", alpha = " +
-                texts(by_phase ? step.alpha_of_phases : std::vector<double>{step.alpha},
-                      1., "1/s")
+            ? ", alpha = " + texts(values(step.alpha_of_phases, step.alpha), 1., "1/s")
             : "");
 }
 

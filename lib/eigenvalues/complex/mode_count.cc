@@ -229,7 +229,7 @@ int count_missing(const SlidingPencil &pencil,
   for (unsigned int refinement = 3; missing != 0 && refinement <= 27; refinement *= 3)
     {
       const int again = count(refinement);
-      if (again == missing)
+      if (again == missing && missing > 0)
         break;
       missing = again;
     }

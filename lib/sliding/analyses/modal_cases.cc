@@ -33,10 +33,16 @@ std::string top_text(const TopSetup &top)
     if (top.holds(c))
       lateral += std::string("u_") + "xy"[c] + " = ";
   if (top.is_platen)
-    return "rigid platen of " + to_text(top.platen_mass) +
-           (dim == 2 ? " kg/m: " : " kg: ") +
-           (lateral.empty() ? "" : lateral + "0 and ") + "one common u_" +
-           along_normal<dim>() + (top.suspension.has_springs() ? ", on springs" : "");
+    {
+      std::string common;
+      for (unsigned int c = 0; c < dim; ++c)
+        if (c + 1 == dim || !top.holds(c))
+          common += std::string(common.empty() ? "" : ", ") + "u_" + "xyz"[c];
+      return "rigid platen of " + to_text(top.platen_mass) +
+             (dim == 2 ? " kg/m: " : " kg: ") +
+             (lateral.empty() ? "" : lateral + "0 and ") + "one common " + common +
+             (top.suspension.has_springs() ? ", on springs" : "");
+    }
   if (top.is_held())
     return "held: u = 0";
   if (top.suspension.is_there())

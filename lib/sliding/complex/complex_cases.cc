@@ -239,7 +239,8 @@ ComplexCases<dim> compute_complex_modes(const ElasticBody<dim> &body,
         {
           problem = std::make_exception_ptr(NumericalFailure(
             std::string(e.what()) +
-            "; set Complex modes/Lowest frequency if friction relaxes slowly, change "
+            "; reduce Time/Rayleigh beta if a vibration of some kHz is overdamped by it, "
+            "set Complex modes/Lowest frequency if friction relaxes slowly, change "
             "Highest "
             "frequency or Tolerance, and check that sides and top hold the body against "
             "friction"));

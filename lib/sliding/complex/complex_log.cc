@@ -28,7 +28,11 @@ void warn_of_missing(const ComplexCase &of_case,
                      const std::string &place,
                      RunContext &context)
 {
-  if (of_case.n_missing != 0)
+  if (of_case.n_missing < 0)
+    context.warn("The argument principle failed, as its phase turns too fast" + place +
+                 ": whether modes are missing is not known, and missing_modes is null; "
+                 "change Complex modes/Highest frequency a little");
+  if (of_case.n_missing > 0)
     context.warn(
       "The argument principle counts " + std::to_string(of_case.n_missing) +
       " eigenvalues more than the search found" + place +
@@ -94,7 +98,8 @@ void log_complex_modes(const ComplexCases<dim> &cases,
                               " are separated in the static state and free"
                           : "") +
     brief_text(4, "; delta = ", 1e9 * base.delta, " ns, ") +
-    damping_text(parameters.step) + " (Time/Rayleigh beta)" +
+    damping_text(parameters.step) +
+    (parameters.step.alpha > 0. ? "" : " (Time/Rayleigh beta)") +
     (parameters.contact.is_compliant()
        ? brief_text(4, "; on springs of ", parameters.contact.normal_spring.stiffness,
                     " Pa/m")

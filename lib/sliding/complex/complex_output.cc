@@ -25,8 +25,9 @@ nlohmann::json finite_or_null(const double value)
 /** Null where not all that can vibrate and grow was counted. */
 nlohmann::json missing(const ComplexCase &of_case, const bool counted)
 {
-  return counted && of_case.all_counted ? nlohmann::json(of_case.n_missing)
-                                        : nlohmann::json();
+  return counted && of_case.all_counted && of_case.n_missing >= 0
+           ? nlohmann::json(of_case.n_missing)
+           : nlohmann::json();
 }
 
 nlohmann::json modes_json(const ComplexCase &of_case, const ContactParts &parts)
@@ -178,9 +179,10 @@ void write_complex_tables(const ComplexCases<dim> &cases,
   json["flat_velocity"]       = parameters.contact.flat_velocity.amplitude();
   json["rayleigh_beta"]       = parameters.step.beta;
   json["rayleigh_alpha"]      = parameters.step.alpha;
-  if (parameters.step.damps_by_phase())
-    json.update({{"rayleigh_beta_of_phases", parameters.step.beta_of_phases},
-                 {"rayleigh_alpha_of_phases", parameters.step.alpha_of_phases}});
+  if (!parameters.step.beta_of_phases.empty())
+    json["rayleigh_beta_of_phases"] = parameters.step.beta_of_phases;
+  if (!parameters.step.alpha_of_phases.empty())
+    json["rayleigh_alpha_of_phases"] = parameters.step.alpha_of_phases;
   json["normal_stiffness"] = finite_or_null(parameters.contact.normal_spring.stiffness);
   json["sliding_nodes"]    = cases.base.n_sliding;
   json["separated_nodes"]  = cases.base.n_separated;

@@ -61,14 +61,13 @@ public:
   /** Damping by phase for materials(). */
   StepParameters of_materials(StepParameters step) const
   {
-    const StepParameters of_phases = step;
-    if (step.damps_by_phase() && !oriented.empty())
-      step.beta_of_phases = step.alpha_of_phases = std::vector<double>(oriented.size());
-    for (std::size_t m = 0; m < step.beta_of_phases.size(); ++m)
+    for (std::vector<double> *values : {&step.beta_of_phases, &step.alpha_of_phases})
       {
-        const unsigned int phase = phase_of(static_cast<unsigned int>(m));
-        step.beta_of_phases[m]   = of_phases.beta_of_phases[phase];
-        step.alpha_of_phases[m]  = of_phases.alpha_of_phases[phase];
+        const std::vector<double> of_phases = *values;
+        if (!of_phases.empty() && !oriented.empty())
+          values->resize(oriented.size());
+        for (std::size_t m = 0; m < values->size(); ++m)
+          (*values)[m] = of_phases[phase_of(static_cast<unsigned int>(m))];
       }
     return step;
   }

@@ -171,11 +171,9 @@ void ContactParameters::set_top(const Keys &keys, const std::string &kind)
   keys.require(kind != "springs" || suspension.is_suspended(), "Kind",
                "it is springs, but Spring stiffness, Dashpot and Mass are 0; give one of "
                "them, or set Kind = pressure");
-  keys.require(
-    !step.damps_by_phase() || !(step.alpha > 0.) || !std::isfinite(top.hold_from),
-    "Hold from",
-    "the top is stopped then, which is not known with a Body/Rayleigh alpha by "
-    "phase; give one value for all phases, or hold it from the start");
+  keys.require(step.alpha_of_phases.empty() || !std::isfinite(top.hold_from), "Hold from",
+               "a top that is stopped is not known with a Body/Rayleigh alpha by phase; "
+               "give one value for all phases, or set Kind = held");
   keys.require(!suspension.is_there() || !std::isfinite(top.hold_from), "Hold from",
                "the top is held from then on, but there are springs, dashpots or a "
                "traction; leave one of the two out");

@@ -127,9 +127,10 @@ void TransientResult::write_summary(RunContext &context) const
      {"steady_from", steady_from},
      {"limit_cycle_reached", limit_cycle_reached},
      {"limit_cycle", limit_cycle}});
-  if (time.step.damps_by_phase())
-    summary.update({{"rayleigh_beta_of_phases", time.step.beta_of_phases},
-                    {"rayleigh_alpha_of_phases", time.step.alpha_of_phases}});
+  if (!time.step.beta_of_phases.empty())
+    summary["rayleigh_beta_of_phases"] = time.step.beta_of_phases;
+  if (!time.step.alpha_of_phases.empty())
+    summary["rayleigh_alpha_of_phases"] = time.step.alpha_of_phases;
   for (const SideSupport *side : parameters.suspended())
     if (const Suspension &on = side->suspension; on.is_there())
       summary["supports"][side->name] = {{"spring_stiffness", on.stiffness},

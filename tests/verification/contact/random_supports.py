@@ -33,7 +33,7 @@ class Body:
         self.i, self.j = (a.ravel() for a in np.meshgrid(np.arange(NX + 1), np.arange(NY + 1)))
         n = 2 * len(self.i)
         self.K, self.mass, self.K_beta, self.alpha_mass = np.zeros((n, n)), np.zeros(n), np.zeros((n, n)), np.zeros(n)
-        self.betas, self.alphas = BY_PHASE if random.random() < 0.6 else ((BETA, BETA), (ALPHA, ALPHA))
+        self.betas, self.alphas = ([of_phases, (of_all, of_all)][random.choice(2)] for of_phases, of_all in zip(BY_PHASE, (BETA, ALPHA)))
         points = (0.5 - 0.5 / 3**0.5, 0.5 + 0.5 / 3**0.5)
         for row in range(NY):
             for column in range(NX):
@@ -53,15 +53,13 @@ class Body:
                 self.mass[dofs] += mass
                 self.alpha_mass[dofs] += self.alphas[self.phases[row, column]] * mass
 
-    def damps_by_phase(self):
-        return self.betas is BY_PHASE[0]
-
     def drags(self, added):
         """alpha M; that of all phases acts on masses of supports as well."""
-        return self.alpha_mass + (0 if self.damps_by_phase() else ALPHA) * added
+        return self.alpha_mass + (ALPHA if self.alphas[0] == self.alphas[1] else 0) * added
 
     def damping_keys(self):
-        values = [", ".join(map(str, of_phases)) if self.damps_by_phase() else of_phases[0] for of_phases in (self.betas, self.alphas)]
+        """One value for all phases, or a list."""
+        values = [", ".join(map(str, of_phases)) if of_phases[0] != of_phases[1] else of_phases[0] for of_phases in (self.betas, self.alphas)]
         return {"Time/Rayleigh beta": values[0], "Body/Rayleigh alpha": values[1]}
 
     def dragged(self, mu, touching):
