@@ -25,6 +25,16 @@ double bytes_of_stepped_cell(const std::size_t n_corners)
   return dim == 2 ? 610. : 970.;
 }
 
+/** What damping by phase takes besides. */
+template <int dim>
+double bytes_of_damped_cell(const ContactParameters &parameters,
+                            const std::size_t n_corners)
+{
+  if (!parameters.step.damps_by_phase())
+    return 0.;
+  return n_corners == dim + 1 ? 60. : dim == 2 ? 360. : 270.;
+}
+
 /** Of a component of a snapshot, which waits to be written. */
 constexpr double bytes_of_shown_dof = 35.;
 
@@ -62,7 +72,8 @@ BodyMemory memory_on_mesh(const ContactParameters &parameters, const Mesh<dim> &
   for (const auto &cell : mesh.cells)
     {
       corners += static_cast<double>(cell.vertices.size());
-      steps += bytes_of_stepped_cell<dim>(cell.vertices.size());
+      steps += bytes_of_stepped_cell<dim>(cell.vertices.size()) +
+               bytes_of_damped_cell<dim>(parameters, cell.vertices.size());
     }
   const double read = bytes_of_corner * corners;
   const auto points = static_cast<double>(mesh.points.size());
@@ -73,8 +84,9 @@ BodyMemory memory_on_mesh(const ContactParameters &parameters, const Mesh<dim> &
 
 BodyMemory memory_of_box(const ContactParameters &parameters, const UniformGrid<3> &grid)
 {
-  constexpr double bytes_of_corners = 8. * bytes_of_corner, bytes_of_brick = 330.;
-  const auto cells = static_cast<double>(grid.n_cells());
+  constexpr double bytes_of_corners = 8. * bytes_of_corner;
+  const double bytes_of_brick       = parameters.step.damps_by_phase() ? 390. : 330.;
+  const auto cells                  = static_cast<double>(grid.n_cells());
   double nodes = 1., inside = 1.;
   for (const unsigned int n : grid.cells)
     {
