@@ -1,8 +1,8 @@
 // A block thrown along a resting flat, slowed by a friction law of our own.
+#include "steel_block.h"
 #include "velocity_weakening.h"
 
 #include <dynamics/critical_time_step.h>
-#include <material/stiffness.h>
 #include <sliding/sliding_body.h>
 
 #include <deal.II/base/mpi.h>
@@ -16,15 +16,6 @@ namespace
 {
 constexpr double mu_rest = 0.6, mu_fast = 0.2, critical_velocity = 0.3; // -, -, m/s
 constexpr double thrown = 1., gravity = 1e5;                            // m/s, m/s^2
-
-UniformMaterial block()
-{
-  UniformGrid<2> grid;
-  grid.cells                  = {{10, 5}};
-  grid.spacing                = {{1e-4, 1e-4}};
-  const ElasticPhase<2> steel = {isotropic_stiffness<2>(210e9, 0.3), 7800.};
-  return UniformMaterial(grid, {steel}, std::vector<std::uint8_t>(grid.n_cells(), 0));
-}
 
 /** When a rigid block stops: dv/dt = -g mu(v), solved for y = exp(v / V_c). */
 double exact_stop()

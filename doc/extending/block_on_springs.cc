@@ -1,9 +1,9 @@
 // A block thrown against springs of our own, on which it swings.
 #include "hardening_springs.h"
+#include "steel_block.h"
 
 #include <dynamics/critical_time_step.h>
 #include <dynamics/explicit_stepper.h>
-#include <material/stiffness.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -16,15 +16,6 @@ namespace
 {
 constexpr double thrown = 1., mass = 7800. * 5e-4; // m/s, kg/m^2
 constexpr double k = 2e11, amplitude = 1e-4, k3 = 4. * k / (amplitude * amplitude);
-
-UniformMaterial block()
-{
-  UniformGrid<2> grid;
-  grid.cells                  = {{10, 5}};
-  grid.spacing                = {{1e-4, 1e-4}};
-  const ElasticPhase<2> steel = {isotropic_stiffness<2>(210e9, 0.3), 7800.};
-  return UniformMaterial(grid, {steel}, std::vector<std::uint8_t>(grid.n_cells(), 0));
-}
 
 /** Half a period of a rigid block, m u'' = -k u - k3 u^3: by the energy v(u), with u = A sin(angle). */
 double exact_swing()

@@ -21,12 +21,10 @@ std::unique_ptr<PhaseDamping> damping_by(const std::shared_ptr<const BrickOperat
                                          const StepParameters &parameters,
                                          const NodalField<double> &u)
 {
-  auto drags = NodalField<double>::of_points(u.n_columns(), 1);
-  std::copy(op->lumped_mass().begin(), op->lumped_mass().end(), drags.row(0, 0));
-  return std::make_unique<PhaseDamping>(
-    parameters,
+  return damping_of_points(
+    parameters, op->lumped_mass(),
     [op](NodalField<double> &Kw, const NodalField<double> &w) { op->multiply(Kw, w); },
-    std::move(drags), u);
+    u);
 }
 } // namespace
 
@@ -88,8 +86,7 @@ void BrickStepper::set_inverse_mass()
 /** One over the mass with what alpha makes of it (1/kg). */
 double BrickStepper::inverse_inertia(const unsigned int point) const
 {
-  const double mass = op.lumped_mass()[point];
-  return 1. / (mass * (1. + 0.5 * alpha_of({point, 0}, mass) * parameters.dt));
+  return 1. / inertia_of({point, 0}, op.lumped_mass()[point]);
 }
 
 void BrickStepper::set_held(const std::vector<HeldComponent> &components)

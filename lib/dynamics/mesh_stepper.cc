@@ -54,14 +54,12 @@ damping_by(const std::shared_ptr<const MeshOperator<dim>> &op,
            const StepParameters &parameters,
            const NodalField<double> &u)
 {
-  auto drags = NodalField<double>::of_points(u.n_columns(), 1);
-  std::copy(op->lumped_mass().begin(), op->lumped_mass().end(), drags.row(0, 0));
-  return std::make_unique<PhaseDamping>(
-    parameters,
+  return damping_of_points(
+    parameters, op->lumped_mass(),
     [op](NodalField<double> &Kw, const NodalField<double> &w) {
       multiply_with(*op, Kw, w);
     },
-    std::move(drags), u);
+    u);
 }
 } // namespace
 
@@ -97,9 +95,9 @@ MeshStepper<dim>::MeshStepper(const MeshOperator<dim> &op,
     {
       const double mass     = op.lumped_mass()[i];
       own_mass.row(0, 0)[i] = i < op.part.n_distinct ? mass : 0.;
-      const double alpha    = this->alpha_of({static_cast<unsigned int>(i), 0}, mass);
+      const double inertia  = this->inertia_of({static_cast<unsigned int>(i), 0}, mass);
       for (unsigned int c = 0; c < dim; ++c)
-        inverse_mass.row(c, 0)[i] = 1. / (mass * (1. + 0.5 * alpha * parameters.dt));
+        inverse_mass.row(c, 0)[i] = 1. / inertia;
     }
   const PointIndex index(op.part, points_of(held));
   for (const HeldComponent &h : held)

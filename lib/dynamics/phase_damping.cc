@@ -2,6 +2,7 @@
 
 #include "dynamics/stepper.h"
 
+#include <algorithm>
 #include <cassert>
 
 namespace mesoslip
@@ -46,6 +47,16 @@ std::vector<ElasticPhase<dim>> phases_of_damping(std::vector<ElasticPhase<dim>> 
       phases[p].density *= of_phase(step.alpha_of_phases, p);
     }
   return phases;
+}
+
+std::unique_ptr<PhaseDamping> damping_of_points(const StepParameters &step,
+                                                const std::vector<double> &drags,
+                                                const PhaseDamping::Product &multiply,
+                                                const NodalField<double> &like)
+{
+  auto of_points = NodalField<double>::of_points(like.n_columns(), 1);
+  std::copy(drags.begin(), drags.end(), of_points.row(0, 0));
+  return std::make_unique<PhaseDamping>(step, multiply, std::move(of_points), like);
 }
 
 std::vector<double> inertia_row(const UniformMaterial &material,

@@ -136,6 +136,12 @@ public:
                                               : by_phase->drag(node) / mass;
   }
 
+  /** What the node resists its acceleration with, see StepParameters::inertia() (kg, in 2D kg/m). */
+  double inertia_of(const NodeIndex &node, const double mass) const
+  {
+    return mass * (1. + 0.5 * alpha_of(node, mass) * parameters.dt);
+  }
+
   /** 1/2 u.K u of the owned nodes (J, in 2D J/m). Collective. */
   virtual double elastic_energy() const = 0;
 

@@ -66,8 +66,8 @@ private:
 /** What the time steps of one rank work on, all of it owned elsewhere. */
 struct SteppedBody
 {
-  const UniformMaterial &material; ///< of the whole grid
-  const StepParameters parameters; ///< of the scheme
+  const UniformMaterial &material; ///< stiffness and density of all cells of the grid
+  const StepParameters parameters; ///< time step, beta2, damping and weight
   NodalField<double> &u;           ///< displacement (m)
   NodalField<double> &w;           ///< velocity of the scheme (m/s)
 

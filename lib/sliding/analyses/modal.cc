@@ -12,7 +12,10 @@ template <int dim>
 ModalAnalysis<dim>::ModalAnalysis(std::unique_ptr<GivenBody<dim>> given)
   : BodyAnalysis<dim>(std::move(given))
 {
-  const std::size_t of_platen = modal_options(parameters).platen ? 1 : 0;
+  std::size_t of_platen = 0;
+  for (unsigned int c = 0; c < dim; ++c)
+    if (const auto platen = modal_options(parameters).platen)
+      of_platen += c + 1 == dim || platen->slides[c] ? 1 : 0;
   for (const std::string &bottom : modal_bottoms(parameters))
     require_modes(body->n_free(top_at_start(parameters), bottom == "held") + of_platen,
                   parameters);
