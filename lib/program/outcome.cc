@@ -32,11 +32,6 @@ std::string one_line(const dealii::ExceptionBase &error)
   return text + " (" + location.substr(begin, location.find('\n', begin) - begin) + ")";
 }
 
-void print(const std::string &program, const Outcome &outcome)
-{
-  std::cerr << program << ": " << outcome.message << std::endl;
-}
-
 /** Whether @p request completes in time. */
 bool completes(MPI_Request &request, const std::chrono::seconds limit)
 {
@@ -51,6 +46,11 @@ bool completes(MPI_Request &request, const std::chrono::seconds limit)
     }
 }
 } // namespace
+
+void say(const std::string &speaker, const std::string &sentence)
+{
+  std::cerr << speaker + ": " + sentence + "\n" << std::flush;
+}
 
 Outcome describe_current_exception()
 {
@@ -108,7 +108,7 @@ int conclude(const MPI_Comm communicator,
   if (n_ranks == 1)
     {
       if (failed)
-        print(program, outcome);
+        say(program, outcome.message);
       return status;
     }
 
@@ -120,11 +120,11 @@ int conclude(const MPI_Comm communicator,
     MPI_Wait(&request, MPI_STATUS_IGNORE);
   else if (!completes(request, std::chrono::seconds(10)))
     {
-      print(program + " (process " + std::to_string(rank) + ")", outcome);
+      say(program + " (process " + std::to_string(rank) + ")", outcome.message);
       MPI_Abort(communicator, status);
     }
   if (rank == speaker)
-    print(program, outcome);
+    say(program, outcome.message);
   int shared = status;
   if (speaker < n_ranks)
     broadcast_object(communicator, shared, speaker);

@@ -15,6 +15,12 @@ struct Outcome
   std::string message;                  ///< empty when all went well
 };
 
+/**
+ * Writes a sentence of @p speaker on stderr in one piece: what MPI and other ranks write
+ * at the same time comes before or after it.
+ */
+void say(const std::string &speaker, const std::string &sentence);
+
 /** Translates the exception being handled; call it in a catch block. */
 Outcome describe_current_exception();
 

@@ -312,7 +312,7 @@ int run_program(int argc, char **argv, const Application &program)
   catch (...)
     {
       const Outcome outcome = describe_current_exception();
-      std::cerr << program.name << ": " << outcome.message << std::endl;
+      say(program.name, outcome.message);
       return static_cast<int>(outcome.status);
     }
 }

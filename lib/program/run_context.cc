@@ -4,6 +4,7 @@
 #include "base/exchange.h"
 #include "base/files.h"
 #include "base/version.h"
+#include "program/outcome.h"
 
 #include <algorithm>
 #include <cmath>
@@ -184,7 +185,7 @@ void RunContext::warn(const std::string &line)
     warnings.push_back(line);
   log_file << "warning: " << line << std::endl;
   progress_display->clear();
-  std::cerr << program << ": warning: " << line << std::endl;
+  say(program, "warning: " + line);
 }
 
 bool RunContext::stop_requested_here()
