@@ -33,13 +33,11 @@ BrickStepper::BrickStepper(const BrickOperator &op,
                            const StepParameters &parameters,
                            NodalField<double> &u,
                            NodalField<double> &w,
-                           const std::optional<unsigned int> top_point,
                            const std::shared_ptr<const BrickOperator> &damping)
   : SurfaceStepper<3>(parameters,
                       u,
                       w,
                       op.slab().part,
-                      top_point,
                       op.communicator,
                       damping ? damping_by(damping, parameters, u) : nullptr)
   , op(op)

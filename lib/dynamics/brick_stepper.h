@@ -24,7 +24,6 @@ public:
                const StepParameters &parameters,
                NodalField<double> &u,
                NodalField<double> &w,
-               const std::optional<unsigned int> top_point         = {},
                const std::shared_ptr<const BrickOperator> &damping = nullptr);
 
   /** The nodes have to be the whole bottom or the whole top. @throws std::invalid_argument */

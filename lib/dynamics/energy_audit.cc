@@ -34,14 +34,12 @@ std::vector<double> EnergyHistory::residual() const
 }
 
 EnergyAudit::EnergyAudit(Stepper &stepper,
-                         const double platen_mass,
                          const std::uint64_t interval,
                          const std::function<BoundaryWork()> &boundary_work)
   : stepper(stepper)
   , step(stepper.parameters)
   , u(stepper.u)
   , w(stepper.w)
-  , platen_mass(platen_mass)
   , interval(interval)
   , boundary_work(boundary_work)
   , damped(step.beta > 0. || step.alpha > 0.)
@@ -166,14 +164,12 @@ EnergyAudit::Sums EnergyAudit::nodal_sums() const
     for (unsigned int j = rows.begin; j < rows.end; ++j)
       {
         const unsigned int l = rows.local(j);
-        const double *m  = mass.data() + static_cast<std::size_t>(n) * (j - rows.begin);
-        const double *w2 = w.row(component, l);
-        const auto &top  = stepper.top_node;
-        const double m_extra = top && j == top->j ? platen_mass : 0.;
-        const auto squares   = [&](const double factor, const auto &value) {
-          const auto square = [&](const unsigned int i) { return value(i) * value(i); };
-          const auto term   = [&](const unsigned int i) { return m[i] * square(i); };
-          return factor * (sum_of(n_distinct, term) + m_extra * square(top ? top->i : 0));
+        const double *m    = mass.data() + static_cast<std::size_t>(n) * (j - rows.begin);
+        const double *w2   = w.row(component, l);
+        const auto squares = [&](const double factor, const auto &value) {
+          return factor * sum_of(n_distinct, [&](const unsigned int i) {
+                   return m[i] * value(i) * value(i);
+                 });
         };
         sums.kinetic += squares(0.5, [&](const unsigned int i) { return w2[i]; });
         if (dissipative)

@@ -71,10 +71,8 @@ struct EnergyHistory
 class EnergyAudit : public StepObserver
 {
 public:
-  /** @p stepper is referenced. @p platen_mass (kg/m) moves with the top row.
-   *  @p boundary_work gives the work since the start after the step just done. */
+  /** @p stepper is referenced. @p boundary_work gives the work since the start after the step just done. */
   EnergyAudit(Stepper &stepper,
-              const double platen_mass,
               const std::uint64_t interval,
               const std::function<BoundaryWork()> &boundary_work);
 
@@ -122,7 +120,6 @@ private:
   const StepParameters &step;
   NodalField<double> &u;
   NodalField<double> &w;
-  const double platen_mass;
   const std::uint64_t interval;
   const std::function<BoundaryWork()> boundary_work;
   // Which terms there are; those that vanish are neither computed nor kept fields for.

@@ -44,13 +44,12 @@ public:
               body.w,
               body.rows,
               checked(body, sides).n_columns() - (body.material.periodicity().x ? 1 : 0),
-              body.rows.has_upper_ghost() ? std::optional<NodeIndex>()
-                                          : NodeIndex{0, body.rows.n_global - 1},
               body.communicator,
               body.damping != nullptr ? damping_of(body) : nullptr)
     , material(body.material)
     , isa(resolve(options.isa))
     , columns(body.columns)
+    , platens(body.platens)
     , free_surface(body.parameters)
     , kernels(make_kernels(material, body.parameters, isa))
     , masses(material, body.rows, body.parameters, sides, body.damping)
@@ -78,12 +77,8 @@ public:
 
     for (SideColumn *column : columns)
       column->start(n_done);
-    for (; by_phase && n_done < end; ++n_done)
-      {
-        by_phase->start_step(w);
-        sweeps.send(1);
-        sweeps.run(n_done, 1, 0);
-      }
+    for (; (by_phase || !platens.empty()) && n_done < end; ++n_done)
+      step_once();
     unsigned int n = steps_of_sweep(n_done);
     if (n > 0)
       sweeps.send(n);
@@ -132,6 +127,19 @@ public:
   }
 
 private:
+  /** A sweep of one step, between which something looks at all rows. */
+  void step_once()
+  {
+    if (by_phase)
+      by_phase->start_step(w);
+    for (PlatenColumn *platen : platens)
+      platen->save();
+    sweeps.send(1);
+    sweeps.run(n_done, 1, 0);
+    for (PlatenColumn *platen : platens)
+      platen->advance(n_done);
+  }
+
   /** The material, once everything is known to fit it. */
   static const UniformMaterial &checked(const SteppedBody &body,
                                         const SideConstraints &sides)
@@ -203,7 +211,7 @@ private:
   /** Time steps in a sweep: with neighbours as many as there are ghost rows. */
   static unsigned int max_steps(const SteppedBody &body, const SweepOptions &options)
   {
-    if (body.damping != nullptr)
+    if (body.damping != nullptr || !body.platens.empty())
       return 1;
     const NodeRows &rows = body.rows;
     if (rows.has_lower_ghost() || rows.has_upper_ghost())
@@ -223,6 +231,7 @@ private:
   const UniformMaterial &material;
   const InstructionSet isa;
   const std::vector<SideColumn *> columns;
+  const std::vector<PlatenColumn *> platens;
   FreeSurface<2> free_surface;
   const RowKernels<double> kernels;
   StepMasses masses;

@@ -69,13 +69,11 @@ MeshStepper<dim>::MeshStepper(const MeshOperator<dim> &op,
                               const StepParameters &parameters,
                               NodalField<double> &u,
                               NodalField<double> &w,
-                              const std::optional<unsigned int> top_point,
                               const std::shared_ptr<const MeshOperator<dim>> &damping)
   : SurfaceStepper<dim>(parameters,
                         u,
                         w,
                         op.part,
-                        top_point,
                         op.communicator,
                         damping ? damping_by(damping, parameters, u) : nullptr)
   , op(op)

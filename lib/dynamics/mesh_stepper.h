@@ -24,14 +24,13 @@ template <int dim>
 class MeshStepper : public SurfaceStepper<dim>
 {
 public:
-  /** @p op and the fields must outlive the stepper; @p top_point of the whole mesh carries
-   * the platen; @p damping has phases_of_damping() where these are by phase. Collective. */
+  /** @p op and the fields must outlive the stepper; @p damping has phases_of_damping() where these are by phase.
+   * Collective. */
   MeshStepper(const MeshOperator<dim> &op,
               const std::vector<HeldComponent> &held,
               const StepParameters &parameters,
               NodalField<double> &u,
               NodalField<double> &w,
-              const std::optional<unsigned int> top_point             = {},
               const std::shared_ptr<const MeshOperator<dim>> &damping = nullptr);
 
   MeshSurface<dim> &add_surface(const SharedNodes &nodes,

@@ -12,7 +12,6 @@
 #include <functional>
 #include <memory>
 #include <mpi.h>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -176,9 +175,6 @@ public:
   /** In each row the first nodes that are no duplicates of others. */
   const unsigned int n_distinct;
 
-  /** A node of the top with the global number of its row, if this rank owns the top. */
-  const std::optional<NodeIndex> top_node;
-
   const MPI_Comm communicator; ///< of the ranks that share the body
 
 protected:
@@ -188,7 +184,6 @@ protected:
           NodalField<double> &w,
           const NodeRows &rows,
           const unsigned int n_distinct,
-          const std::optional<NodeIndex> &top_node,
           const MPI_Comm communicator,
           std::unique_ptr<PhaseDamping> by_phase = nullptr)
     : parameters(parameters)
@@ -196,7 +191,6 @@ protected:
     , w(w)
     , rows(rows)
     , n_distinct(n_distinct)
-    , top_node(top_node)
     , communicator(communicator)
     , by_phase(std::move(by_phase))
   {

@@ -8,7 +8,6 @@
 
 #include <cassert>
 #include <memory>
-#include <optional>
 #include <utility>
 
 namespace mesoslip
@@ -55,12 +54,11 @@ public:
   }
 
 protected:
-  /** @p top_point of the whole mesh carries the platen. */
+  /** Of @p part, whose points have the columns of the fields. */
   SurfaceStepper(const StepParameters &parameters,
                  NodalField<double> &u,
                  NodalField<double> &w,
                  const MeshPart<dim> &part,
-                 const std::optional<unsigned int> top_point,
                  const MPI_Comm communicator,
                  std::unique_ptr<PhaseDamping> by_phase = nullptr)
     : Stepper(parameters,
@@ -68,22 +66,11 @@ protected:
               w,
               NodeRows::all(1),
               part.n_distinct,
-              counted_point(part, top_point),
               communicator,
               std::move(by_phase))
   {
     assert(u.n_columns() == part.points.size());
     assert(w.n_columns() == part.points.size());
-  }
-
-private:
-  static std::optional<NodeIndex> counted_point(const MeshPart<dim> &part,
-                                                const std::optional<unsigned int> point)
-  {
-    for (unsigned int i = 0; point && i < part.n_distinct; ++i)
-      if (part.point_in_mesh[i] == *point)
-        return NodeIndex{i, 0};
-    return {};
   }
 };
 } // namespace mesoslip

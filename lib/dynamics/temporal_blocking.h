@@ -2,6 +2,7 @@
 #define mesoslip_dynamics_temporal_blocking_h
 
 #include "dynamics/stepper.h"
+#include "dynamics/supports/platen_column.h"
 #include "dynamics/supports/side_column.h"
 #include "dynamics/surface_condition.h"
 #include "elasticity/row_sweep.h"
@@ -82,6 +83,8 @@ struct SteppedBody
   MPI_Comm communicator = MPI_COMM_SELF; ///< of the ranks that share the grid
 
   std::vector<SideColumn *> columns = {}; ///< left or right, where these are loaded
+
+  std::vector<PlatenColumn *> platens = {}; ///< left or right, where platens move these
 
   const UniformMaterial *damping = nullptr; ///< of phases_of_damping(), where there are
 };

@@ -4,73 +4,77 @@
 
 namespace mesoslip
 {
+namespace
+{
+template <int dim>
+std::size_t index_of(const ElasticBody<dim> &body, const NodeIndex &node)
+{
+  return static_cast<std::size_t>(node.j) * body.n_columns() + node.i;
+}
+} // namespace
+
 template <int dim>
 FreeDofs<dim>::FreeDofs(const ElasticBody<dim> &body,
                         const DofMask &mask,
-                        const std::optional<Platen> &platen)
+                        const std::vector<Platen> &platens)
   : body(body)
+  , platens(platens)
 {
   const std::vector<bool> counted = body.counted_originals();
   const std::vector<double> mass  = body.lumped_mass();
-  const auto index                = [&](const NodeIndex &node) {
-    return static_cast<std::size_t>(node.j) * body.n_columns() + node.i;
-  };
   for (unsigned int j = 0; j < body.n_rows(); ++j)
     for (unsigned int c = 0; c < dim; ++c)
       for (unsigned int i = 0; i < body.n_columns(); ++i)
-        if (counted[index({i, j})] && !mask.is_constrained(c, {i, j}))
-          add(c, {i, j}, mass[index({i, j})]);
-  if (platen)
-    {
-      std::vector<double> of_nodes;
-      for (const NodeIndex &node : body.surface(ElasticBody<dim>::top).nodes)
-        if (counted[index(node)])
-          {
-            platen_nodes.push_back(node);
-            of_nodes.push_back(mass[index(node)]);
-          }
-      add_platen(*platen, of_nodes);
-    }
+        if (counted[index_of(body, {i, j})] && !mask.is_constrained(c, {i, j}))
+          add(c, {i, j}, mass[index_of(body, {i, j})]);
+  for (std::size_t k = 0; k < platens.size(); ++k)
+    add_platen(k, counted, mass);
   partitioner = std::make_shared<dealii::Utilities::MPI::Partitioner>(
     masses.size(), 0, body.communicator());
 }
 
-/** @p mass: of its nodes (kg, in 2D kg/m). */
 template <int dim>
-void FreeDofs<dim>::add_platen(const Platen &platen, const std::vector<double> &mass)
+void FreeDofs<dim>::add_platen(const std::size_t k,
+                               const std::vector<bool> &counted,
+                               const std::vector<double> &mass)
 {
+  std::vector<NodeIndex> &of_platen = counted_nodes.emplace_back();
+  double together                   = 0.;
+  for (const NodeIndex &node : platens[k].nodes)
+    if (counted[index_of(body, node)])
+      {
+        of_platen.push_back(node);
+        together += mass[index_of(body, node)];
+      }
+  const MPI_Comm communicator = body.communicator();
+  const unsigned int rank     = mpi::this_mpi_process(communicator),
+                     none     = mpi::n_mpi_processes(communicator),
+                     first    = mpi::min(of_platen.empty() ? none : rank, communicator);
+  together = mpi::sum(together + (rank == first ? platens[k].mass : 0.), communicator);
   for (unsigned int c = 0; c < dim; ++c)
-    if (c + 1 == dim || platen.slides[c])
-      moved.push_back(c);
-  of_platen_alone         = platen.mass;
-  const unsigned int rank = mpi::this_mpi_process(body.communicator()),
-                     none = mpi::n_mpi_processes(body.communicator());
-  platen_rank     = mpi::min(platen_nodes.empty() ? none : rank, body.communicator());
-  double together = owns_platen() ? platen.mass : 0.;
-  for (const double of_node : mass)
-    together += of_node;
-  together = mpi::sum(together, body.communicator());
-  for (const unsigned int c : moved)
-    if (owns_platen())
-      add(c, platen_nodes.front(), together);
+    if (platens[k].moves[c])
+      {
+        platen_dofs.push_back({k, c, platens[k].mass, first, masses.size()});
+        if (rank == first)
+          add(c, of_platen.front(), together);
+      }
 }
 
 template <int dim>
-std::vector<double> FreeDofs<dim>::of_platen(const Vector &x) const
+std::vector<double> FreeDofs<dim>::of_platens(const Vector &x) const
 {
-  std::vector<double> values(moved.size(), 0.);
-  for (std::size_t k = 0; k < moved.size(); ++k)
-    values[k] =
-      mpi::broadcast(owns_platen() ? x.local_element(first_of_platen() + k) : 0.,
-                     static_cast<int>(platen_rank), body.communicator());
+  std::vector<double> values;
+  for (const PlatenDof &dof : platen_dofs)
+    values.push_back(mpi::broadcast(has(dof) ? x.local_element(dof.place) : 0.,
+                                    static_cast<int>(dof.rank), body.communicator()));
   return values;
 }
 
 template <int dim>
 void FreeDofs<dim>::set_platen(Vector &x, const std::size_t k, const double value) const
 {
-  if (owns_platen())
-    x.local_element(first_of_platen() + k) = value;
+  if (has(platen_dofs[k]))
+    x.local_element(platen_dofs[k].place) = value;
 }
 
 template <int dim>
@@ -106,10 +110,10 @@ void FreeDofs<dim>::scatter(NodalField<double> &field, const Vector &values) con
   field.set_zero();
   for (std::size_t k = 0; k < masses.size(); ++k)
     field(components[k], nodes[k]) = values.local_element(k);
-  const std::vector<double> pushed = of_platen(values);
-  for (std::size_t k = 0; k < moved.size(); ++k)
-    for (const NodeIndex &node : platen_nodes)
-      field(moved[k], node) = pushed[k];
+  const std::vector<double> pushed = of_platens(values);
+  for (std::size_t k = 0; k < pushed.size(); ++k)
+    for (const NodeIndex &node : counted_nodes[platen_dofs[k].platen])
+      field(platen_dofs[k].component, node) = pushed[k];
   body.copy_duplicates(field);
 }
 
@@ -124,19 +128,19 @@ template <int dim>
 void FreeDofs<dim>::gather_forces(Vector &values, const NodalField<double> &field) const
 {
   gather(values, field);
-  for (std::size_t k = 0; k < moved.size(); ++k)
+  for (std::size_t k = 0; k < platen_dofs.size(); ++k)
     {
       double sum = 0.;
-      for (const NodeIndex &node : platen_nodes)
-        sum += field(moved[k], node);
+      for (const NodeIndex &node : counted_nodes[platen_dofs[k].platen])
+        sum += field(platen_dofs[k].component, node);
       set_platen(values, k, mpi::sum(sum, body.communicator()));
     }
 }
 
 template <int dim>
-bool FreeDofs<dim>::owns_platen() const
+bool FreeDofs<dim>::has(const PlatenDof &dof) const
 {
-  return !moved.empty() && mpi::this_mpi_process(body.communicator()) == platen_rank;
+  return mpi::this_mpi_process(body.communicator()) == dof.rank;
 }
 
 template <int dim>

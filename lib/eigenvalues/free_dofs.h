@@ -10,24 +10,32 @@
 
 #include <array>
 #include <memory>
-#include <optional>
 #include <vector>
 
 namespace mesoslip
 {
-/** A rigid platen, with which the nodes of the top move as one: along the normal, and along the flat where it
- * slides. */
+/** A rigid platen, with which nodes move as one along some axes. */
 struct Platen
 {
-  double mass                = 0.; ///< kg, in 2D kg/m, without that of the top
-  std::array<bool, 2> slides = {}; ///< along x and, in 3D, y
+  std::vector<NodeIndex> nodes;   ///< that this rank has
+  std::array<bool, 3> moves = {}; ///< along x, y and z
+  double mass               = 0.; ///< kg, in 2D kg/m, without that of the nodes
+};
+
+/** A component in which a platen moves. */
+struct PlatenDof
+{
+  std::size_t platen     = 0;  ///< which one
+  unsigned int component = 0;  ///< 0: x
+  double mass            = 0.; ///< Platen::mass (kg, in 2D kg/m)
+  unsigned int rank = 0; ///< that has the degree of freedom, the first one with a node
+  std::size_t place = 0; ///< its number there
 };
 
 /**
  * The degrees of freedom that can vibrate, numbered, with their lumped masses: the free
- * ones of a body, without the duplicates of periodic sides, and, with a platen, the
- * displacements of the top. A rank has those of the nodes that it counts; the platen's
- * are the last ones of the first rank that has a node of the top.
+ * ones of a body, without the duplicates of periodic sides, and the displacements of platens.
+ * A rank has those of the nodes that it counts.
  */
 template <int dim>
 class FreeDofs
@@ -36,13 +44,10 @@ public:
   /** One entry per degree of freedom, divided among the ranks as fields are. */
   using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
 
-  /**
-   * @p mask constrains the displacements of the top that a @p platen has, if there is one. @p body must outlive
-   * this object. Collective.
-   */
+  /** @p mask constrains the displacements that @p platens have. @p body must outlive this object. Collective. */
   FreeDofs(const ElasticBody<dim> &body,
            const DofMask &mask,
-           const std::optional<Platen> &platen);
+           const std::vector<Platen> &platens);
 
   /** A vector that is zero. */
   Vector zero() const
@@ -56,22 +61,22 @@ public:
     return partitioner->size();
   }
 
-  /** The components in which a platen moves the top, in the order of its degrees of freedom; without one none. */
-  const std::vector<unsigned int> &platen_components() const
+  /** Those of platens. */
+  const std::vector<PlatenDof> &of_platens() const
   {
-    return moved;
+    return platen_dofs;
   }
 
-  /** Mass of the platen without that of the top (kg, in 2D kg/m). */
-  double platen_mass() const
+  /** The nodes of this rank that platen number @p k moves. */
+  const std::vector<NodeIndex> &nodes_of_platen(const std::size_t k) const
   {
-    return of_platen_alone;
+    return platens[k].nodes;
   }
 
-  /** The platen's entries of @p x, on all ranks. Collective. */
-  std::vector<double> of_platen(const Vector &x) const;
+  /** The platens' entries of @p x in the order of of_platens(), on all ranks. Collective. */
+  std::vector<double> of_platens(const Vector &x) const;
 
-  /** Sets entry @p k of the platen's of @p x. */
+  /** Sets entry @p k of them. */
   void set_platen(Vector &x, const std::size_t k, const double value) const;
 
   /** dst = M src, the lumped mass (kg, in 2D kg/m) times a vector, as ARPACK wants it. */
@@ -89,30 +94,27 @@ public:
   /** Displacements of @p field. */
   void gather(Vector &values, const NodalField<double> &field) const;
 
-  /** Nodal forces of @p field (N, in 2D N/m); the platen carries the sum of the top.
+  /** Nodal forces of @p field (N, in 2D N/m); platens carry the sums of their nodes.
    * Collective. */
   void gather_forces(Vector &values, const NodalField<double> &field) const;
 
 private:
-  bool owns_platen() const;
+  bool has(const PlatenDof &dof) const;
 
-  std::size_t first_of_platen() const
-  {
-    return masses.size() - moved.size();
-  }
-
-  void add_platen(const Platen &platen, const std::vector<double> &mass);
+  void add_platen(const std::size_t k,
+                  const std::vector<bool> &counted,
+                  const std::vector<double> &mass);
 
   void add(const unsigned int c, const NodeIndex &node, const double mass);
 
   const ElasticBody<dim> &body;
-  std::vector<unsigned int> moved; ///< see platen_components()
-  double of_platen_alone = 0.;     ///< see platen_mass()
+  std::vector<Platen> platens;
+  std::vector<PlatenDof> platen_dofs;
+  std::vector<std::vector<NodeIndex>>
+    counted_nodes; ///< of each platen, of this rank without duplicates
   std::shared_ptr<const dealii::Utilities::MPI::Partitioner> partitioner;
-  unsigned int platen_rank = 0;        ///< that has its degree of freedom
-  std::vector<NodeIndex> platen_nodes; ///< that this rank counts, without duplicates
   std::vector<NodeIndex>
-    nodes; ///< of the degrees of freedom; of those of the platen one of the top
+    nodes; ///< of the degrees of freedom; of those of a platen one of its nodes
   std::vector<unsigned int> components;
   std::vector<double> masses;
 };

@@ -3,8 +3,8 @@
 #include "body/rigid_motions.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 
-#include <algorithm>
 #include <cmath>
 
 namespace mesoslip
@@ -17,13 +17,13 @@ std::vector<typename FreeDofs<dim>::Vector>
 orthonormal_motions(const ElasticBody<dim> &body, DofMask mask, const FreeDofs<dim> &dofs)
 {
   using Vector = typename FreeDofs<dim>::Vector;
-  for (const unsigned int c : dofs.platen_components())
-    for (const NodeIndex &node : body.surface(ElasticBody<dim>::top).nodes)
-      mask.release(c, node);
+  for (const PlatenDof &dof : dofs.of_platens())
+    for (const NodeIndex &node : dofs.nodes_of_platen(dof.platen))
+      mask.release(dof.component, node);
   std::vector<Vector> motions;
   // Neither can a platen turn.
   for (const NodalField<double> &field : free_rigid_motions(
-         body, mask, dofs.platen_components().empty(), body.foundation().springs))
+         body, mask, dofs.of_platens().empty(), body.foundation().springs))
     {
       Vector motion = dofs.zero();
       dofs.gather(motion, field);
@@ -49,7 +49,7 @@ InverseStiffness<dim>::InverseStiffness(const ElasticBody<dim> &body,
   , u(force)
 {
   solver->set_constrained(mask);
-  push_platen(body);
+  push_platens(body);
 }
 
 template <int dim>
@@ -94,22 +94,40 @@ void InverseStiffness<dim>::solve() const
   ++n_solves;
 }
 
-/** In its component @p k: then a load on it is a resultant, and vmult() has projected it out. */
+/** Degrees of freedom of platens that each of the rigid motions that nothing holds can make up for: one for each motion
+ * of platens. Then a load in the motion is a resultant, which vmult() has projected out. */
 template <int dim>
-bool InverseStiffness<dim>::platen_moves_freely(const std::size_t k) const
+std::vector<bool> InverseStiffness<dim>::platens_that_may_stay() const
 {
-  return std::any_of(rigid.begin(), rigid.end(), [&](const Vector &r) {
-    return std::fabs(dofs.of_platen(r)[k]) > 1e-6 * r.linfty_norm();
-  });
+  const std::size_t n = dofs.of_platens().size();
+  std::vector<bool> may(n, false);
+  if (n == 0 || rigid.empty())
+    return may;
+  Eigen::MatrixXd moved(n, rigid.size());
+  for (std::size_t m = 0; m < rigid.size(); ++m)
+    moved.col(static_cast<Eigen::Index>(m)) =
+      Eigen::VectorXd::Map(dofs.of_platens(rigid[m]).data(),
+                           static_cast<Eigen::Index>(n)) /
+      rigid[m].linfty_norm();
+  if (!(moved.cwiseAbs().maxCoeff() > 1e-6))
+    return may;
+  Eigen::FullPivLU<Eigen::MatrixXd> factors;
+  factors.setThreshold(1e-6);
+  factors.compute(moved);
+  for (std::size_t k = 0; k < n; ++k)
+    may[k] =
+      factors.permutationP().indices()[static_cast<Eigen::Index>(k)] < factors.rank();
+  return may;
 }
 
 template <int dim>
-void InverseStiffness<dim>::push_platen(const ElasticBody<dim> &body)
+void InverseStiffness<dim>::push_platens(const ElasticBody<dim> &body)
 {
+  const std::vector<bool> may_stay = platens_that_may_stay();
   std::vector<Vector> pulls; // K Z
-  for (std::size_t k = 0; k < dofs.platen_components().size(); ++k)
+  for (std::size_t k = 0; k < may_stay.size(); ++k)
     {
-      if (platen_moves_freely(k))
+      if (may_stay[k])
         continue;
       Vector unit = dofs.zero(), Kz = dofs.zero();
       dofs.set_platen(unit, k, 1.);

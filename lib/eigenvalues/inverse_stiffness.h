@@ -13,9 +13,9 @@ namespace mesoslip
 {
 /**
  * K^-1 on loads without resultant; solutions have no rigid motion (in the mass' sense).
- * Under a platen the body is solved for with the top held, u = K_hh^-1 f, and moves with
- * the platen on top of that: u + Z s, where the columns of Z are the responses to unit displacements of
- * the platen and Z.K Z s = Z.f, as Z.K u = 0.
+ * Under platens the body is solved for with these held, u = K_hh^-1 f, and moves with
+ * them on top of that: u + Z s, where the columns of Z are the responses to unit displacements of
+ * platens and Z.K Z s = Z.f, as Z.K u = 0.
  */
 template <int dim>
 class InverseStiffness
@@ -47,15 +47,15 @@ public:
 
 private:
   void solve() const;
-  bool platen_moves_freely(const std::size_t k) const;
-  void push_platen(const ElasticBody<dim> &body);
+  std::vector<bool> platens_that_may_stay() const;
+  void push_platens(const ElasticBody<dim> &body);
 
   const FreeDofs<dim> &dofs;
   const VibrationModesOptions &options;
   const std::vector<Vector> rigid;
   std::unique_ptr<StaticSolver> solver;
   mutable NodalField<double> force, u;
-  std::vector<Vector> responses;    ///< Z, of what something resists
+  std::vector<Vector> responses;    ///< Z, without platens_that_may_stay()
   Eigen::MatrixXd platen_stiffness; ///< Z.K Z (N/m, in 2D Pa)
 };
 } // namespace mesoslip

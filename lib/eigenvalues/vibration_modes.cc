@@ -87,8 +87,8 @@ VibrationMode<dim> finish_mode(const Vector &eigenvector,
   const std::array<double, dim> momentum = dofs.sums(Mu);
   std::array<double, dim> moved;
   moved.fill(body.total_mass());
-  for (const unsigned int c : dofs.platen_components())
-    moved[c] += dofs.platen_mass();
+  for (const PlatenDof &dof : dofs.of_platens())
+    moved[dof.component] += dof.mass;
   for (unsigned int c = 0; c < dim; ++c)
     mode.effective_mass[c] = momentum[c] * momentum[c] / (uMu * moved[c]);
 
@@ -250,7 +250,7 @@ VibrationModes<dim> vibration_modes(const ElasticBody<dim> &body,
                                     const DofMask &mask,
                                     const VibrationModesOptions &options)
 {
-  const FreeDofs<dim> dofs(body, mask, options.platen);
+  const FreeDofs<dim> dofs(body, mask, options.platens);
   check_number_of_modes(dofs.size(), options);
   const InverseStiffness<dim> inverse(body, mask, dofs, options);
 

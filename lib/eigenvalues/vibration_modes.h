@@ -15,7 +15,7 @@ struct VibrationModesOptions
 {
   unsigned int n_modes = 4; ///< wanted
 
-  std::optional<Platen> platen; ///< whose displacements the constraints hold at the top
+  std::vector<Platen> platens; ///< whose displacements the constraints hold
 
   /** Relative residual of each static solve; eigenvalues are accurate to about this. */
   double tolerance = 1e-10;

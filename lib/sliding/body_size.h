@@ -43,6 +43,12 @@ struct BodyScales
   double shear_impedance   = 0.; ///< least of the phases, see shear_impedance() (Pa s/m)
   double highest_frequency = 0.; ///< circular, of the body or a bound of it (1/s)
 
+  /** Of masses. */
+  const char *mass_unit() const
+  {
+    return dim == 2 ? "kg/m" : "kg";
+  }
+
   /** Time in which a pressure wave goes from the flat to the top (s). */
   double crossing() const
   {
@@ -56,11 +62,17 @@ struct BodySize
   unsigned int dim = 2;  ///< of the body
   double top_area  = 0.; ///< of the top, along the normal of the flat (m^2, in 2D m)
   std::vector<double> side_area; ///< of ContactParameters::loaded_sides() (m^2, in 2D m)
-  double mass           = 0.;    ///< kg, in 2D kg/m
-  std::uint64_t n_cells = 0;     ///< of the whole body
-  std::vector<double> friction;  ///< coefficient of each contact node
-  std::vector<double> area;      ///< tributary of each contact node (m^2, in 2D m)
-  double crossing = 0.;          ///< BodyScales::crossing() (s)
+
+  /** Force of a pressure of 1 Pa on each of them (m^2, in 2D m). */
+  std::vector<std::array<double, 3>> side_push;
+
+  /** The components in which platens move them. */
+  std::vector<std::array<bool, 3>> side_moves;
+  double mass           = 0.;   ///< kg, in 2D kg/m
+  std::uint64_t n_cells = 0;    ///< of the whole body
+  std::vector<double> friction; ///< coefficient of each contact node
+  std::vector<double> area;     ///< tributary of each contact node (m^2, in 2D m)
+  double crossing = 0.;         ///< BodyScales::crossing() (s)
   std::size_t n_contact_nodes =
     0;                     ///< with periodic sides the last one is the first again
   ReferenceNode reference; ///< M

@@ -234,7 +234,7 @@ void check_analysis(const Keys &keys)
   only_with({"transient", "static contact", "complex modes"},
             {"Friction/Coefficient law"});
   only_with({"transient", "modal", "complex modes"},
-            {"Supports/Top/Platen mass", "Supports/Top/Hold from"});
+            and_of_supports(keys, {"Platen mass"}, {"Supports/Top/Hold from"}));
   only_with({"transient", "complex modes"}, and_of_supports(keys, {"Dashpot"}, {}));
   only_with({"transient", "static contact"},
             {"Flat/Tangential stiffness", "Flat/Profile", "Flat/Profile file",
@@ -297,10 +297,15 @@ void ContactParameters::bind(Keys &keys)
   for (const SideSupport *side : suspended())
     if (side->suspension.has_springs() && on_springs.empty())
       on_springs = side->key("Spring stiffness");
+  for (const SideSupport &side : supports)
+    if (side.is_platen && on_springs.empty())
+      on_springs = side.key("Kind = platen");
   if (mesh.is_plane_grid() && !on_springs.empty())
     {
       keys.only_if(static_solver == StaticSolverKind::ml, {"Performance/Static solver"},
-                   on_springs + " is set, and ml alone knows springs", "set it to ml");
+                   on_springs +
+                     " is set, and ml alone knows springs and platens at the sides",
+                   "set it to ml");
       static_solver = StaticSolverKind::ml;
     }
   check_analysis(keys);

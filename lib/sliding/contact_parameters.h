@@ -157,14 +157,14 @@ struct ContactParameters : SlidingSetup
   std::vector<SideSupport>
     supports; ///< sides besides contact and top that are held or loaded
 
-  /** Those that are loaded. */
+  /** Those that are loaded, platens first. */
   std::vector<SideSupport> loaded_sides() const;
 
   /** The top, and the loaded sides, of these parameters. */
   std::vector<const SideSupport *> suspended() const;
 
-  /** Whether anything stands on springs, dashpots or masses. */
-  bool has_suspensions() const;
+  /** Whether springs, dashpots or masses are somewhere. */
+  bool supports_keep_energy() const;
 
   /** Whether the far end of a suspension moves, or a traction acts, along the normal of the flat. */
   bool is_moved_normally() const;

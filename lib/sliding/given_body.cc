@@ -3,13 +3,16 @@
 #include "base/exchange.h"
 #include "base/text.h"
 #include "body/elastic_body.h"
+#include "eigenvalues/free_dofs.h"
 #include "material/plausibility.h"
 #include "program/run_context.h"
 #include "sliding/given_grid.h"
 #include "sliding/mesh/box_body.h"
 #include "sliding/mesh/given_mesh.h"
+#include "sliding/supports/plausible_supports.h"
 #include "sliding/supports/support_text.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -24,6 +27,18 @@ GivenBody<dim>::GivenBody(const ContactParameters &parameters)
   : parameters(parameters)
 {
 }
+
+namespace
+{
+/** The components in which a platen moves the top. */
+std::array<bool, 3> moves_of_top(const TopSetup &top, const unsigned int dim)
+{
+  std::array<bool, 3> moves = {};
+  for (unsigned int c = 0; c < dim; ++c)
+    moves[c] = c + 1 == dim || !top.holds(c);
+  return moves;
+}
+} // namespace
 
 template <int dim>
 void GivenBody<dim>::check_damping() const
@@ -108,73 +123,6 @@ void GivenBody<dim>::summarize(const std::string &analysis, RunContext &context)
   json["material"]     = known.heterogeneous ? "heterogeneous" : "homogeneous";
 }
 
-namespace
-{
-/** Springs between body and flat, called @p key, that the pressure moves by a hundredth of the height at most. */
-PlausibleRange plausible_springs(const std::string &key,
-                                 const double stiffness,
-                                 const ContactParameters &parameters,
-                                 const double height)
-{
-  const double pressure = std::fabs(parameters.top.pressure.amplitude());
-  PlausibleRange range;
-  range.key    = key;
-  range.value  = stiffness;
-  range.unit   = "Pa/m";
-  range.lowest = 100. * pressure / height;
-  range.if_low =
-    "so that a traction as large as Supports/Top/Pressure moves the springs by " +
-    quantity_text(pressure / stiffness, "m") + " under a body of " +
-    quantity_text(height, "m") + "; 100 MPa per micrometre are 1e14 Pa/m";
-  return range;
-}
-
-/** Springs that the pressure on the top does not stretch by a thousand heights, and that are not a million times as stiff
- * as the body; dashpots of a thousand times its impedance at most. */
-std::vector<PlausibleRange> plausible_suspension(const ContactParameters &parameters,
-                                                 const SideSupport &side,
-                                                 const BodyScales &scales)
-{
-  const Suspension &suspension = side.suspension;
-  const double pressure        = std::fabs(parameters.top.pressure.amplitude()),
-               body            = scales.stiffness / scales.height,
-               impedance       = scales.stiffness / scales.wave_speed;
-  double softest = std::numeric_limits<double>::infinity(), stiffest = 0., thickest = 0.;
-  for (unsigned int c = 0; c < scales.dim; ++c)
-    {
-      if (suspension.stiffness[c] > 0.)
-        softest = std::min(softest, suspension.stiffness[c]);
-      stiffest = std::max(stiffest, suspension.stiffness[c]);
-      thickest = std::max(thickest, suspension.dashpot[c]);
-    }
-  const std::string of_area = "; it is for the area, that of N/m over m^2";
-  PlausibleRange soft{side.key("Spring stiffness"), softest, "Pa/m"}, stiff = soft,
-                                                                      thick = soft;
-  soft.lowest = parameters.analysis == ContactAnalysis::modal || std::isinf(softest)
-                  ? 0.
-                  : 1e-3 * pressure / scales.height;
-  soft.if_low =
-    "so that a traction as large as Supports/Top/Pressure stretches the springs by " +
-    quantity_text(pressure / softest, "m") + of_area;
-  stiff.value   = stiffest;
-  stiff.highest = 1e6 * body;
-  stiff.if_high =
-    "a million times as stiff as the body, " + quantity_text(body, "Pa/m") +
-    (parameters.analysis == ContactAnalysis::transient ? ", and the time step shrinks"
-                                                       : "") +
-    of_area;
-  thick.key     = side.key("Dashpot");
-  thick.value   = thickest;
-  thick.unit    = "Pa s/m";
-  thick.highest = 1e3 * impedance;
-  thick.if_high =
-    "a thousand times the impedance of the body, " + quantity_text(impedance, "Pa s/m") +
-    ", so that the side follows its far end; it is for the area, that of N s/m "
-    "over m^2";
-  return {soft, stiff, thick};
-}
-} // namespace
-
 template <int dim>
 void GivenBody<dim>::add_implausible(std::vector<std::string> &sentences,
                                      std::vector<PlausibleRange> ranges,
@@ -201,6 +149,32 @@ void GivenBody<dim>::add_implausible(std::vector<std::string> &sentences,
     sentences.push_back(sentence);
   for (const std::string &sentence : stiffness_warnings<dim>(known.phases))
     sentences.push_back(sentence);
+}
+
+template <int dim>
+std::vector<Platen> GivenBody<dim>::platens(const TopSetup &top) const
+{
+  std::vector<Platen> all;
+  if (top.is_platen)
+    all.push_back({top_nodes().nodes, moves_of_top(top, dim), top.platen_mass});
+  const std::vector<SideSupport> sides = parameters.loaded_sides();
+  std::vector<SupportNodes> nodes      = side_nodes();
+  for (std::size_t k = 0; k < sides.size(); ++k)
+    if (sides[k].is_platen)
+      all.push_back({nodes[k].nodes, known.size.side_moves[k], sides[k].platen_mass});
+  return all;
+}
+
+template <int dim>
+std::size_t GivenBody<dim>::n_platen_moves(const TopSetup &top) const
+{
+  std::vector<std::array<bool, 3>> all = known.size.side_moves;
+  if (top.is_platen)
+    all.push_back(moves_of_top(top, dim));
+  std::size_t n = 0;
+  for (const std::array<bool, 3> &moves : all)
+    n += static_cast<std::size_t>(std::count(moves.begin(), moves.end(), true));
+  return n;
 }
 
 namespace

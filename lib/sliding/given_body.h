@@ -27,6 +27,7 @@ template <int dim>
 class ElasticBody;
 class DofMask;
 struct Foundation;
+struct Platen;
 
 /** What is told of a body, and what its runs are planned by; the same on all ranks, but for lines and
  * warnings, which rank 0 has. */
@@ -158,9 +159,15 @@ public:
   virtual std::unique_ptr<ElasticBody<dim>>
   make_damping(const StepParameters &step, const MPI_Comm communicator) const = 0;
 
-  /** What supports and @p top hold of elastic(), of a platen the normal component as well; with
+  /** What supports and @p top hold of elastic(), all components of what platens move; with
    * @p contact_held the contact along the normal of the flat. */
   virtual DofMask held(const TopSetup &top, const bool contact_held) const = 0;
+
+  /** The platens of top and sides, which move nodes of elastic(). */
+  std::vector<Platen> platens(const TopSetup &top) const;
+
+  /** In how many components they move. */
+  std::size_t n_platen_moves(const TopSetup &top) const;
 
   /** The nodes of the top that this rank has. */
   virtual SupportNodes top_nodes() const = 0;

@@ -14,6 +14,7 @@
 #include "program/machine.h"
 #include "program/run_context.h"
 #include "sliding/run_plan.h"
+#include "sliding/supports/side_platen.h"
 
 #include <algorithm>
 #include <cmath>
@@ -216,7 +217,14 @@ BodySize GivenGrid::size() const
   const UniformGrid<2> &grid = body.grid;
   BodySize size;
   size.top_area = grid.extent(0);
-  size.side_area.assign(parameters.loaded_sides().size(), grid.extent(1));
+  for (const SideSupport &side : parameters.loaded_sides())
+    {
+      const SideNodes column = column_of(side);
+      size.side_area.push_back(column.whole_area());
+      size.side_push.push_back(column.whole_push());
+      size.side_moves.push_back(side.is_platen ? moves_of_platen(side, 0, 2)
+                                               : std::array<bool, 3>{});
+    }
   size.n_cells  = grid.n_cells();
   size.crossing = known.scales.crossing();
   size.mass     = known.scales.mass;
@@ -234,7 +242,8 @@ BodyInMotion<2> GivenGrid::start(const SlidingSetup &given, RunContext &context)
   SlidingSetup setup                    = given;
   setup.top.nodes                       = top_nodes().carried;
   for (const SideSupport &side : parameters.loaded_sides())
-    setup.loaded.push_back({side, column_of(side), {}, {}});
+    setup.loaded.push_back(
+      {side, column_of(side), {}, {}, known.size.side_moves[setup.loaded.size()]});
   auto sliding =
     std::make_unique<SlidingGrid>(material, setup, context.communicator(), nullptr,
                                   context.options().profile ? &context.timer() : nullptr);

@@ -2,6 +2,7 @@
 #include "eigenvalues/free_dofs.h"
 #include "material/shear_impedance.h"
 #include "sliding/given_grid.h"
+#include "sliding/supports/side_platen.h"
 
 namespace mesoslip
 {
@@ -30,12 +31,19 @@ std::unique_ptr<ElasticBody<2>> GivenGrid::make_damping(const StepParameters &st
 
 DofMask GivenGrid::held(const TopSetup &top, const bool contact_held) const
 {
-  return held_by_supports(material, parameters.sides, top, contact_held);
+  DofMask held = held_by_supports(material, parameters.sides, top, contact_held);
+  const std::vector<SideSupport> sides  = parameters.loaded_sides();
+  const std::vector<SupportNodes> nodes = side_nodes();
+  for (std::size_t k = 0; k < sides.size() && sides[k].is_platen; ++k)
+    for (const NodeIndex &node : nodes[k].nodes)
+      for (unsigned int c = 0; c < 2; ++c)
+        held.constrain(c, node);
+  return held;
 }
 
 std::size_t GivenGrid::n_free(const TopSetup &top, const bool contact_held) const
 {
-  return FreeDofs<2>(GridBody<2>(material), held(top, contact_held), std::nullopt).size();
+  return FreeDofs<2>(GridBody<2>(material), held(top, contact_held), {}).size();
 }
 
 SupportNodes GivenGrid::top_nodes() const
@@ -61,9 +69,14 @@ std::vector<SupportNodes> GivenGrid::side_nodes() const
       const SideNodes column = column_of(side);
       const unsigned int i   = side.name == "Left" ? 0 : material.n_columns() - 1;
       SupportNodes &found    = sides.emplace_back();
-      found.carried          = column;
+      std::vector<unsigned int> rows;
       for (unsigned int j = 0; j < material.n_rows(); ++j)
-        found.nodes.push_back({i, j});
+        if (column.area[j] > 0.)
+          {
+            rows.push_back(j);
+            found.nodes.push_back({i, j});
+          }
+      found.carried = column.at(rows);
     }
   return sides;
 }
@@ -95,6 +108,12 @@ SideNodes GivenGrid::column_of(const SideSupport &side) const
         (below * behind(j > 0 ? j - 1 : 0) + above * behind(j < n ? j : n - 1)) / area;
       for (unsigned int k = 0; k < nodes.impedance.size(); ++k)
         nodes.impedance[k].push_back(Z(k / 2, k % 2));
+    }
+  if (side.is_platen)
+    {
+      std::vector<bool> own(n + 1, true);
+      own.front() = own.back() = false; // of contact and top
+      carry_whole_side(nodes, own, side);
     }
   return nodes;
 }

@@ -220,7 +220,7 @@ double static_node_memory(const ContactParameters &parameters,
   return (!ml        ? (dim == 2 ? 750. : 1050.)
           : dim == 2 ? 3500.
                      : 16400.) +
-         bytes_of_a_mode * modal_options(parameters).n_modes;
+         bytes_of_a_mode * parameters.modal.n_modes;
 }
 
 double field_memory(const ContactParameters &parameters, const UniformGrid<2> &grid)

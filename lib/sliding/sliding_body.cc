@@ -1,6 +1,7 @@
 #include "sliding/sliding_body.h"
 
 #include "base/exchange.h"
+#include "sliding/supports/grid_columns.h"
 
 #include <deal.II/base/exceptions.h>
 
@@ -11,16 +12,6 @@ namespace mesoslip
 {
 namespace
 {
-/** Of a whole column what concerns the rows of this rank, ghost rows as well. */
-void restrict_side(LoadedSide &side, const NodeRows &rows)
-{
-  std::vector<unsigned int> here(rows.n_local());
-  std::iota(here.begin(), here.end(), rows.first());
-  side.nodes = side.nodes.at(here);
-  for (unsigned int l = 0; l < rows.n_local(); ++l)
-    side.counted.push_back(rows.first() + l >= rows.begin && rows.first() + l < rows.end);
-}
-
 SlidingSetup completed(SlidingSetup setup,
                        const UniformMaterial &material,
                        const MPI_Comm communicator)
@@ -42,27 +33,8 @@ SlidingSetup completed(SlidingSetup setup,
     partition_rows(material.n_columns(), material.n_rows(), communicator, setup.sweep);
   for (LoadedSide &side : setup.loaded)
     restrict_side(side, rows);
+  setup.platen_ranks = communicator;
   return setup;
-}
-
-/** The columns of the loaded sides. */
-std::deque<SideColumn> make_columns(std::deque<SideSurface<2>> &sides,
-                                    const SlidingSetup &setup,
-                                    const UniformMaterial &material,
-                                    const UniformMaterial *damping,
-                                    const NodeRows &rows,
-                                    NodalField<double> &u,
-                                    NodalField<double> &w)
-{
-  std::deque<SideColumn> columns;
-  for (std::size_t k = 0; k < sides.size(); ++k)
-    {
-      const bool left = setup.loaded[k].support.name == "Left";
-      columns.emplace_back(sides[k], left ? 0 : material.n_columns() - 1, material, rows,
-                           setup.step, damping,
-                           left ? setup.sides.left_held : setup.sides.right_held, u, w);
-    }
-  return columns;
 }
 
 const UniformMaterial *pointer_to(const std::optional<UniformMaterial> &damping)
@@ -70,10 +42,11 @@ const UniformMaterial *pointer_to(const std::optional<UniformMaterial> &damping)
   return damping ? &*damping : nullptr;
 }
 
-std::vector<SideColumn *> pointers_to(std::deque<SideColumn> &columns)
+template <typename Column>
+std::vector<Column *> pointers_to(std::deque<Column> &columns)
 {
-  std::vector<SideColumn *> pointers;
-  for (SideColumn &column : columns)
+  std::vector<Column *> pointers;
+  for (Column &column : columns)
     pointers.push_back(&column);
   return pointers;
 }
@@ -98,10 +71,25 @@ SlidingBody<dim>::SlidingBody(const SlidingSetup &setup,
   contact.observe(node_statistics);
   contact.observe(contact_recorder);
   for (const LoadedSide &side : setup.loaded)
-    sides.emplace_back(side.support, setup.step, side.nodes, side.counted);
+    if (side.support.is_platen)
+      add_platen(side);
+    else
+      sides.emplace_back(side.support, setup.step, side.nodes, side.counted);
   if (setup.contact_map.interval > 0)
     contact.observe(contact_map);
   top.observe(top_recorder);
+}
+
+template <int dim>
+void SlidingBody<dim>::add_platen(const LoadedSide &side)
+{
+  std::array<bool, dim> moves;
+  std::copy_n(side.moves.begin(), dim, moves.begin());
+  const auto n_owned = side.counted.empty()
+                         ? side.nodes.area.size()
+                         : std::count(side.counted.begin(), side.counted.end(), true);
+  platens.emplace_back(side.support, moves, setup.step, side.nodes,
+                       static_cast<unsigned int>(n_owned), setup.platen_ranks);
 }
 
 template <int dim>
@@ -110,6 +98,11 @@ BoundaryWork SlidingBody<dim>::boundary_work() const
   BoundaryWork work = contact.work();
   work.external     = top.work() + work.external;
   work.supports     = top.suspended();
+  for (const RigidPlaten<dim> &platen : platens)
+    {
+      work.external += platen.work();
+      work.supports += platen.energies();
+    }
   for (const SideSurface<dim> &side : sides)
     {
       work.external += side.work();
@@ -132,8 +125,7 @@ template <int dim>
 void SlidingBody<dim>::watch_energy()
 {
   if (setup.energy_interval > 0)
-    energy = std::make_unique<EnergyAudit>(time_integration(), setup.top.platen_mass,
-                                           setup.energy_interval,
+    energy = std::make_unique<EnergyAudit>(time_integration(), setup.energy_interval,
                                            [this]() { return boundary_work(); });
 }
 
@@ -154,6 +146,8 @@ SlidingGrid::SlidingGrid(const UniformMaterial &material,
   , u(material.n_columns(), rows.n_local())
   , w(material.n_columns(), rows.n_local())
   , halo(material.n_columns(), rows.ghosts, communicator)
+  , platen_columns(
+      make_platen_columns(platens, setup, material, pointer_to(damping), rows, u, w))
   , columns(make_columns(sides, setup, material, pointer_to(damping), rows, u, w))
   , stepper({material, given.step, u, w,
              bottom != nullptr
@@ -163,7 +157,8 @@ SlidingGrid::SlidingGrid(const UniformMaterial &material,
              rows.end - rows.begin < rows.n_global
                ? profile.timed<TimedHalo>(halo, "Exchange between ranks")
                : nullptr,
-             communicator, pointers_to(columns), pointer_to(damping)},
+             communicator, pointers_to(columns), pointers_to(platen_columns),
+             pointer_to(damping)},
             given.sides,
             given.sweep)
 {
@@ -188,6 +183,9 @@ void SlidingGrid::set_initial_velocity(const std::array<double, 3> &v)
             of_row[i] =
               c == 1 && bottom && contact.rests(i, by) ? v[c] : v[c] + back * by;
           }
+        for (std::size_t k = 0; k < platens.size() && !bottom && !top_row; ++k)
+          if (!setup.loaded[k].moves[c])
+            of_row[platen_columns[k].column] = 0.;
         if (left[c])
           of_row[0] = 0.;
         if (right[c])
@@ -227,7 +225,30 @@ NodalField<double> SlidingGrid::start_acceleration(const std::array<double, 3> &
           a.row(c, l)[i] -=
             (drag[i] + of_supports * (whole[i] - mass[i])) / whole[i] * v[c];
     }
+  load_platens(v, a);
   return a;
+}
+
+/** Makes the accelerations of the rows that platens at the sides move theirs. Collective. */
+void SlidingGrid::load_platens(const std::array<double, 3> &v,
+                               NodalField<double> &a) const
+{
+  const std::vector<unsigned int> inner = inner_rows(rows);
+  for (std::size_t k = 0; k < platens.size(); ++k)
+    {
+      std::vector<double> mass(w.n_columns()), of_column, drag;
+      const unsigned int column = platen_columns[k].column;
+      for (const unsigned int l : inner)
+        {
+          stepper.mass_row(rows.first() + l, mass.data());
+          of_column.push_back(mass[column]);
+          drag.push_back(stepper.alpha_of({column, l}, mass[column]) * mass[column]);
+        }
+      const auto found = platens[k].start_acceleration(of_column, drag, v);
+      for (const unsigned int l : inner)
+        for (unsigned int c = 0; c < 2; ++c)
+          a.row(c, l)[column] = found[c];
+    }
 }
 
 /** Makes accelerations of the top row those under its load, and @p whole, their masses, those with what is on them. */

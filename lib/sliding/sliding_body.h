@@ -28,7 +28,7 @@ struct SlidingSetup
   SideConstraints sides;          ///< components constrained on the left and right side
   ContactSetup contact;           ///< the flat
   TopSetup top;                   ///< the load
-  std::vector<LoadedSide> loaded; ///< other sides that are not just held
+  std::vector<LoadedSide> loaded; ///< other sides that are not just held, platens first
   SweepOptions sweep;             ///< instruction set, temporal blocking
   bool periodic = false;          ///< in x
 
@@ -43,6 +43,8 @@ struct SlidingSetup
 
   /** Which share contact and top, each observing its own nodes; on a grid one has all. */
   MPI_Comm ranks = MPI_COMM_SELF;
+
+  MPI_Comm platen_ranks = MPI_COMM_SELF; ///< which share platens at the sides
 
   /** Numbers in the whole contact of the nodes that this rank owns. */
   std::vector<unsigned int> contact_places;
@@ -94,6 +96,8 @@ public:
     serialize_own_rows(archive, stepper.w, stepper.rows);
     stepper.set_step_number(n);
     archive &contact &contact_recorder &node_statistics &top &top_recorder;
+    for (RigidPlaten<dim> &platen : platens)
+      archive &platen;
     for (SideSurface<dim> &side : sides)
       archive &side;
     if (setup.node_loads)
@@ -105,7 +109,8 @@ public:
   const SlidingSetup setup;              ///< completed: widths, periodicity
   ContactSurface<dim> contact;           ///< the bottom
   TopSurface<dim> top;                   ///< the top
-  std::deque<SideSurface<dim>> sides;    ///< that are loaded, as in SlidingSetup::loaded
+  std::deque<RigidPlaten<dim>> platens;  ///< at other sides, the first ones loaded
+  std::deque<SideSurface<dim>> sides;    ///< that are loaded besides, in this order
   ContactRecorder<dim> contact_recorder; ///< histories of the contact
   NodeLoadObserver<dim> node_loads;      ///< loads of the contact nodes, if wanted
   NodeStatistics<dim> node_statistics;   ///< states of the contact nodes
@@ -121,6 +126,9 @@ protected:
 
   /** To be called once time_integration() is there: observes the energies. */
   void watch_energy();
+
+private:
+  void add_platen(const LoadedSide &side);
 };
 
 /**
@@ -155,6 +163,7 @@ private:
                 const std::vector<double> &drag,
                 std::vector<double> &whole,
                 NodalField<double> &a) const;
+  void load_platens(const std::array<double, 3> &v, NodalField<double> &a) const;
   void load_side(const std::size_t k,
                  const unsigned int l,
                  const std::array<double, 3> &v,
@@ -165,12 +174,13 @@ public:
   const UniformMaterial &material; ///< the grid, with stiffness and density of its cells
   const std::optional<UniformMaterial> damping; ///< of phases_of_damping(), if there are
   const MPI_Comm communicator;                  ///< of the ranks that share the body
-  const NodeRows rows;            ///< node rows of this rank, and ghost rows
-  NodalField<double> u;           ///< displacement (m), own and ghost rows
-  NodalField<double> w;           ///< velocity of the scheme (m/s)
-  MPIHalo halo;                   ///< exchange with the ranks above and below
-  std::deque<SideColumn> columns; ///< sides under a load
-  ExplicitStepper stepper;        ///< the time integration
+  const NodeRows rows;                     ///< node rows of this rank, and ghost rows
+  NodalField<double> u;                    ///< displacement (m), own and ghost rows
+  NodalField<double> w;                    ///< velocity of the scheme (m/s)
+  MPIHalo halo;                            ///< exchange with the ranks above and below
+  std::deque<PlatenColumn> platen_columns; ///< sides that platens move
+  std::deque<SideColumn> columns;          ///< sides under a load
+  ExplicitStepper stepper;                 ///< the time integration
 };
 } // namespace mesoslip
 

@@ -49,7 +49,7 @@ SlidingPencil layer_pencil(const ElasticBody<2> &body,
           contact.stiffness.push_back(layer.springs * body.extent(0) /
                                       (body.n_columns() - 1));
       }
-  const FreeDofs<2> dofs(body, held, std::nullopt);
+  const FreeDofs<2> dofs(body, held, {});
   return make_sliding_pencil<2>(body, whole_stiffness(body, MPI_COMM_WORLD), dofs,
                                 contact,
                                 {layer.delta, layer.beta, state_time, layer.alpha});

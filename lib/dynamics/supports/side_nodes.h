@@ -47,6 +47,12 @@ struct SideNodes
   /** Those of these numbers, in this order; zeros for none. */
   SideNodes at(const std::vector<unsigned int> &numbers) const;
 
+  /** Area of the first @p n nodes, or of all (m^2, in 2D m). */
+  double whole_area(const std::size_t n = none) const;
+
+  /** Force of a pressure of 1 Pa on the first @p n nodes, or on all (m^2, in 2D m). */
+  std::array<double, 3> whole_push(const std::size_t n = none) const;
+
   /** Of boost::serialization. */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)

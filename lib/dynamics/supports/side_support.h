@@ -16,6 +16,11 @@ struct SideSupport
   LoadHistory pressure;          ///< Pa, positive when it presses into the body
   Suspension suspension;         ///< to a far end
 
+  /** The nodes move as one: along the normal, and across it where there are springs. */
+  bool is_platen = false;
+
+  double platen_mass = 0.; ///< of the platen (kg, in 2D kg/m)
+
   /** Whether any component is held. */
   bool holds() const
   {
@@ -25,8 +30,14 @@ struct SideSupport
   /** Whether its nodes feel anything besides the forces of the body. */
   bool is_loaded() const
   {
-    return suspension.is_there() || pressure.is_expression() ||
+    return is_platen || suspension.is_there() || pressure.is_expression() ||
            pressure.amplitude() != 0.;
+  }
+
+  /** Whether it keeps energy: in springs, or as kinetic energy of what moves with the body. */
+  bool keeps_energy() const
+  {
+    return suspension.is_there() || platen_mass > 0.;
   }
 
   /** Path of a key in its section. */

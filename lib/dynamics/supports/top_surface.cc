@@ -76,11 +76,13 @@ TopSurface<dim>::TopSurface(const TopSetup &setup,
 {
   for (std::vector<double> &component : increment)
     component.assign(n_nodes, 0.);
-  area     = std::accumulate(tributary.begin(), tributary.begin() + n_distinct, 0.);
-  top_area = mpi::sum(area, ranks);
   n_in_top = mpi::sum(static_cast<double>(n_distinct), ranks);
-  if (top_area > 0.)
-    platen_mass = setup.platen_mass * (area / top_area);
+  std::array<bool, dim> moves;
+  for (unsigned int c = 0; c < dim; ++c)
+    moves[c] = c + 1 == dim || !setup.holds(c);
+  if (setup.is_platen)
+    platen.emplace(setup, moves, step, nodes_of<dim>(setup, tributary), n_distinct,
+                   ranks);
 }
 
 template <int dim>
@@ -114,21 +116,8 @@ void TopSurface<dim>::initialize(const SurfaceView<dim> &surface)
   for (unsigned int c = 0; c < dim; ++c)
     for (unsigned int i = 0; i < surface.n; ++i)
       increment[c][i] = step.dt * surface.w[c][i];
-  moving_mass.fill(platen_mass);
-  for (unsigned int c = 0; c < dim; ++c)
-    {
-      for (unsigned int i = 0; i < n_distinct; ++i)
-        if (surface.inverse_mass[c][i] > 0.)
-          moving_mass[c] += 1. / surface.inverse_mass[c][i];
-      moving_mass[c] = mpi::sum(moving_mass[c], ranks);
-    }
   for (unsigned int i = 0; i < surface.n && on_nodes; ++i)
     nodes.start(i, surface, i);
-  const FarEnd<dim> far(setup.suspension, surface.time, step.dt);
-  for (unsigned int c = 0; c < dim && !on_nodes && surface.n > 0; ++c)
-    of_platen.at_start += 0.5 * setup.suspension.stiffness[c] * area *
-                          (surface.u[c][0] - far.now[c]) *
-                          (surface.u[c][0] - increment[c][0] - far.before[c]);
   started = true;
 }
 
@@ -141,34 +130,16 @@ TopSurface<dim>::start_acceleration(const std::vector<double> &mass,
 {
   AssertDimension(mass.size(), tributary.size());
   AssertDimension(held.size(), tributary.size());
+  if (platen)
+    return std::vector<std::array<double, dim>>(
+      mass.size(), platen->start_acceleration(mass, drag, velocity));
   constexpr unsigned int y = dim - 1;
   const double pressure = setup.pressure(0.), g = step.acceleration[y];
-  const auto sum_of_moving = [&](const std::vector<double> &values) {
-    double sum = 0.;
-    for (unsigned int i = 0; i < n_distinct; ++i)
-      sum += held[i][y] ? 0. : values[i];
-    return mpi::sum(sum, ranks);
-  };
-  const double moved = sum_of_moving(mass), damped = sum_of_moving(drag);
-  std::array<double, dim> rigid;
-  const FarEnd<dim> far(setup.suspension, 0., step.dt);
-  for (unsigned int c = 0; c < dim; ++c)
-    {
-      const double k = setup.suspension.stiffness[c], z = setup.suspension.dashpot[c],
-                   share = dashpot_at_start(step.dt * z * top_area /
-                                            (moved + setup.platen_mass)),
-                   load  = k * far.now[c] - share * z * (velocity[c] - far.velocity[c]) -
-                          (c == y ? pressure : 0.);
-      rigid[c] = (step.acceleration[c] * moved + load * top_area - damped * velocity[c]) /
-                 (moved + setup.platen_mass);
-    }
   std::array<double, dim> by_weight;
   std::copy_n(step.acceleration.begin(), dim, by_weight.begin());
   std::vector<std::array<double, dim>> result(mass.size(), by_weight);
   for (std::size_t i = 0; i < mass.size(); ++i)
-    if (setup.is_platen)
-      result[i] = rigid;
-    else if (on_nodes && mass[i] > 0.)
+    if (on_nodes && mass[i] > 0.)
       {
         std::array<double, dim> starts_with;
         for (unsigned int c = 0; c < dim; ++c)
@@ -259,51 +230,13 @@ TopLoad TopSurface<dim>::push_suspended(const SurfaceView<dim> &surface)
 template <int dim>
 TopLoad TopSurface<dim>::push_platen(const SurfaceView<dim> &surface)
 {
+  platen->advance(surface);
+  for (unsigned int c = 0; c < dim; ++c)
+    std::fill(increment[c].begin(), increment[c].end(), platen->increment()[c]);
   std::array<double, dim> pull = {};
-  if (surface.n == 0)
-    return {};
-  constexpr unsigned int y = dim - 1;
-  const double pressure    = setup.pressure(surface.time);
-  const FarEnd<dim> far(setup.suspension, surface.time, step.dt);
-  of_platen.stored = 0.;
-  for (unsigned int c = 0; c < y; ++c)
-    pull[c] = setup.holds(c) ? -sum_of(surface.force[c], n_distinct)
-                             : move_platen(surface, c, 0., far);
-  pull[y] = move_platen(surface, y, pressure, far);
-  return {pressure * area + pull[y], along_flat(pull)};
-}
-
-/** Component @p c under this @p pressure; returns the force of springs and dashpots against it. */
-template <int dim>
-double TopSurface<dim>::move_platen(const SurfaceView<dim> &surface,
-                                    const unsigned int c,
-                                    const double pressure,
-                                    const FarEnd<dim> &far)
-{
-  const double k = setup.suspension.stiffness[c], z = setup.suspension.dashpot[c],
-               force = surface.total_force != nullptr
-                         ? surface.total_force[c]
-                         : sum_of(surface.force[c], n_distinct);
-  double u = surface.u[c][0], w = surface.w[c][0];
-  const double before = u, w_before = w, stretched = u - far.now[c];
-  const double theta = dashpot_theta(step.dt * z * top_area / moving_mass[c]),
-               acceleration =
-                 -((pressure + k * stretched + z * (w - far.velocity[c])) * top_area +
-                   force) /
-                 (moving_mass[c] + theta * step.dt * z * top_area);
-  move_node(u, w, acceleration);
-  const double moved = u - before, central = 0.5 * (moved + increment[c][0]),
-               drag =
-                 z * area * (w_before + theta * step.dt * acceleration - far.velocity[c]),
-               pull = k * area * stretched + drag;
-  work_this_step -= pressure * area * central + pull * far.moved(c);
-  of_platen.stored += 0.5 * k * area * stretched * (u - far.after[c]);
-  of_platen.lost += drag * (central - far.moved(c));
-  std::fill(increment[c].begin(), increment[c].end(), moved);
-  platen_w[c] = w;
-  std::fill_n(surface.u[c], surface.n, u);
-  std::fill_n(surface.w[c], surface.n, w);
-  return pull;
+  for (unsigned int c = 0; c + 1 < dim; ++c)
+    pull[c] = setup.holds(c) ? -sum_of(surface.force[c], n_distinct) : -platen->load()[c];
+  return {-platen->load()[dim - 1], along_flat(pull)};
 }
 
 // Work of the force that stops the surface at once. It acts during one step, along half
@@ -327,8 +260,8 @@ void TopSurface<dim>::stop(const SurfaceView<dim> &surface)
                         increment[c][i], surface.force[c][i], step.inertia());
       work_this_step += of_node;
     }
-  for (unsigned int c = 0; c < dim && surface.n > 0; ++c)
-    work_this_step += work(platen_mass, platen_w[c], increment[c][0], 0., 1.);
+  if (platen)
+    work_this_step += platen->stop();
 }
 
 template <int dim>
@@ -337,7 +270,6 @@ TopLoad TopSurface<dim>::hold(const SurfaceView<dim> &surface)
   if (!holding)
     stop(surface);
   holding = true;
-  platen_w.fill(0.);
   for (unsigned int c = 0; c < dim; ++c)
     std::fill_n(surface.w[c], surface.n, 0.);
 

@@ -2,7 +2,7 @@
 #define mesoslip_dynamics_top_surface_h
 
 #include "base/serialize_members.h"
-#include "dynamics/supports/side_support.h"
+#include "dynamics/supports/rigid_platen.h"
 #include "dynamics/supports/suspended_nodes.h"
 
 #include <array>
@@ -15,15 +15,13 @@
 
 namespace mesoslip
 {
-/** How the top of the body is held and loaded: each node by itself, or as one by a platen. */
+/** How the top of the body is held and loaded, by a platen unless set otherwise. */
 struct TopSetup : SideSupport
 {
-  /** The nodes move as one, pushed by the resultant of the pressure: along the normal, and along the flat where
-   * there are springs. */
-  bool is_platen = true;
-
-  /** Mass of the platen per unit thickness (kg/m). */
-  double platen_mass = 0.;
+  TopSetup() ///< see the members
+  {
+    is_platen = true;
+  }
 
   /** A top that does not move. */
   void hold()
@@ -189,7 +187,7 @@ public:
 
   bool wants_total_force() const override
   {
-    return setup.is_platen;
+    return platen.has_value();
   }
 
   /** One step of the surface under its load. */
@@ -213,24 +211,26 @@ public:
   /** Work done on the body since the start (J/m), by load and far end on the nodes of this rank. */
   double work() const
   {
-    return on_nodes ? total_work + nodes.work() : total_work;
+    return total_work + (on_nodes ? nodes.work() : 0.) + (platen ? platen->work() : 0.);
   }
 
   /** Energies of the suspension, of this rank. */
   SuspensionEnergies suspended() const
   {
-    return on_nodes ? nodes.energies() : of_platen;
+    return on_nodes ? nodes.energies()
+           : platen ? platen->energies()
+                    : SuspensionEnergies();
   }
 
   /** Saves or restores the state between two steps (Boost.Serialization). */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    archive &increment &started &holding &moving_mass &platen_w &total_work;
+    archive &increment &started &holding &total_work;
     if (on_nodes)
       archive &nodes;
-    else if (setup.suspension.is_there())
-      archive &of_platen;
+    if (platen)
+      archive &*platen;
   }
 
 private:
@@ -239,10 +239,6 @@ private:
   TopLoad push_nodes(const SurfaceView<dim> &surface);
   TopLoad push_suspended(const SurfaceView<dim> &surface);
   TopLoad push_platen(const SurfaceView<dim> &surface);
-  double move_platen(const SurfaceView<dim> &surface,
-                     const unsigned int c,
-                     const double pressure,
-                     const FarEnd<dim> &far);
   TopLoad hold(const SurfaceView<dim> &surface);
   double transmitted(const SurfaceView<dim> &surface,
                      const std::array<bool, 2> &held) const;
@@ -257,23 +253,16 @@ private:
   const MPI_Comm ranks;
 
   std::vector<double> tributary; ///< area (m^2, m) that each node carries
-  double area     = 0.;          ///< of the nodes of this rank (m^2, m)
-  double top_area = 0.;          ///< of the whole top (m^2, m)
   double n_in_top = 0.;          ///< nodes of the whole top
 
   const bool on_nodes;       ///< there is a suspension of each node
   SuspendedNodes<dim> nodes; ///< if so
-  SuspensionEnergies of_platen;
-
-  /** What this rank counts of TopSetup::platen_mass: its share of the area. */
-  double platen_mass = 0.;
+  std::optional<RigidPlaten<dim>> platen;
   std::array<std::vector<double>, dim> increment; ///< of the step before (m)
-  bool started                        = false;
-  bool holding                        = false;
-  std::array<double, dim> moving_mass = {}; ///< of platen and surface (kg/m)
-  std::array<double, dim> platen_w    = {};
-  double total_work                   = 0.;
-  double work_this_step               = 0.;
+  bool started          = false;
+  bool holding          = false;
+  double total_work     = 0.;
+  double work_this_step = 0.;
   std::vector<TopRecorder *> recorders;
 };
 } // namespace mesoslip

@@ -90,13 +90,10 @@ void add_supports(const ElasticBody<dim> &body,
   };
   pencil.springs = gather(springs, {});
   std::vector<Triplet> of_mass;
-  const auto first_of_platen =
-    pencil.size() - static_cast<Eigen::Index>(dofs.platen_components().size());
   for (Eigen::Index k = 0; k < pencil.size() && pencil.law.alpha > 0.; ++k)
-    {
-      const double undamped = k >= first_of_platen ? dofs.platen_mass() : 0.;
-      of_mass.emplace_back(k, k, pencil.law.alpha * (pencil.mass[k] - undamped));
-    }
+    of_mass.emplace_back(k, k, pencil.law.alpha * pencil.mass[k]);
+  for (const PlatenDof &dof : dofs.of_platens())
+    of_mass.emplace_back(dof.place, dof.place, -pencil.law.alpha * dof.mass);
   pencil.resistances = gather(body.foundation().dashpots, of_mass);
 }
 

@@ -12,12 +12,9 @@ template <int dim>
 ModalAnalysis<dim>::ModalAnalysis(std::unique_ptr<GivenBody<dim>> given)
   : BodyAnalysis<dim>(std::move(given))
 {
-  std::size_t of_platen = 0;
-  for (unsigned int c = 0; c < dim; ++c)
-    if (const auto platen = modal_options(parameters).platen)
-      of_platen += c + 1 == dim || platen->slides[c] ? 1 : 0;
+  const TopSetup top = top_at_start(parameters);
   for (const std::string &bottom : modal_bottoms(parameters))
-    require_modes(body->n_free(top_at_start(parameters), bottom == "held") + of_platen,
+    require_modes(body->n_free(top, bottom == "held") + body->n_platen_moves(top),
                   parameters);
 }
 
@@ -28,7 +25,7 @@ void ModalAnalysis<dim>::run(RunContext &context)
   context.remove_results({"modal.h5", "modal.xdmf", "modal-phases.xdmf", "modes.csv"});
   body->make_elastic(context.communicator());
   const auto cases = compute_modes<dim>(
-    body->elastic(),
+    body->elastic(), body->platens(top_at_start(parameters)),
     [this](const bool bottom_held) {
       return body->held(top_at_start(parameters), bottom_held);
     },

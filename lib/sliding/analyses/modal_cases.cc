@@ -90,14 +90,6 @@ TopSetup top_at_start(const ContactParameters &parameters)
   return top;
 }
 
-VibrationModesOptions modal_options(const ContactParameters &parameters)
-{
-  VibrationModesOptions options = parameters.modal;
-  if (const TopSetup top = top_at_start(parameters); top.is_platen)
-    options.platen = {top.platen_mass, {{!top.holds(0), !top.holds(1)}}};
-  return options;
-}
-
 void require_modes(const std::size_t n_free, const ContactParameters &parameters)
 {
   try
@@ -113,11 +105,13 @@ void require_modes(const std::size_t n_free, const ContactParameters &parameters
 template <int dim>
 std::vector<ModalCase<dim>>
 compute_modes(const ElasticBody<dim> &body,
+              const std::vector<Platen> &platens,
               const std::function<DofMask(const bool bottom_held)> &held,
               const ContactParameters &parameters,
               RunContext &context)
 {
-  VibrationModesOptions options = modal_options(parameters);
+  VibrationModesOptions options = parameters.modal;
+  options.platens               = platens;
   options.before_solve          = stop_or_report(context, "the static solve");
   std::vector<ModalCase<dim>> cases;
   for (const std::string &bottom : modal_bottoms(parameters))
@@ -202,8 +196,9 @@ void write_frequencies(Hdf5File &file, const std::vector<ModalCase<dim>> &cases)
 
 #define MESOSLIP_INSTANTIATE(dim)                                               \
   template std::vector<ModalCase<dim>> compute_modes(                           \
-    const ElasticBody<dim> &, const std::function<DofMask(const bool)> &,       \
-    const ContactParameters &, RunContext &);                                   \
+    const ElasticBody<dim> &, const std::vector<Platen> &,                      \
+    const std::function<DofMask(const bool)> &, const ContactParameters &,      \
+    RunContext &);                                                              \
   template void write_modes(const std::vector<ModalCase<dim>> &, RunContext &); \
   template ShownShapes shown_shapes(const std::vector<ModalCase<dim>> &);       \
   template void write_frequencies(Hdf5File &, const std::vector<ModalCase<dim>> &);

@@ -27,20 +27,18 @@ std::vector<std::string> modal_bottoms(const ContactParameters &parameters);
 /** The top of the transient run as long as it is loaded. */
 TopSetup top_at_start(const ContactParameters &parameters);
 
-/** Number of modes, tolerance, and the platen if the run has one at its start. */
-VibrationModesOptions modal_options(const ContactParameters &parameters);
-
 /** @throws UserError naming the key if that many free degrees of freedom have not the
  * modes that are wanted */
 void require_modes(const std::size_t n_free, const ContactParameters &parameters);
 
 /**
  * The modes for each bottom, under the constraints @p held of a bottom that is held or
- * not; with lines for the log. Collective. @throws NumericalFailure
+ * not and under @p platens; with lines for the log. Collective. @throws NumericalFailure
  */
 template <int dim>
 std::vector<ModalCase<dim>>
 compute_modes(const ElasticBody<dim> &body,
+              const std::vector<Platen> &platens,
               const std::function<DofMask(const bool bottom_held)> &held,
               const ContactParameters &parameters,
               RunContext &context);

@@ -17,7 +17,9 @@ TopSetup top_at_rest(const ContactParameters &parameters)
 namespace
 {
 /** That something holds the body along the flat. */
-void check_lateral_support(const ContactParameters &p, const bool rubs)
+void check_lateral_support(const ContactParameters &p,
+                           const std::vector<std::array<bool, 3>> &side_moves,
+                           const bool rubs)
 {
   const double speed                 = p.contact.flat_velocity.amplitude();
   const std::vector<double> &of_flat = p.static_load.of_flat;
@@ -26,7 +28,11 @@ void check_lateral_support(const ContactParameters &p, const bool rubs)
       const std::string side = std::string(p.mesh.is_given() ? "a group" : "a side") +
                                " in u_" + "xy"[c] + " (Supports)";
       const auto suspended = p.suspended();
-      if (top_at_rest(p).holds(c) || !p.mesh.held[c].empty() ||
+      const auto sides     = p.loaded_sides();
+      bool is_held         = top_at_rest(p).holds(c) || !p.mesh.held[c].empty();
+      for (std::size_t k = 0; k < sides.size(); ++k)
+        is_held = is_held || (sides[k].is_platen && !side_moves[k][c]);
+      if (is_held ||
           std::any_of(suspended.begin(), suspended.end(), [&](const SideSupport *s) {
             return s->suspension.stiffness[c] > 0.;
           }))
@@ -91,7 +97,7 @@ void check_static_load(const ContactParameters &p, const BodyFacts<dim> &body)
     throw UserError("Flat/Gap is " + to_text(p.contact.gap) +
                     " m; a static contact analysis starts from a body that touches the "
                     "flat, set it to 0");
-  check_lateral_support(p, *most > 0.);
+  check_lateral_support(p, body.size.side_moves, *most > 0.);
   if constexpr (dim == 2)
     if (body.contact_height.empty() && !p.contact.profile)
       check_tipping(p, body, *least);

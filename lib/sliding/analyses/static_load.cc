@@ -87,20 +87,18 @@ StaticLoad<dim>::StaticLoad(const GivenBody<dim> &body,
     for (std::size_t k = 0; k < top.nodes.size(); ++k)
       whole_load(dim - 1, top.nodes[k]) -= load * top.carried.area[k];
   pull(top, parameters.top.suspension);
-  for (unsigned int c = 0; c < dim && parameters.top.is_platen; ++c)
-    if (c + 1 == dim || !parameters.top.holds(c))
-      platen_moves.push_back(c);
   const std::vector<SideSupport> sides     = parameters.loaded_sides();
   const std::vector<SupportNodes> of_sides = body.side_nodes();
   for (std::size_t s = 0; s < sides.size(); ++s)
     {
       const double pressure = sides[s].pressure.amplitude();
-      for (std::size_t k = 0; k < of_sides[s].nodes.size(); ++k)
+      for (std::size_t k = 0; k < of_sides[s].nodes.size() && !sides[s].is_platen; ++k)
         for (unsigned int c = 0; c < dim; ++c)
           whole_load(c, of_sides[s].nodes[k]) +=
             pressure * of_sides[s].carried.push_of(k, c);
       pull(of_sides[s], sides[s].suspension);
     }
+  add_platens(body);
 }
 
 /** Adds tractions, and the forces of springs whose far ends have moved, at t = 0. */
@@ -120,7 +118,7 @@ StaticContactSolution StaticLoad<dim>::follow(const StaticContactOptions &given)
 {
   options                          = given;
   const StaticLoadParameters &load = parameters.static_load;
-  const bool platen                = parameters.top.is_platen;
+  const bool platen                = !moves.empty();
   for (unsigned int n = 1; n <= load.steps; ++n)
     {
       const double share = static_cast<double>(n) / load.steps;
@@ -130,7 +128,7 @@ StaticContactSolution StaticLoad<dim>::follow(const StaticContactOptions &given)
         problem.force.begin()[k] *= share;
       if (platen && gaps.empty() && !parameters.contact.profile &&
           !(springs && !springs->are_linear()) && !load.has_history() &&
-          !parameters.step.is_heavy() && !sides_push(parameters) &&
+          !parameters.step.is_heavy() && !sides_push(parameters) && moves.size() == 1 &&
           !parameters.top.suspension.is_there())
         press_in_proportion();
       else if (platen)
@@ -160,136 +158,6 @@ template <int dim>
 double StaticLoad<dim>::normal_force() const
 {
   return total_normal_force(solution, facts.size.n_contact_nodes);
-}
-
-/** Force of the body and the springs of the platen on it in the components in which it moves, from the equilibrium of
- * its nodes (N, in 2D N/m); the flat carries it, with whatever else holds or loads the body. */
-template <int dim>
-Eigen::VectorXd StaticLoad<dim>::platen_force() const
-{
-  NodalField<double> internal = elastic.zero_field();
-  elastic.vmult(internal, problem.displacement);
-  const std::vector<bool> counted = elastic.counted_originals();
-  const auto n                    = static_cast<Eigen::Index>(platen_moves.size());
-  Eigen::VectorXd force           = Eigen::VectorXd::Zero(n);
-  for (const NodeIndex &node : top.nodes)
-    if (counted[std::size_t{node.j} * elastic.n_columns() + node.i])
-      for (Eigen::Index k = 0; k < n; ++k)
-        {
-          const unsigned int c = platen_moves[static_cast<std::size_t>(k)];
-          force[k] += problem.force(c, node) - internal(c, node);
-        }
-  for (double &component : force)
-    component = mpi::sum(component, elastic.communicator());
-  return force;
-}
-
-template <int dim>
-void StaticLoad<dim>::press_in_proportion()
-{
-  solve();
-  const double factor =
-    parameters.top.pressure.amplitude() * facts.size.top_area / platen_force()[0];
-  NodalField<double> &u = solution.displacement;
-  for (std::size_t k = 0; k < u.size(); ++k)
-    u.begin()[k] *= factor;
-  for (auto *forces : {&solution.normal_force, &solution.tangential_force})
-    for (double &f : *forces)
-      f *= factor;
-}
-
-template <int dim>
-void StaticLoad<dim>::press(const double share)
-{
-  // Broyden's method, in one component the secant through the last two forces; these are in proportion to how far
-  // the platen is lowered where there are neither gaps nor springs.
-  constexpr unsigned int most  = 40;
-  const Suspension &suspension = parameters.top.suspension;
-  const auto n                 = static_cast<Eigen::Index>(platen_moves.size());
-  Eigen::VectorXd wanted       = Eigen::VectorXd::Zero(n), before, moved;
-  wanted[n - 1] = share * parameters.top.pressure.amplitude() * facts.size.top_area;
-  double scale  = wanted[n - 1];
-  for (const unsigned int c : platen_moves)
-    scale += share * facts.size.top_area * suspension.stiffness[c] *
-             std::fabs(suspension.motion[c](0.));
-  const bool first = done.empty();
-  // The flat does not carry a body that hangs on the platen; nearer to the flat it may.
-  std::exception_ptr failed;
-  if (first)
-    start_platen(share);
-  else
-    shift *= share / done.back().share;
-  for (unsigned int step = 0; step < most; ++step)
-    {
-      for (const NodeIndex &node : top.nodes)
-        for (Eigen::Index k = 0; k < n; ++k)
-          problem.displacement(platen_moves[static_cast<std::size_t>(k)], node) =
-            shift[k];
-      failed = failure_of_solve();
-      if (failed && before.size() == 0)
-        shift[n - 1] *= 2.;
-      else if (failed)
-        shift -= (moved *= 0.5);
-      if (failed)
-        continue;
-      const Eigen::VectorXd force = platen_force();
-      if ((force - wanted).cwiseAbs().maxCoeff() <= 10. * options.tolerance * scale)
-        return;
-      if (before.size() > 0)
-        {
-          const Eigen::VectorXd by        = mobility * (force - before);
-          const Eigen::RowVectorXd weight = moved.transpose() * mobility;
-          if (const double length = moved.dot(by); length != 0.)
-            mobility += (moved - by) * weight / length;
-        }
-      else if (first && force[n - 1] > 0. && !suspension.is_there())
-        mobility(n - 1, n - 1) = shift[n - 1] / force[n - 1];
-      before = force;
-      moved  = mobility * (wanted - force);
-      shift += moved;
-    }
-  if (failed)
-    std::rethrow_exception(failed);
-  throw NotConverged(brief_text(6, "static contact: the body carries ", before[n - 1],
-                                " of ", wanted[n - 1], " N after moving the platen ",
-                                most, " times"));
-}
-
-/** What solve() throws if there is no equilibrium. */
-template <int dim>
-std::exception_ptr StaticLoad<dim>::failure_of_solve()
-{
-  try
-    {
-      solve();
-    }
-  catch (const NotConverged &)
-    {
-      return std::current_exception();
-    }
-  catch (const NumericalFailure &)
-    {
-      return std::current_exception();
-    }
-  return nullptr;
-}
-
-/** Where the platen is under a @p share of the load, and how it moves, about. */
-template <int dim>
-void StaticLoad<dim>::start_platen(const double share)
-{
-  const auto n        = static_cast<Eigen::Index>(platen_moves.size());
-  const double height = elastic.extent(dim - 1),
-               body   = elastic.phases()[0].stiffness(dim - 1, dim - 1) / height;
-  shift               = Eigen::VectorXd::Zero(n);
-  mobility            = Eigen::MatrixXd::Zero(n, n);
-  for (Eigen::Index k = 0; k < n; ++k)
-    mobility(k, k) =
-      -1. /
-      (facts.size.top_area *
-       (body +
-        parameters.top.suspension.stiffness[platen_moves[static_cast<std::size_t>(k)]]));
-  shift[n - 1] = -share * strain * height;
 }
 
 template <int dim>

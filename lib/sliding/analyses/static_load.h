@@ -88,12 +88,13 @@ private:
   /** Solves once and adds up iterations. */
   void solve_linear();
 
-  /** Moves the platen until body and springs carry @p share of its pressure. @throws NotConverged */
+  /** Moves the platens until body and springs carry @p share of their pressures. @throws NotConverged */
   void press(const double share);
-  void start_platen(const double share);
+  void start_platens(const double share);
+  void move_platens();
   std::exception_ptr failure_of_solve();
 
-  /** The same where everything is proportional to how far it is lowered. */
+  /** The same where everything is proportional to how far the top is lowered. */
   void press_in_proportion();
 
   double normal_force() const;
@@ -117,10 +118,23 @@ private:
   StaticContactProblem problem;
   NodalField<double> whole_load; ///< N, in 2D N/m
   StaticContactSolution solution;
-  std::vector<unsigned int>
-    platen_moves;           ///< components in which a platen moves, the normal one last
-  Eigen::VectorXd shift;    ///< of the platen in them (m)
-  Eigen::MatrixXd mobility; ///< about how it changes with platen_force() (m/N)
+
+  /** A component in which a platen moves. */
+  struct PlatenMove
+  {
+    std::size_t platen     = 0; ///< which one, of platens
+    unsigned int component = 0; ///< 0: x
+    double pressed = 0.; ///< force of its pressure against the component (N, in 2D N/m)
+    double pulled =
+      0.; ///< size of the force of its springs before it moves (N, in 2D N/m)
+    double stiffness = 0.; ///< of the body and of them, about (N/m, in 2D Pa)
+  };
+  void add_platens(const GivenBody<dim> &body);
+
+  std::vector<Platen> platens;   ///< of sides, then the top
+  std::vector<PlatenMove> moves; ///< that of the top along its normal is the last
+  Eigen::VectorXd shift;         ///< in moves (m)
+  Eigen::MatrixXd mobility;      ///< about how it changes with platen_force() (m/N)
   std::vector<StaticLoadStep> done;
 };
 } // namespace mesoslip

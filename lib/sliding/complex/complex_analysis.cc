@@ -60,8 +60,11 @@ SlidingState ComplexModesAnalysis<dim>::at_rest(const ContactParameters &of_case
       });
       return found;
     };
-  return sliding_state<dim>(body->elastic(), of_case,
-                            body->held(top_at_start(of_case), false), friction, solve);
+  const TopSetup top = top_at_start(of_case);
+  SlidingState state =
+    sliding_state<dim>(body->elastic(), of_case, body->held(top, false), friction, solve);
+  state.platens = body->platens(top);
+  return state;
 }
 
 /** K and M of a body of phases_of_damping(), but for the smallest beta, which SlidingLaw has. */

@@ -188,7 +188,7 @@ ComplexCases<dim> compute_complex_modes(const ElasticBody<dim> &body,
       states.push_back(
         at_rest(parameters_of.back(),
                 k == 0 ? 1. : friction_factor(parameters, keys.values[k - 1])));
-      free.emplace_back(body, states.back().held, modal_options(parameters).platen);
+      free.emplace_back(body, states.back().held, states.back().platens);
       if (free.back().size() < fewest_unknowns)
         throw UserError("Analysis: complex modes are sought among " +
                         std::to_string(fewest_unknowns) +

@@ -3,6 +3,7 @@
 
 #include "contact/static_contact_solver.h"
 #include "eigenvalues/complex/sliding_pencil.h"
+#include "eigenvalues/free_dofs.h"
 #include "sliding/contact_parameters.h"
 
 #include <functional>
@@ -14,6 +15,7 @@ namespace mesoslip
 struct SlidingState
 {
   DofMask held;                   ///< by sides, top and the flat
+  std::vector<Platen> platens;    ///< of top and sides, whose nodes are held
   SlidingNodesAtRest contact;     ///< nodes that are pressed on the flat
   std::vector<std::size_t> place; ///< of each of them in ElasticBody::surface()
   std::vector<double> area;       ///< tributary of each of them (m^2, in 2D m)

@@ -87,15 +87,13 @@ public:
   make_stepper(const std::vector<HeldComponent> &held,
                const StepParameters &parameters,
                NodalField<double> &u,
-               NodalField<double> &w,
-               const std::optional<unsigned int> top_point) const override
+               NodalField<double> &w) const override
   {
     std::shared_ptr<const MeshOperator<dim>> damping;
     if (parameters.damps_by_phase())
       damping = std::make_shared<MeshOperator<dim>>(
         own_part, phases_of_damping(phases, parameters), op.communicator, isa);
-    return std::make_unique<MeshStepper<dim>>(op, held, parameters, u, w, top_point,
-                                              damping);
+    return std::make_unique<MeshStepper<dim>>(op, held, parameters, u, w, damping);
   }
 
 private:
@@ -150,19 +148,17 @@ public:
     return of_blocks ? *of_blocks : mesoslip::largest_frequency(op);
   }
 
-  std::unique_ptr<SurfaceStepper<3>>
-  make_stepper(const std::vector<HeldComponent> &held,
-               const StepParameters &parameters,
-               NodalField<double> &u,
-               NodalField<double> &w,
-               const std::optional<unsigned int> top_point) const override
+  std::unique_ptr<SurfaceStepper<3>> make_stepper(const std::vector<HeldComponent> &held,
+                                                  const StepParameters &parameters,
+                                                  NodalField<double> &u,
+                                                  NodalField<double> &w) const override
   {
     std::shared_ptr<const BrickOperator> damping;
     if (parameters.damps_by_phase())
       damping = std::make_shared<BrickOperator>(BrickSlab(op.slab()),
                                                 phases_of_damping(phases, parameters),
                                                 op.communicator, isa);
-    return std::make_unique<BrickStepper>(op, held, parameters, u, w, top_point, damping);
+    return std::make_unique<BrickStepper>(op, held, parameters, u, w, damping);
   }
 
 private:

@@ -38,8 +38,7 @@ public:
   make_stepper(const std::vector<HeldComponent> &held,
                const StepParameters &parameters,
                NodalField<double> &u,
-               NodalField<double> &w,
-               const std::optional<unsigned int> top_point) const = 0;
+               NodalField<double> &w) const = 0;
 };
 
 /** Divides the @p mesh that rank 0 has among the ranks by METIS, where cells at the points of the @p contact

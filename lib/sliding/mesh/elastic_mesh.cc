@@ -28,6 +28,11 @@ DofMask held_by_mesh(const MeshBodyDescription &body,
     if (top.is_fixed(c, dim))
       for (const unsigned int point : body.top.points)
         hold(c, point);
+  for (const MeshSide &side : body.sides)
+    for (unsigned int c = 0; c < dim; ++c)
+      if (side.moves[c])
+        for (const unsigned int point : side.points)
+          hold(c, point);
   if (contact_held)
     for (const unsigned int point : body.contact.points)
       hold(dim - 1, point);
@@ -47,6 +52,11 @@ std::size_t n_free_on_mesh(const Mesh<dim> &mesh,
     if (top.is_fixed(c, dim))
       for (const unsigned int point : body.top.points)
         held.emplace(point, c);
+  for (const MeshSide &side : body.sides)
+    for (unsigned int c = 0; c < dim; ++c)
+      if (side.moves[c])
+        for (const unsigned int point : side.points)
+          held.emplace(point, c);
   for (const unsigned int point : body.contact.points)
     if (contact_held)
       held.emplace(point, dim - 1);

@@ -19,7 +19,7 @@ std::vector<ContactCell> cells_at_contact(const BodyMesh<dim> &morphology,
                                           const PointBody<dim> &elastic,
                                           const NodalField<double> &u);
 
-/** What groups of faces and top hold, of a platen the normal component as well; with @p
+/** What groups of faces and top hold, all components of what platens move; with @p
  * contact_held the contact along the normal of the flat. */
 template <int dim>
 DofMask held_by_mesh(const MeshBodyDescription &body,

@@ -94,11 +94,10 @@ std::vector<std::string> GivenMesh<dim>::lines() const
   std::vector<std::string> text = mesh->description;
   const auto add                = [&](const std::string &what, const std::string &name,
                        const MeshBoundary &boundary) {
-    const double area =
-      std::fabs(std::accumulate(boundary.area.begin(), boundary.area.end(), 0.));
+    const double sum = std::accumulate(boundary.area.begin(), boundary.area.end(), 0.);
     if (!boundary.points.empty())
       text.push_back(brief_text(6, what, " '", name, "': ", boundary.points.size(),
-                                               " nodes, ", area, dim == 2 ? " m" : " m^2",
+                                               " nodes, ", std::fabs(sum), dim == 2 ? " m" : " m^2",
                                                " seen along the normal of the flat"));
   };
   add("Contact", parameters.mesh.contact_boundary, body.contact);
@@ -113,8 +112,11 @@ BodySize GivenMesh<dim>::size() const
   size.dim      = dim;
   size.top_area = std::accumulate(body.top.area.begin(), body.top.area.end(), 0.);
   for (const MeshSide &side : body.sides)
-    size.side_area.push_back(
-      std::accumulate(side.nodes.area.begin(), side.nodes.area.end(), 0.));
+    {
+      size.side_area.push_back(side.nodes.whole_area());
+      size.side_push.push_back(side.nodes.whole_push());
+      size.side_moves.push_back(side.moves);
+    }
   size.n_cells         = body.n_cells;
   size.crossing        = body.scales.crossing();
   size.mass            = body.scales.mass;
@@ -142,8 +144,8 @@ BodyInMotion<dim> GivenMesh<dim>::start(const SlidingSetup &given,
   setup.step                            = mesh->of_materials(given.step);
   setup.top.nodes                       = body.top_nodes;
   const std::vector<SideSupport> loaded = parameters.loaded_sides();
-  for (std::size_t k = 0; k < loaded.size(); ++k)
-    setup.loaded.push_back({loaded[k], body.sides[k].nodes, body.sides[k].points, {}});
+  for (const auto &[points, nodes, moves] : body.sides)
+    setup.loaded.push_back({loaded[setup.loaded.size()], nodes, points, {}, moves});
   auto sliding = std::make_unique<SlidingMesh<dim>>(
     *distributed, body.contact, body.top, body.held, setup,
     context.options().profile ? &context.timer() : nullptr);

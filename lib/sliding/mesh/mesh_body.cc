@@ -8,6 +8,7 @@
 #include "material/shear_impedance.h"
 #include "sliding/body_grid.h"
 #include "sliding/contact_parameters.h"
+#include "sliding/mesh/mesh_sides.h"
 
 #include <deal.II/base/bounding_box.h>
 
@@ -67,32 +68,6 @@ shares_of_phases(const BodyMesh<dim> &morphology,
                                       std::vector<double>(n, 1.)));
     }
   return shares;
-}
-
-/** TopSetup::impedance of the points of @p top, if it absorbs: for the area seen from above that of the true one. */
-template <int dim>
-std::vector<std::vector<double>>
-impedance_of_points(const BodyMesh<dim> &morphology,
-                    const std::vector<BoundaryFace<dim>> &faces,
-                    const MeshBoundary &top)
-{
-  const MeshSide side = mesh_side(morphology, faces, true);
-  std::map<unsigned int, std::size_t> place;
-  for (std::size_t k = 0; k < side.points.size(); ++k)
-    place[side.points[k]] = k;
-  std::vector<std::vector<double>> result;
-  for (const std::vector<double> &component : side.nodes.impedance)
-    {
-      std::vector<double> values;
-      for (std::size_t i = 0; i < top.points.size(); ++i)
-        {
-          const std::size_t k = place.at(top.points[i]);
-          values.push_back(
-            top.area[i] > 0. ? component[k] * side.nodes.area[k] / top.area[i] : 0.);
-        }
-      result.push_back(values);
-    }
-  return result;
 }
 
 /** Whether anything happens at the contact: not to modes with a free bottom. */
@@ -231,21 +206,6 @@ BodyScales scales_of(const BodyMesh<dim> &morphology,
   return scales;
 }
 
-/** Those of ContactParameters::loaded_sides(). */
-template <int dim>
-std::vector<MeshSide> loaded_sides_of(const BodyMesh<dim> &morphology,
-                                      const std::vector<BoundaryFace<dim>> &faces,
-                                      const ContactParameters &given)
-{
-  std::vector<MeshSide> sides;
-  for (const SideSupport &support : given.loaded_sides())
-    sides.push_back(
-      mesh_side(morphology,
-                group_faces(morphology, faces, "Supports/" + support.name, support.name),
-                support.suspension.absorbing));
-  return sides;
-}
-
 /** From numbers in the mesh, which may be that of some cells, to those in the body. */
 template <int dim>
 void number_in_whole_body(MeshBodyDescription &body, const BodyMesh<dim> &morphology)
@@ -319,7 +279,7 @@ MeshBodyDescription describe_body(const BodyMesh<dim> &morphology,
       for (const unsigned int point :
            boundary_points(mesh, faces_with("Supports/" + name, name)).points)
         body.held.push_back({mesh.original(point), c});
-  body.sides = loaded_sides_of(morphology, faces, given);
+  describe_sides(body, morphology, faces, given);
   check_supports(body, dim - 1, given);
   body.n_points = morphology.n_points();
   body.n_cells  = morphology.n_cells();

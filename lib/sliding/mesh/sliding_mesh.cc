@@ -50,7 +50,7 @@ SlidingSetup restricted(SlidingSetup setup,
   setup.loaded.clear();
   for (const SharedSide &side : shared.sides)
     setup.loaded.push_back(side.here);
-  setup.ranks = communicator;
+  setup.ranks = setup.platen_ranks = communicator;
   return setup;
 }
 } // namespace
@@ -176,7 +176,7 @@ SlidingMesh<dim>::SlidingMesh(const DistributedBody<dim> &body,
   , w(u)
   , part(body.part())
   , surfaces(shared)
-  , own_stepper(body.make_stepper(held, setup.step, u, w, top.points.at(0)))
+  , own_stepper(body.make_stepper(held, setup.step, u, w))
   , stepper(*own_stepper)
 {
   const auto timed = [this](SurfaceCondition<dim> &surface, const char *name) {
@@ -186,11 +186,15 @@ SlidingMesh<dim>::SlidingMesh(const DistributedBody<dim> &body,
     &stepper.add_surface(shared.contact,
                          *timed(this->contact, "Contact and its histories")),
     &stepper.add_surface(shared.top, *timed(this->top, "Top and its histories"))};
-  for (std::size_t k = 0; k < this->sides.size(); ++k)
+  const std::size_t n_platens = this->platens.size();
+  for (std::size_t k = 0; k < n_platens; ++k)
     hosts.push_back(&stepper.add_side(shared.sides[k].own,
+                                      *timed(this->platens[k], "Platens at the sides")));
+  for (std::size_t k = 0; k < this->sides.size(); ++k)
+    hosts.push_back(&stepper.add_side(shared.sides[n_platens + k].own,
                                       *timed(this->sides[k], "Sides under a load")));
   for (std::size_t k = 0; k < this->sides.size(); ++k)
-    for (const SideGuest &guest : shared.sides[k].guests)
+    for (const SideGuest &guest : shared.sides[n_platens + k].guests)
       hosts[guest.host]->add_guest(guest.i, this->sides[k], guest.k);
   this->watch_energy();
 }
@@ -227,6 +231,18 @@ void SlidingMesh<dim>::set_initial_velocity(const std::array<double, 3> &velocit
       w.row(c, 0)[i] = rests[i][c] ? 0. : velocity[c] + back * a[i][c];
 }
 
+namespace
+{
+/** Calls what (i, point) for the nodes that have a point on this rank. */
+template <typename Function>
+void for_each_point(const SharedNodes &nodes, const Function &what)
+{
+  for (unsigned int i = 0; i < nodes.size(); ++i)
+    if (const unsigned int point = nodes.point(i); point != SharedNodes::none)
+      what(i, point);
+}
+} // namespace
+
 template <int dim>
 std::vector<std::array<double, dim>> SlidingMesh<dim>::start_acceleration(
   const std::array<double, 3> &velocity,
@@ -243,25 +259,21 @@ std::vector<std::array<double, dim>> SlidingMesh<dim>::start_acceleration(
   for (std::size_t i = 0; i < n; ++i)
     drag[i] = stepper.alpha_of({static_cast<unsigned int>(i), 0}, mass[i]) * mass[i];
   std::vector<std::array<bool, dim>> held_on_top(top.size());
-  for (unsigned int i = 0; i < top.size(); ++i)
-    if (const unsigned int point = top.point(i); point != SharedNodes::none)
-      {
-        of_top[i]      = mass[point];
-        drag_of_top[i] = drag[point];
-        held_on_top[i] = rests[point];
-      }
+  for_each_point(top, [&](const unsigned int i, const unsigned int point) {
+    of_top[i]      = mass[point];
+    drag_of_top[i] = drag[point];
+    held_on_top[i] = rests[point];
+  });
   const auto pushed =
     this->top.start_acceleration(of_top, drag_of_top, held_on_top, velocity);
   const bool platen = this->setup.top.is_platen; // moves as one
-  for (unsigned int i = 0; i < top.size(); ++i)
-    if (const unsigned int point = top.point(i); point != SharedNodes::none)
-      {
-        a[point] = pushed[i];
-        mass[point] += this->top.suspended_mass(i);
-        drag[point] += of_supports * this->top.suspended_mass(i);
-        if (platen)
-          drag[point] = 0.; // pushed has it
-      }
+  for_each_point(top, [&](const unsigned int i, const unsigned int point) {
+    a[point] = pushed[i];
+    mass[point] += this->top.suspended_mass(i);
+    drag[point] += of_supports * this->top.suspended_mass(i);
+    if (platen)
+      drag[point] = 0.; // pushed has it
+  });
   const auto load = [&](const SideSurface<dim> &side, const unsigned int k,
                         const unsigned int point) {
     if (point == SharedNodes::none)
@@ -273,13 +285,29 @@ std::vector<std::array<double, dim>> SlidingMesh<dim>::start_acceleration(
     mass[point] += side.mass(k);
     drag[point] += of_supports * side.mass(k);
   };
+  const std::size_t n_platens = this->platens.size();
+  for (std::size_t k = 0; k < n_platens; ++k)
+    {
+      const SharedNodes &nodes = surfaces.sides[k].own;
+      std::vector<double> of_side(nodes.size(), 0.), drag_of_side(of_side);
+      for_each_point(nodes, [&](const unsigned int i, const unsigned int point) {
+        of_side[i]      = mass[point];
+        drag_of_side[i] = drag[point];
+      });
+      const auto found =
+        this->platens[k].start_acceleration(of_side, drag_of_side, velocity);
+      for_each_point(nodes, [&](const unsigned int, const unsigned int point) {
+        a[point]    = found;
+        drag[point] = 0.; // found has it
+      });
+    }
   for (std::size_t s = 0; s < this->sides.size(); ++s)
     {
-      const SharedSide &side = surfaces.sides[s];
+      const SharedSide &side = surfaces.sides[n_platens + s];
       for (unsigned int k = 0; k < side.own.size(); ++k)
         load(this->sides[s], k, side.own.point(k));
       for (const SideGuest &guest : side.guests)
-        if (guest.host != 1 || !platen)
+        if (guest.host > 1 + n_platens || guest.host == 0 || (guest.host == 1 && !platen))
           load(this->sides[s], guest.k, surfaces.host(guest.host).point(guest.i));
     }
   for (std::size_t i = 0; i < n; ++i)

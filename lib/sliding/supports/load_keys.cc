@@ -139,4 +139,14 @@ void bind_suspension(Keys &keys,
       return suspension.traction(c, {}, 0.);
     });
 }
+
+void bind_platen_mass(Keys &keys, SideSupport &side, const std::string &what)
+{
+  keys.bind(
+    "Platen mass", side.platen_mass, Range::non_negative(),
+    "Mass of the platen, which moves with " + what +
+      ", in 2D per unit thickness; Body/Acceleration does not act on it [kg/m, in "
+      "3D kg]");
+  keys.only_with("Kind", {"platen"}, {"Platen mass"});
+}
 } // namespace mesoslip

@@ -1,7 +1,7 @@
 #ifndef mesoslip_sliding_supports_load_keys_h
 #define mesoslip_sliding_supports_load_keys_h
 
-#include "dynamics/supports/suspension.h"
+#include "dynamics/supports/side_support.h"
 
 #include <string>
 
@@ -25,6 +25,9 @@ void bind_suspension(Keys &keys,
                      Suspension &suspension,
                      const std::string &side,
                      const unsigned int dim);
+
+/** Binds the mass of a platen at @p what, such as "the top". */
+void bind_platen_mass(Keys &keys, SideSupport &side, const std::string &what);
 } // namespace mesoslip
 
 #endif

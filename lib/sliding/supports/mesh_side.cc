@@ -2,6 +2,7 @@
 
 #include "material/shear_impedance.h"
 #include "sliding/mesh/body_mesh.h"
+#include "sliding/supports/side_platen.h"
 
 #include <array>
 #include <map>
@@ -70,6 +71,24 @@ MeshSide mesh_side(const BodyMesh<dim> &morphology,
         side.nodes.impedance[m].push_back(sum.impedance(m / dim, m % dim) / sum.area);
     }
   return side;
+}
+
+void MeshSide::keep_for_platen(const std::set<unsigned int> &others,
+                               const SideSupport &support)
+{
+  std::vector<bool> own;
+  for (const unsigned int point : points)
+    own.push_back(others.count(point) == 0);
+  carry_whole_side(nodes, own, support);
+  std::vector<unsigned int> kept, numbers;
+  for (unsigned int k = 0; k < points.size(); ++k)
+    if (own[k])
+      {
+        kept.push_back(points[k]);
+        numbers.push_back(k);
+      }
+  points = kept;
+  nodes  = nodes.at(numbers);
 }
 
 template MeshSide

@@ -57,7 +57,8 @@ SharedSurfaces::SharedSurfaces(const std::vector<unsigned int> &contact_points,
             own.push_back(side.points[k]);
             of_own.push_back(k);
           }
-      SharedSide here = {SharedNodes(own, part), {side.support, {}, {}, {}}, {}};
+      SharedSide here = {
+        SharedNodes(own, part), {side.support, {}, {}, {}, side.moves}, {}};
       std::vector<unsigned int> numbers = own_nodes(here, of_own);
       for (const unsigned int k : of_guests)
         {

@@ -5,6 +5,7 @@
 #include "dynamics/shared_nodes.h"
 #include "dynamics/supports/side_surface.h"
 
+#include <array>
 #include <deque>
 #include <vector>
 
@@ -17,6 +18,7 @@ struct LoadedSide
   SideNodes nodes;                  ///< of a grid one for each row
   std::vector<unsigned int> points; ///< of the whole mesh; empty on grids
   std::vector<bool> counted;        ///< see SideSurface; empty: all
+  std::array<bool, 3> moves = {};   ///< of a platen the components in which it moves
 };
 
 /** A node of a loaded side that another surface moves. */

@@ -59,22 +59,29 @@ SideSupport bind_side(Keys &keys, const std::string &name, const unsigned int di
   std::string kind      = "free";
   double pressure       = 0.;
   const std::string the = text_of(name);
-  keys.bind("Kind", kind, {"free", "pressure", "held", "springs", "absorbing"},
-            "What " + the +
-              " stands on: nothing; a pressure; no motion (u = 0); springs and dashpots, "
-              "with a pressure; or dashpots that absorb waves, with a pressure" +
-              (name == "Left"
-                 ? ". On a mesh sections have the names of its physical groups"
-                 : ""));
+  keys.bind(
+    "Kind", kind, {"free", "pressure", "platen", "held", "springs", "absorbing"},
+    "What " + the +
+      " stands on: nothing; a pressure; a rigid platen, pushed by the resultant of "
+      "the pressure (one common displacement along the normal, none across it); no "
+      "motion (u = 0); springs and dashpots, with a pressure; or dashpots that "
+      "absorb waves, with a pressure" +
+      (name == "Left" ? ". On a mesh sections have the names of its physical groups"
+                      : ""));
   bind_held(keys, side, kind, dim);
   keys.bind("Pressure", pressure, Range::any(),
             "Pressure on " + the + ", positive when it presses into the body [Pa]");
   side.pressure = bind_history(keys, pressure, "pressure", "Pa");
+  bind_platen_mass(keys, side, the);
   bind_suspension(keys, side.suspension, the, dim);
   side.suspension.absorbing = kind == "absorbing";
-  keys.only_with("Kind", {"springs"}, {"Spring stiffness", "Dashpot", "Mass", "Motion"});
-  keys.only_with("Kind", {"pressure", "springs", "absorbing"},
-                 {"Pressure", "Ramp", "Ramp time", "Expression", "Traction"});
+  side.is_platen            = kind == "platen";
+  keys.only_with("Kind", {"springs"}, {"Mass"});
+  keys.only_with("Kind", {"springs", "platen"},
+                 {"Spring stiffness", "Dashpot", "Motion"});
+  keys.only_with("Kind", {"pressure", "platen", "springs", "absorbing"},
+                 {"Pressure", "Ramp", "Ramp time", "Expression"});
+  keys.only_with("Kind", {"pressure", "springs", "absorbing"}, {"Traction"});
   keys.require(
     kind != "pressure" || side.is_loaded(), "Pressure",
     "it is 0, but Kind is pressure; give it or a Traction in Pa, or set Kind = "
@@ -127,16 +134,13 @@ void ContactParameters::bind_top(Keys &keys)
     top.held[component == "u_x" ? 0 : 1] = true;
   keys.require(mesh.mesh.dim == 3 || !top.held[1], "Held",
                "u_y is along the normal of the flat; set Kind = held, or name u_x only");
-  keys.bind("Platen mass", top.platen_mass, Range::non_negative(),
-            "Mass of the platen, which moves with the top, in 2D per unit thickness; "
-            "Body/Acceleration does not act on it [kg/m, in 3D kg]");
+  bind_platen_mass(keys, top, "the top");
   bind_suspension(keys, top.suspension, "the top", mesh.mesh.dim);
   keys.bind_or_auto("Hold from", hold_from, Range::non_negative(),
                     "Time from which on the top stays where it is; auto: never [s]");
   if (!std::isnan(hold_from))
     top.hold_from = hold_from;
   keys.only_with("Kind", {"pressure"}, {"Held"});
-  keys.only_with("Kind", {"platen"}, {"Platen mass"});
   keys.only_with("Kind", {"springs"}, {"Mass"});
   keys.only_with("Kind", {"springs", "platen"},
                  {"Spring stiffness", "Dashpot", "Motion"});
@@ -227,8 +231,11 @@ void ContactParameters::bind_sides(Keys &keys)
 std::vector<SideSupport> ContactParameters::loaded_sides() const
 {
   std::vector<SideSupport> loaded;
-  std::copy_if(supports.begin(), supports.end(), std::back_inserter(loaded),
-               [](const SideSupport &side) { return side.is_loaded(); });
+  for (const bool is_platen : {true, false})
+    std::copy_if(supports.begin(), supports.end(), std::back_inserter(loaded),
+                 [&](const SideSupport &side) {
+                   return side.is_loaded() && side.is_platen == is_platen;
+                 });
   return loaded;
 }
 
@@ -241,11 +248,11 @@ std::vector<const SideSupport *> ContactParameters::suspended() const
   return all;
 }
 
-bool ContactParameters::has_suspensions() const
+bool ContactParameters::supports_keep_energy() const
 {
   const std::vector<const SideSupport *> all = suspended();
   return std::any_of(all.begin(), all.end(),
-                     [](const SideSupport *side) { return side->suspension.is_there(); });
+                     [](const SideSupport *side) { return side->keeps_energy(); });
 }
 
 bool ContactParameters::is_moved_normally() const

@@ -62,13 +62,18 @@ std::string support_text(const SideSupport &side, const unsigned int dim)
 {
   const Suspension &on = side.suspension;
   std::string text;
+  const bool of_top         = side.name == "Top";
+  const std::string of_mass = side.platen_mass > 0. ? " of " + to_text(side.platen_mass) +
+                                                        (dim == 2 ? " kg/m" : " kg")
+                                                    : std::string();
   for (const std::string &part :
-       {components_text("springs", on.stiffness, dim, "Pa/m"),
+       {side.is_platen && !of_top ? "a rigid platen" + of_mass : std::string(),
+        components_text("springs", on.stiffness, dim, "Pa/m"),
         components_text("dashpots", on.dashpot, dim, "Pa s/m"),
         std::string(on.absorbing ? "dashpots of the impedances behind it" : ""),
         on.mass > 0. ? "a mass of " + to_text(on.mass) + " kg/m^2" : std::string(),
         motion_text(on, dim), traction_text(on.traction, dim),
-        side.name == "Top" ? "" : pressure_text(side.pressure)})
+        of_top ? "" : pressure_text(side.pressure)})
     if (!part.empty())
       text += (text.empty() ? side.name + ": " : "; ") + part;
   return text;

@@ -46,7 +46,7 @@ void write_energy(Hdf5File &file, const TransientResult &run, const RunContext &
                                         {"residual", unit, &residual}};
   if (run.parameters.contact.is_compliant() || run.parameters.contact.slips_on_springs())
     columns.insert(columns.end() - 1, {"contact", unit, &e.contact});
-  if (run.parameters.has_suspensions())
+  if (run.parameters.supports_keep_energy())
     columns.insert(columns.end() - 1,
                    {{"supports", unit, &e.supports}, {"dashpots", unit, &e.dashpots}});
   write_series(file, "/energy", columns);

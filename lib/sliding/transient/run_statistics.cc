@@ -23,9 +23,9 @@ LimitCycleCriterion limit_cycle_criterion(const ContactParameters &parameters,
              top.suspension.period((size.mass + top.platen_mass) / size.top_area));
   const std::vector<SideSupport> sides = parameters.loaded_sides();
   for (std::size_t k = 0; k < sides.size(); ++k)
-    criterion.expected_period =
-      std::max(criterion.expected_period,
-               sides[k].suspension.period(size.mass / size.side_area[k]));
+    criterion.expected_period = std::max(
+      criterion.expected_period,
+      sides[k].suspension.period((size.mass + sides[k].platen_mass) / size.side_area[k]));
   return criterion;
 }
 } // namespace

@@ -132,10 +132,11 @@ void TransientResult::write_summary(RunContext &context) const
   if (!time.step.alpha_of_phases.empty())
     summary["rayleigh_alpha_of_phases"] = time.step.alpha_of_phases;
   for (const SideSupport *side : parameters.suspended())
-    if (const Suspension &on = side->suspension; on.is_there())
+    if (const Suspension &on = side->suspension; side->is_platen || on.is_there())
       summary["supports"][side->name] = {{"spring_stiffness", on.stiffness},
                                          {"dashpot", on.dashpot},
                                          {"mass", on.mass},
+                                         {"platen_mass", side->platen_mass},
                                          {"absorbing", on.absorbing}};
   if (body.dim == 3)
     summary["flat_direction"] = parameters.contact.flat_direction;

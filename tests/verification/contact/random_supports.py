@@ -1,7 +1,7 @@
 """Random supports at the left, the right and the top against a dense code written apart, in numpy: modes, the static body pressed on the flat, and
 every step of runs that land on it, of random phase maps as a plane grid and as a mesh of the same cells, on one rank and on two.
 
-Each side is free, held, under a pressure, on springs with dashpots, mass and a far end that moves, or absorbs waves; the top may be a platen, too, also on springs.
+Each side is free, held, under a pressure, on springs with dashpots, mass and a far end that moves, absorbs waves, or is a platen, also on springs.
 Damping is that of all phases or differs by phase, and bodies about whose steady sliding complex modes vibrate are dragged by friction. Modes
 agree to 1e-8, static displacements to 1e-7 and steps to 1e-10 of the largest."""
 
@@ -85,6 +85,13 @@ class Body:
                 impedance[node] += h / 2 * Z
         return nodes, length, axis, 1 if name == "Left" else -1, impedance / length[:, None]
 
+    def carried(self, support):
+        """side() of what carries the load of a support: platens at the left and the right move all but the corners, and have the whole side."""
+        nodes, length, axis, sign, impedance = self.side(support.name)
+        if support.kind == "platen" and support.name != "Top":
+            nodes, length, impedance = nodes[1:-1], length[1:-1] * length.sum() / length[1:-1].sum(), impedance[1:-1]
+        return nodes, length, axis, sign, impedance
+
     def write(self, folder):
         Box([NX * HX * 1e3, NY * HY * 1e3], [NX, NY], lambda x: "ab"[self.phases[min(int(x[1] / HY * 1e-3), NY - 1), min(int(x[0] / HX * 1e-3), NX - 1)]],
             "cube").name_side("Contact", 1, False).name_side("Top", 1, True).name_side("Left", 0, False).name_side("Right", 0, True).write(folder("body.msh"))
@@ -110,7 +117,8 @@ class Support:
         if kind == "held":
             self.held = [0, 1]
         elif kind == "platen":
-            self.held = [0] if self.k[0] == 0 else []
+            across = 0 if name == "Top" else 1
+            self.held = [across] if self.k[across] == 0 else []
         elif random.random() < 0.3 and (name != "Top" or kind == "pressure" and not (self.shear.any() or self.rate.any())):
             self.held = [0] if name == "Top" or kind == "free" else [1]
             for values in (self.k, self.z, self.shear, self.rate):  # where it is held they would have no effect
@@ -155,7 +163,7 @@ def supports_of(body, supports):
     n = len(body.mass)
     springs, dashpots, added, held = np.zeros(n), [], np.zeros(n), np.zeros(n, bool)
     for support in supports:
-        nodes, length, axis, sign, impedance = body.side(support.name)
+        nodes, length, axis, sign, impedance = body.carried(support)
         for c in range(2):
             dofs = 2 * nodes + c
             springs[dofs] += length * support.k[c]
@@ -166,7 +174,7 @@ def supports_of(body, supports):
     def load(t):
         force = np.zeros(n)
         for support in supports:
-            nodes, length, axis, sign, _ = body.side(support.name)
+            nodes, length, axis, sign, _ = body.carried(support)
             force[2 * nodes + axis] += sign * length * support.pressure
             for c in range(2):
                 force[2 * nodes + c] += length * (support.k[c] * support.far(t)[c] + support.traction(body.i[nodes] * HX, body.j[nodes] * HY, t)[c])
@@ -175,27 +183,27 @@ def supports_of(body, supports):
     return springs, dashpots, added, held, load
 
 
-def moved_by_platen(body, top):
-    """The degrees of freedom that are one, a row for each component in which a platen moves."""
-    return [2 * np.flatnonzero(body.j == NY) + c for c in range(2) if top.kind == "platen" and c not in top.held]
+def moved_by_platens(body, supports):
+    """For each component in which a platen moves its support, the component, and the degrees of freedom that are one."""
+    return [(support, c, 2 * body.carried(support)[0] + c) for support in supports for c in range(2) if support.kind == "platen" and c not in support.held]
 
 
 def basis(body, supports, held):
-    """From unknowns to degrees of freedom; the last unknowns are the platen's if there is one."""
-    together = [np.isin(np.arange(len(held)), dofs) for dofs in moved_by_platen(body, supports[-1])]
+    """From unknowns to degrees of freedom; the last unknowns are those of platens."""
+    together = [np.isin(np.arange(len(held)), dofs) for _, _, dofs in moved_by_platens(body, supports)]
     return np.hstack([np.eye(len(held))[:, ~held & ~np.any([held & False, *together], axis=0)], *[some[:, None] for some in together]])
 
 
-def with_platen(mass, body, supports):
+def with_platens(mass, body, supports):
     """The masses of the unknowns of basis()."""
-    n = len(moved_by_platen(body, supports[-1]))
+    n = len(moved_by_platens(body, supports))
     return mass + PLATEN_MASS * (np.arange(len(mass)) >= len(mass) - n)
 
 
 def modes(body, supports):
     springs, _, added, held, _ = supports_of(body, supports)
     T = basis(body, supports, held)
-    mass = with_platen(T.T @ (body.mass + added), body, supports)
+    mass = with_platens(T.T @ (body.mass + added), body, supports)
     root = 1 / np.sqrt(mass)
     squares = np.linalg.eigvalsh(root[:, None] * (T.T @ (body.K + np.diag(springs)) @ T) * root)
     return np.sqrt(squares[squares > 1e-9 * squares[-1]]) / (2 * np.pi)
@@ -234,7 +242,7 @@ def complex_modes(body, supports, touching, mu):
     for dofs, Z, _, _ in dashpots:
         C[dofs, dofs] += Z
     T = basis(body, supports, fixed)
-    K, C, mass = T.T @ drag @ (body.K + np.diag(springs)) @ T, T.T @ drag @ C @ T, with_platen(T.T @ (body.mass + added), body, supports)
+    K, C, mass = T.T @ drag @ (body.K + np.diag(springs)) @ T, T.T @ drag @ C @ T, with_platens(T.T @ (body.mass + added), body, supports)
     n = len(mass)
     A = np.block([[np.zeros((n, n)), np.eye(n)], [-K / mass[:, None], -C / mass[:, None]]])
     s = np.linalg.eigvals(A)
@@ -251,16 +259,16 @@ def run(body, supports, velocity, weight):
     drags = body.drags(added)
     inertia, bottom = m + 0.5 * DT * (drags + Z), 2 * np.flatnonzero(body.j == 0) + 1
     assert (DT * Z < 2 * m).all()
-    platen = moved_by_platen(body, supports[-1])
+    platens = moved_by_platens(body, supports)
     v, g = np.tile(velocity, n // 2), np.tile(weight, n // 2)
     at_start = g + (load(0.0) + pull - Z * v) / m
-    far, far_velocity = supports[-1].far(0.0), supports[-1].far(1.0) - supports[-1].far(0.0)
-    for dofs in platen:  # without what sides do at the corners
-        c = dofs[0] % 2
-        push = supports[-1].k[c] * far[c] - supports[-1].z[c] * (velocity[c] - far_velocity[c]) - PRESSURE * c
-        at_start[dofs] = (body.mass[dofs].sum() * weight[c] + push * NX * HX) / (body.mass[dofs].sum() + PLATEN_MASS)
+    for support, c, dofs in platens:  # without what other sides do at the corners
+        _, length, axis, sign, _ = body.carried(support)
+        far, far_velocity = support.far(0.0), support.far(1.0) - support.far(0.0)
+        push = support.k[c] * far[c] - support.z[c] * (velocity[c] - far_velocity[c]) + sign * support.pressure * (c == axis)
+        at_start[dofs] = (body.mass[dofs].sum() * weight[c] + push * length.sum()) / (body.mass[dofs].sum() + PLATEN_MASS)
     alpha = drags / m
-    for dofs in platen:
+    for _, _, dofs in platens:
         alpha[dofs] = body.alpha_mass[dofs].sum() / (body.mass[dofs].sum() + PLATEN_MASS)
     u, w = np.zeros(n), v - 0.5 * DT * (at_start - alpha * v)
     w[held] = 0
@@ -268,7 +276,7 @@ def run(body, supports, velocity, weight):
     for step in range(N_STEPS):
         force = load(step * DT) + pull + m * g - springs * u - body.K @ u - body.K_beta @ w - (Z + drags) * w
         a = np.where(held, 0, force / inertia)
-        for dofs in platen:
+        for _, _, dofs in platens:
             a[dofs] = force[dofs].sum() / (inertia[dofs].sum() + PLATEN_MASS)
         for k in bottom[~held[bottom]]:
             a[k] = max(a[k], ((-GAP - u[k]) / DT - w[k]) / DT)
@@ -279,11 +287,11 @@ def run(body, supports, velocity, weight):
 
 
 def random_supports(random, analysis):
-    kinds = ["free", "pressure", "held", "springs", "absorbing"]
+    kinds = ["free", "pressure", "held", "springs", "absorbing", "platen"]
     chosen = [Support(name, random.choice(kinds), random) for name in ("Left", "Right")]
-    top = Support("Top", random.choice([*kinds, "platen"] if analysis in ("modal", "transient") else ["pressure", "springs", "platen"]), random)
+    top = Support("Top", random.choice(kinds if analysis in ("modal", "transient") else ["pressure", "springs", "platen"]), random)
     for side in chosen:
-        if top.kind == "platen":  # which moves the corners
+        if top.kind == "platen" and side.kind != "platen":  # which moves the corners
             side.held = [c for c in side.held if side.kind != "held" and c == 0 and c in top.held]
             side.kind = "free" if side.kind == "held" else side.kind
     return chosen + [top]

@@ -2,6 +2,7 @@
 #define mesoslip_tests_verification_divided_body_h
 
 #include "body/mesh/mesh_body.h"
+#include "eigenvalues/free_dofs.h"
 
 #include <deal.II/base/mpi.h>
 
@@ -29,6 +30,14 @@ inline mesoslip::DofMask held_at_top(const mesoslip::ElasticBody<3> &body)
     for (unsigned int c = 0; c < 3; ++c)
       held.constrain(c, node);
   return held;
+}
+
+/** A platen of this mass on the top, which moves along its normal. */
+inline mesoslip::Platen platen_on_top(const mesoslip::ElasticBody<3> &body,
+                                      const double mass)
+{
+  return {
+    body.surface(mesoslip::ElasticBody<3>::top).nodes, {{false, false, true}}, mass};
 }
 } // namespace verification
 

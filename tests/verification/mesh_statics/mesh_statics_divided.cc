@@ -130,11 +130,12 @@ TEST(DividedBody, IsThatOfWholeFields)
 
         VibrationModesOptions options;
         options.n_modes = 3;
-        options.platen  = Platen{0.7, {}};
+        options.platens = {verification::platen_on_top(body, 0.7)};
         const auto modes =
-                     vibration_modes<3>(body, verification::held_at_top(body), options),
-                   expected =
-                     vibration_modes<3>(all, verification::held_at_top(all), options);
+          vibration_modes<3>(body, verification::held_at_top(body), options);
+        options.platens = {verification::platen_on_top(all, 0.7)};
+        const auto expected =
+          vibration_modes<3>(all, verification::held_at_top(all), options);
         EXPECT_EQ(modes.n_rigid_motions, expected.n_rigid_motions);
         for (std::size_t k = 0; k < expected.modes.size(); ++k)
           {
