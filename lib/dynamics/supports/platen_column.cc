@@ -32,7 +32,6 @@ PlatenColumn::PlatenColumn(RigidPlaten<2> &platen,
   , w(w)
   , communicator(communicator)
   , places(inner_rows(rows))
-  , of_ranks(2 * mpi::n_mpi_processes(communicator))
 {
   for (const unsigned int l : places)
     inverse_mass.push_back(
@@ -54,7 +53,7 @@ void PlatenColumn::save()
 void PlatenColumn::advance(const std::uint64_t step_number)
 {
   SurfaceView<2> view;
-  std::array<double, 2> own, total = {};
+  std::array<double, 2> total;
   view.n           = places.size();
   view.step        = step_number;
   view.time        = static_cast<double>(step_number) * step.dt;
@@ -68,12 +67,9 @@ void PlatenColumn::advance(const std::uint64_t step_number)
       view.w[c]            = w_before[c].data();
       view.force[c]        = force[c].data();
       view.inverse_mass[c] = inverse_mass.data();
-      own[c]               = sum_of(view.force[c], view.n);
+      total[c]             = sum_of(view.force[c], view.n);
     }
-  // Of each rank to all, so that all add up the same numbers in the same order.
-  MPI_Allgather(own.data(), 2, MPI_DOUBLE, of_ranks.data(), 2, MPI_DOUBLE, communicator);
-  for (std::size_t k = 0; k < of_ranks.size(); ++k)
-    total[k % 2] += of_ranks[k];
+  sum_over_ranks(total.data(), total.size(), communicator);
   platen.advance(view);
   for (unsigned int c = 0; c < 2; ++c)
     for (std::size_t k = 0; k < places.size(); ++k)

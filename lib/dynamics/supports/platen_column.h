@@ -51,7 +51,6 @@ private:
   const std::vector<unsigned int> places; ///< the rows in the fields
   std::vector<double> inverse_mass;       ///< m/kg
   Components u_before, w_before, force;
-  std::vector<double> of_ranks; ///< forces of each
 };
 } // namespace mesoslip
 
