@@ -99,7 +99,7 @@ void BrickSolver::find_motions(const DofMask &mask, const std::vector<SpringEntr
     add_motion(motion, product);
   };
   motions.clear();
-  const auto hold = RigidMotions<3>(body).hold_of(mask, true, on);
+  const auto hold = RigidMotions<3>(body).hold_of(mask, on);
   for (const auto &left : RigidMotions<3>::left_by(hold))
     {
       Motion motion = motion_of(left);

@@ -8,10 +8,6 @@
 
 namespace mesoslip
 {
-namespace
-{
-}
-
 template <int dim>
 typename RigidMotions<dim>::Displacements
 RigidMotions<dim>::at(const std::array<double, dim> &point) const
@@ -40,15 +36,14 @@ RigidMotions<dim>::at(const std::array<double, dim> &point) const
 template <int dim>
 typename RigidMotions<dim>::Hold
 RigidMotions<dim>::hold_of(const DofMask &mask,
-                           const bool can_rotate,
-                           const std::vector<SpringEntry> &springs) const
+                           const std::vector<SpringEntry> &springs,
+                           const std::vector<NodesAsOne> &as_one) const
 {
   Hold own = Hold::Zero();
   // A rotation about the axis along which sides are one is the same on both.
   const Periodicity periodic = body.periodicity();
   for (int d = 0; d < n - dim && mpi::this_mpi_process(body.communicator()) == 0; ++d)
-    if (!can_rotate || (periodic.x && (dim == 2 || d != 0)) ||
-        (periodic.y && (dim == 2 || d != 1)))
+    if ((periodic.x && (dim == 2 || d != 0)) || (periodic.y && (dim == 2 || d != 1)))
       own(dim + d, dim + d) = 1.;
   for (unsigned int j = 0; j < body.n_rows(); ++j)
     for (unsigned int i = 0; i < body.n_columns(); ++i)
@@ -71,7 +66,30 @@ RigidMotions<dim>::hold_of(const DofMask &mask,
                (spring.stiffness / stiffest);
       }
   sum_over_ranks(own.data(), static_cast<std::size_t>(own.size()), body.communicator());
+  for (const NodesAsOne &group : as_one)
+    own += hold_of(group);
   return own;
+}
+
+template <int dim>
+typename RigidMotions<dim>::Hold RigidMotions<dim>::hold_of(const NodesAsOne &group) const
+{
+  Hold squares     = Hold::Zero();
+  Coefficients sum = Coefficients::Zero();
+  double n_nodes   = 0.;
+  for (const NodeIndex &node : group.nodes)
+    if (body.is_counted(node))
+      {
+        const Coefficients row = at(body.point(node)).row(group.component);
+        squares += row * row.transpose();
+        sum += row;
+        n_nodes += 1.;
+      }
+  sum_over_ranks(squares.data(), static_cast<std::size_t>(squares.size()),
+                 body.communicator());
+  sum_over_ranks(sum.data(), static_cast<std::size_t>(sum.size()), body.communicator());
+  n_nodes = mpi::sum(n_nodes, body.communicator());
+  return squares - sum * sum.transpose() / std::max(1., n_nodes);
 }
 
 template <int dim>
@@ -90,11 +108,11 @@ template <int dim>
 std::vector<NodalField<double>>
 free_rigid_motions(const ElasticBody<dim> &body,
                    const DofMask &mask,
-                   const bool can_rotate,
-                   const std::vector<SpringEntry> &springs)
+                   const std::vector<SpringEntry> &springs,
+                   const std::vector<NodesAsOne> &as_one)
 {
   const RigidMotions<dim> rigid(body);
-  const auto left = RigidMotions<dim>::left_by(rigid.hold_of(mask, can_rotate, springs));
+  const auto left = RigidMotions<dim>::left_by(rigid.hold_of(mask, springs, as_one));
   std::vector<NodalField<double>> result(left.size(), body.zero_field());
   for (unsigned int j = 0; j < body.n_rows() && !left.empty(); ++j)
     for (unsigned int i = 0; i < body.n_columns(); ++i)
@@ -116,15 +134,21 @@ bool can_move(const ElasticBody<dim> &body,
               const std::vector<SpringEntry> &springs)
 {
   const RigidMotions<dim> rigid(body);
-  return !RigidMotions<dim>::left_by(rigid.hold_of(mask, true, springs)).empty();
+  return !RigidMotions<dim>::left_by(rigid.hold_of(mask, springs)).empty();
 }
 
 template class RigidMotions<2>;
 template class RigidMotions<3>;
-template std::vector<NodalField<double>> free_rigid_motions(
-  const ElasticBody<2> &, const DofMask &, const bool, const std::vector<SpringEntry> &);
-template std::vector<NodalField<double>> free_rigid_motions(
-  const ElasticBody<3> &, const DofMask &, const bool, const std::vector<SpringEntry> &);
+template std::vector<NodalField<double>>
+free_rigid_motions(const ElasticBody<2> &,
+                   const DofMask &,
+                   const std::vector<SpringEntry> &,
+                   const std::vector<NodesAsOne> &);
+template std::vector<NodalField<double>>
+free_rigid_motions(const ElasticBody<3> &,
+                   const DofMask &,
+                   const std::vector<SpringEntry> &,
+                   const std::vector<NodesAsOne> &);
 template bool
 can_move(const ElasticBody<2> &, const DofMask &, const std::vector<SpringEntry> &);
 template bool

@@ -9,6 +9,13 @@
 
 namespace mesoslip
 {
+/** Nodes of which a component moves as one. */
+struct NodesAsOne
+{
+  unsigned int component = 0;   ///< 0: x
+  std::vector<NodeIndex> nodes; ///< that this rank has
+};
+
 /** The rigid motions of a body about the middle of its bounding box: translations, then
  * rotations by one over a length of the body. */
 template <int dim>
@@ -30,32 +37,35 @@ public:
   Displacements at(const std::array<double, dim> &point) const;
 
   /**
-   * What the constraints @p mask, periodic sides, springs and, if @p can_rotate is false, something
-   * else hold: the sum of m^T m over all constrained components, m being their row of at(), and of
-   * m_c^T k_cd m_d over the springs, k being a share of the stiffest. Collective.
+   * What the constraints @p mask, periodic sides, springs and nodes that move @p as_one
+   * hold: the sum of m^T m over all constrained components, m being their row of at(), of
+   * m_c^T k_cd m_d over the springs, k being a share of the stiffest, and of m^T m over nodes that move as one, less
+   * their mean m. Collective.
    */
   Hold hold_of(const DofMask &mask,
-               const bool can_rotate,
-               const std::vector<SpringEntry> &springs = {}) const;
+               const std::vector<SpringEntry> &springs = {},
+               const std::vector<NodesAsOne> &as_one   = {}) const;
 
   /** The motions that these leave: eigenvectors for the eigenvalue zero. */
   static std::vector<Coefficients> left_by(const Hold &hold);
 
 private:
+  Hold hold_of(const NodesAsOne &group) const;
+
   const ElasticBody<dim> &body;
 };
 
 /**
  * The displacement fields of the rigid motions that the constraints @p mask, periodic
- * sides, springs and, if @p can_rotate is false, something else leave; linearly independent.
+ * sides, springs and nodes that move @p as_one leave; linearly independent.
  * Collective.
  */
 template <int dim>
 std::vector<NodalField<double>>
 free_rigid_motions(const ElasticBody<dim> &body,
                    const DofMask &mask,
-                   const bool can_rotate                   = true,
-                   const std::vector<SpringEntry> &springs = {});
+                   const std::vector<SpringEntry> &springs = {},
+                   const std::vector<NodesAsOne> &as_one   = {});
 
 /** Whether the constraints @p mask, periodic sides and springs leave a rigid motion. Collective. */
 template <int dim>

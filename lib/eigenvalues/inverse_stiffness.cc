@@ -17,13 +17,16 @@ std::vector<typename FreeDofs<dim>::Vector>
 orthonormal_motions(const ElasticBody<dim> &body, DofMask mask, const FreeDofs<dim> &dofs)
 {
   using Vector = typename FreeDofs<dim>::Vector;
+  std::vector<NodesAsOne> as_one;
   for (const PlatenDof &dof : dofs.of_platens())
-    for (const NodeIndex &node : dofs.nodes_of_platen(dof.platen))
-      mask.release(dof.component, node);
+    {
+      as_one.push_back({dof.component, dofs.nodes_of_platen(dof.platen)});
+      for (const NodeIndex &node : as_one.back().nodes)
+        mask.release(dof.component, node);
+    }
   std::vector<Vector> motions;
-  // Neither can a platen turn.
-  for (const NodalField<double> &field : free_rigid_motions(
-         body, mask, dofs.of_platens().empty(), body.foundation().springs))
+  for (const NodalField<double> &field :
+       free_rigid_motions(body, mask, body.foundation().springs, as_one))
     {
       Vector motion = dofs.zero();
       dofs.gather(motion, field);

@@ -185,6 +185,14 @@ std::vector<std::string> GivenGrid::warnings() const
   return found;
 }
 
+/** What a platen at a side moves at least, of nodes of this density, for the area of the side (kg/m^2). */
+double GivenGrid::mass_for_area(const SideSupport &platen, const double density) const
+{
+  const auto &h         = body.grid.spacing;
+  const double of_nodes = 0.5 * density * h[0] * h[1] * (body.grid.cells[1] - 1);
+  return (of_nodes + platen.platen_mass) / body.grid.extent(1);
+}
+
 BodyScales GivenGrid::scales() const
 {
   BodyScales found(material);
@@ -205,7 +213,9 @@ BodyScales GivenGrid::scales() const
   };
   double of_sides = 0.;
   for (const SideSupport &side : parameters.loaded_sides())
-    of_sides = std::max(of_sides, of_springs(side.suspension, 0));
+    of_sides = std::max(of_sides, side.is_platen ? side.suspension.squared_frequency(
+                                                     mass_for_area(side, lightest))
+                                                 : of_springs(side.suspension, 0));
   // That of a sum is at most the sum; a corner has the springs of top and side.
   found.highest_frequency =
     std::hypot(frequency, std::sqrt(of_springs(parameters.top.suspension, 1) + of_sides));

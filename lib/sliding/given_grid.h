@@ -78,6 +78,7 @@ private:
   std::vector<std::string> lines() const;
   std::vector<std::string> warnings() const;
   BodyScales scales() const;
+  double mass_for_area(const SideSupport &platen, const double density) const;
   BodySize size() const;
   std::vector<std::vector<double>> top_impedance() const;
   SideNodes column_of(const SideSupport &side) const;

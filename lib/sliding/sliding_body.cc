@@ -202,58 +202,64 @@ NodalField<double> SlidingGrid::start_acceleration(const std::array<double, 3> &
   const unsigned int n     = w.n_columns();
   const double of_supports = setup.step.common_alpha();
   NodalField<double> a     = w.zeros_alike();
-  std::vector<double> mass(n), drag(n);
+  std::vector<double> mass(n), drag(n), whole(n);
   for (unsigned int l = 0; l < rows.n_local(); ++l)
     {
       const unsigned int j = rows.first() + l;
-      const bool top_row   = j + 1 == rows.n_global,
-                 platen    = top_row && setup.top.is_platen; // moves as one
       stepper.mass_row(j, mass.data());
-      std::vector<double> whole = mass;
+      whole = mass;
       for (unsigned int c = 0; c < 2; ++c)
         std::fill_n(a.row(c, l), n, setup.step.acceleration[c]);
       for (unsigned int i = 0; i < n; ++i)
         drag[i] = stepper.alpha_of({i, l}, mass[i]) * mass[i];
-      if (top_row)
-        load_top(v, drag, whole, a);
-      if (platen)
-        continue;
+      if (j + 1 == rows.n_global)
+        load_top(v, whole, a);
       for (std::size_t k = 0; k < sides.size(); ++k)
         load_side(k, l, v, whole, a);
       for (unsigned int c = 0; c < 2; ++c)
         for (unsigned int i = 0; i < n; ++i)
           a.row(c, l)[i] -=
             (drag[i] + of_supports * (whole[i] - mass[i])) / whole[i] * v[c];
+      if (j + 1 < rows.n_global || top.moved_by() == nullptr)
+        continue;
+      std::vector<NodeIndex> nodes;
+      for (unsigned int i = 0; i < n; ++i)
+        nodes.push_back({i, l});
+      start_as_one(*top.moved_by(), nodes, whole, v, a);
     }
-  load_platens(v, a);
+  for (std::size_t k = 0; k < platens.size(); ++k)
+    {
+      std::vector<NodeIndex> nodes;
+      std::vector<double> of_nodes;
+      for (const unsigned int l : inner_rows(rows))
+        {
+          stepper.mass_row(rows.first() + l, mass.data());
+          nodes.push_back({platen_columns[k].column, l});
+          of_nodes.push_back(mass[nodes.back().i]);
+        }
+      start_as_one(platens[k], nodes, of_nodes, v, a);
+    }
   return a;
 }
 
-/** Makes the accelerations of the rows that platens at the sides move theirs. Collective. */
-void SlidingGrid::load_platens(const std::array<double, 3> &v,
+/** Makes the accelerations of @p nodes of these masses, in local rows, that of the @p platen that moves them. Collective. */
+void SlidingGrid::start_as_one(const RigidPlaten<2> &platen,
+                               const std::vector<NodeIndex> &nodes,
+                               const std::vector<double> &mass,
+                               const std::array<double, 3> &v,
                                NodalField<double> &a) const
 {
-  const std::vector<unsigned int> inner = inner_rows(rows);
-  for (std::size_t k = 0; k < platens.size(); ++k)
-    {
-      std::vector<double> mass(w.n_columns()), of_column, drag;
-      const unsigned int column = platen_columns[k].column;
-      for (const unsigned int l : inner)
-        {
-          stepper.mass_row(rows.first() + l, mass.data());
-          of_column.push_back(mass[column]);
-          drag.push_back(stepper.alpha_of({column, l}, mass[column]) * mass[column]);
-        }
-      const auto found = platens[k].start_acceleration(of_column, drag, v);
-      for (const unsigned int l : inner)
-        for (unsigned int c = 0; c < 2; ++c)
-          a.row(c, l)[column] = found[c];
-    }
+  std::vector<RigidPlaten<2>::NodeAtStart> at_start;
+  for (std::size_t k = 0; k < nodes.size(); ++k)
+    at_start.push_back({mass[k], {{a(0, nodes[k]), a(1, nodes[k])}}});
+  const auto found = platen.start_acceleration(at_start, v);
+  for (const NodeIndex &node : nodes)
+    for (unsigned int c = 0; c < 2; ++c)
+      a.row(c, node.j)[node.i] = found[c];
 }
 
 /** Makes accelerations of the top row those under its load, and @p whole, their masses, those with what is on them. */
 void SlidingGrid::load_top(const std::array<double, 3> &v,
-                           const std::vector<double> &drag,
                            std::vector<double> &whole,
                            NodalField<double> &a) const
 {
@@ -261,7 +267,7 @@ void SlidingGrid::load_top(const std::array<double, 3> &v,
   std::vector<std::array<bool, 2>> held(n);
   held.front()     = setup.sides.left_held;
   held.back()      = setup.sides.right_held;
-  const auto found = top.start_acceleration(whole, drag, held, v);
+  const auto found = top.start_acceleration(whole, held, v);
   for (unsigned int i = 0; i < n; ++i)
     {
       whole[i] += top.suspended_mass(i);

@@ -160,10 +160,13 @@ public:
 private:
   NodalField<double> start_acceleration(const std::array<double, 3> &v) const;
   void load_top(const std::array<double, 3> &v,
-                const std::vector<double> &drag,
                 std::vector<double> &whole,
                 NodalField<double> &a) const;
-  void load_platens(const std::array<double, 3> &v, NodalField<double> &a) const;
+  void start_as_one(const RigidPlaten<2> &platen,
+                    const std::vector<NodeIndex> &nodes,
+                    const std::vector<double> &mass,
+                    const std::array<double, 3> &v,
+                    NodalField<double> &a) const;
   void load_side(const std::size_t k,
                  const unsigned int l,
                  const std::array<double, 3> &v,

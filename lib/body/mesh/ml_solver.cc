@@ -98,7 +98,7 @@ void MlSolver<dim>::set_constrained_on_springs(const DofMask &mask,
 
   motions.clear();
   for (const NodalField<double> &field :
-       free_rigid_motions(body, constrained_dofs, true, springs))
+       free_rigid_motions(body, constrained_dofs, springs))
     {
       Vector motion = discretization.to_vector(field);
       remove_motions(motion);
@@ -117,7 +117,7 @@ template <int dim>
 void MlSolver<dim>::support(const std::vector<SpringEntry> &springs)
 {
   const RigidMotions<dim> rigid(body);
-  auto hold          = rigid.hold_of(constrained_dofs, true, springs);
+  auto hold          = rigid.hold_of(constrained_dofs, springs);
   std::size_t n_free = motions.size();
   const auto owned   = discretization.lumped_mass().locally_owned_elements();
   for (const Place<dim> &place : distant_nodes(body, discretization))

@@ -120,27 +120,32 @@ double RigidPlaten<dim>::stop()
 
 template <int dim>
 std::array<double, dim>
-RigidPlaten<dim>::start_acceleration(const std::vector<double> &of_nodes,
-                                     const std::vector<double> &drag,
+RigidPlaten<dim>::start_acceleration(const std::vector<NodeAtStart> &nodes,
                                      const std::array<double, 3> &velocity) const
 {
   const Suspension &suspension = support.suspension;
   const FarEnd<dim> far(suspension, 0., step.dt);
-  const double pressure     = support.pressure(0.),
-               carried      = mpi::sum(sum_of(of_nodes.data(), n_owned), ranks),
-               damped       = mpi::sum(sum_of(drag.data(), n_owned), ranks),
-               all          = carried + support.platen_mass;
+  const double pressure = support.pressure(0.);
+  const auto sum        = [&](const auto &of_node) {
+    double values = 0.;
+    for (unsigned int i = 0; i < n_owned; ++i)
+      values += of_node(nodes[i]);
+    return mpi::sum(values, ranks);
+  };
+  const double all =
+    support.platen_mass + sum([](const NodeAtStart &node) { return node.mass; });
   std::array<double, dim> a = {};
   for (unsigned int c = 0; c < dim; ++c)
     {
       const double k = suspension.stiffness[c], z = suspension.dashpot[c],
                    share = dashpot_at_start(step.dt * z * whole_area / all),
                    load  = k * far.now[c] - share * z * (velocity[c] - far.velocity[c]) +
-                          into[c] * pressure;
+                          into[c] * pressure,
+                   others = sum([c](const NodeAtStart &node) {
+                     return node.mass * node.acceleration[c];
+                   });
       if (moves[c])
-        a[c] =
-          (step.acceleration[c] * carried + load * whole_area - damped * velocity[c]) /
-          all;
+        a[c] = (others + load * whole_area) / all;
     }
   return a;
 }

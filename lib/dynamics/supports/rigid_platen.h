@@ -44,10 +44,15 @@ public:
   /** Stops it at once, and returns the work (J, in 2D J/m) of what stops it on its mass, see TopSurface::stop(). */
   double stop();
 
-  /** Acceleration (m/s^2) at the start with @p velocity (m/s), of nodes of this @p mass (kg, in 2D kg/m), which are
-   * damped by the @p drag alpha m (kg/s, in 2D kg/(m s)). Collective. */
-  std::array<double, dim> start_acceleration(const std::vector<double> &mass,
-                                             const std::vector<double> &drag,
+  /** A node at the start as it would move without the platen. */
+  struct NodeAtStart
+  {
+    double mass = 0.; ///< with that of other supports (kg, in 2D kg/m)
+    std::array<double, dim> acceleration = {}; ///< m/s^2
+  };
+
+  /** Acceleration (m/s^2) at the start with @p velocity (m/s) of these nodes of this rank. Collective. */
+  std::array<double, dim> start_acceleration(const std::vector<NodeAtStart> &nodes,
                                              const std::array<double, 3> &velocity) const;
 
   /** Force of pressure, springs and dashpots on the nodes in the last step (N, in 2D N/m), of this rank. */

@@ -124,15 +124,11 @@ void TopSurface<dim>::initialize(const SurfaceView<dim> &surface)
 template <int dim>
 std::vector<std::array<double, dim>>
 TopSurface<dim>::start_acceleration(const std::vector<double> &mass,
-                                    const std::vector<double> &drag,
                                     const std::vector<std::array<bool, dim>> &held,
                                     const std::array<double, 3> &velocity) const
 {
   AssertDimension(mass.size(), tributary.size());
   AssertDimension(held.size(), tributary.size());
-  if (platen)
-    return std::vector<std::array<double, dim>>(
-      mass.size(), platen->start_acceleration(mass, drag, velocity));
   constexpr unsigned int y = dim - 1;
   const double pressure = setup.pressure(0.), g = step.acceleration[y];
   std::array<double, dim> by_weight;
@@ -146,7 +142,7 @@ TopSurface<dim>::start_acceleration(const std::vector<double> &mass,
           starts_with[c] = held[i][c] ? 0. : velocity[c];
         nodes.accelerate(i, mass[i], pressure, starts_with, result[i]);
       }
-    else if (mass[i] > 0. && !held[i][y])
+    else if (!platen && mass[i] > 0. && !held[i][y])
       result[i][y] = g - pressure * tributary[i] / mass[i];
   return result;
 }

@@ -194,13 +194,17 @@ public:
   void advance(const SurfaceView<dim> &surface) override;
 
   /** Accelerations (m/s^2) of the nodes of these masses (kg, in 2D kg/m) by load, weight and suspension when they
-   * start with @p velocity (m/s), but for what is @p held; of a platen also by what damps their masses, the @p drag
-   * alpha m (kg/s, in 2D kg/(m s)). Collective. */
+   * start with @p velocity (m/s), but for what is @p held and for the load of a platen. */
   std::vector<std::array<double, dim>>
   start_acceleration(const std::vector<double> &mass,
-                     const std::vector<double> &drag,
                      const std::vector<std::array<bool, dim>> &held,
                      const std::array<double, 3> &velocity) const;
+
+  /** What moves its nodes as one; null: nothing. */
+  const RigidPlaten<dim> *moved_by() const
+  {
+    return platen ? &*platen : nullptr;
+  }
 
   /** Mass that node @p i has more by its suspension (kg, in 2D kg/m). */
   double suspended_mass(const unsigned int i) const

@@ -16,32 +16,53 @@ TopSetup top_at_rest(const ContactParameters &parameters)
 
 namespace
 {
+/** Whether something holds the body along axis @p c. */
+bool is_held_along(const ContactParameters &p, const BodySize &body, const unsigned int c)
+{
+  if (top_at_rest(p).holds(c) || !p.mesh.held[c].empty())
+    return true;
+  for (const SideSupport *side : p.suspended())
+    if (side->suspension.stiffness[c] > 0.)
+      return true;
+  const std::vector<SideSupport> sides = p.loaded_sides();
+  for (std::size_t k = 0; k < sides.size(); ++k)
+    if (sides[k].is_platen && !body.side_moves[k][c])
+      return true;
+  return false;
+}
+
+/** What moves a body that nothing holds along axis @p c; empty: nothing. */
+std::string
+mover_along(const ContactParameters &p, const BodySize &body, const unsigned int c)
+{
+  const std::vector<SideSupport> sides = p.loaded_sides();
+  for (std::size_t k = 0; k < sides.size(); ++k)
+    if (body.side_moves[k][c] || sides[k].suspension.traction.acts(c) ||
+        body.side_push[k][c] * sides[k].pressure.amplitude() != 0.)
+      return sides[k].key(sides[k].is_platen ? "Kind = platen" : "Pressure or Traction");
+  if (p.top.suspension.traction.acts(c))
+    return p.top.key("Traction");
+  return p.step.acceleration[c] != 0. ? "Body/Acceleration" : "";
+}
+
 /** That something holds the body along the flat. */
 void check_lateral_support(const ContactParameters &p,
-                           const std::vector<std::array<bool, 3>> &side_moves,
+                           const BodySize &body,
                            const bool rubs)
 {
   const double speed                 = p.contact.flat_velocity.amplitude();
   const std::vector<double> &of_flat = p.static_load.of_flat;
   for (unsigned int c = 0; c + 1 < p.mesh.mesh.dim; ++c)
     {
+      if (is_held_along(p, body, c))
+        continue;
       const std::string side = std::string(p.mesh.is_given() ? "a group" : "a side") +
                                " in u_" + "xy"[c] + " (Supports)";
-      const auto suspended = p.suspended();
-      const auto sides     = p.loaded_sides();
-      bool is_held         = top_at_rest(p).holds(c) || !p.mesh.held[c].empty();
-      for (std::size_t k = 0; k < sides.size(); ++k)
-        is_held = is_held || (sides[k].is_platen && !side_moves[k][c]);
-      if (is_held ||
-          std::any_of(suspended.begin(), suspended.end(), [&](const SideSupport *s) {
-            return s->suspension.stiffness[c] > 0.;
-          }))
-        continue;
       const std::string remedy =
         p.top.suspension.is_there()
           ? std::string("give a Supports/Top/Spring stiffness along ") + "xy"[c] +
               ", hold " + side
-          : "set Supports/Top/Held, hold " + side + ", use a platen";
+          : "set Supports/Top/Held, hold " + side + ", set Supports/Top/Kind = platen";
       if (rubs && speed * p.contact.flat_direction[c] != 0.)
         throw UserError(
           "Nothing holds the body against the friction of the sliding flat: " + remedy +
@@ -50,6 +71,9 @@ void check_lateral_support(const ContactParameters &p,
         throw UserError(
           "Static contact/Flat displacement: nothing holds the body against the flat; " +
           remedy);
+      if (const std::string mover = mover_along(p, body, c); !rubs && !mover.empty())
+        throw UserError(mover + ": nothing holds the body along " + "xy"[c] + "; " +
+                        remedy + ", or give a Friction/Coefficient");
     }
 }
 
@@ -97,7 +121,7 @@ void check_static_load(const ContactParameters &p, const BodyFacts<dim> &body)
     throw UserError("Flat/Gap is " + to_text(p.contact.gap) +
                     " m; a static contact analysis starts from a body that touches the "
                     "flat, set it to 0");
-  check_lateral_support(p, body.size.side_moves, *most > 0.);
+  check_lateral_support(p, body.size, *most > 0.);
   if constexpr (dim == 2)
     if (body.contact_height.empty() && !p.contact.profile)
       check_tipping(p, body, *least);

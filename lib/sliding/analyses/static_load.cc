@@ -126,9 +126,9 @@ StaticContactSolution StaticLoad<dim>::follow(const StaticContactOptions &given)
       problem.force = whole_load;
       for (std::size_t k = 0; k < problem.force.size(); ++k)
         problem.force.begin()[k] *= share;
-      if (platen && gaps.empty() && !parameters.contact.profile &&
-          !(springs && !springs->are_linear()) && !load.has_history() &&
-          !parameters.step.is_heavy() && !sides_push(parameters) && moves.size() == 1 &&
+      if (parameters.top.is_platen && moves.size() == 1 && gaps.empty() &&
+          !parameters.contact.profile && !(springs && !springs->are_linear()) &&
+          !load.has_history() && !parameters.step.is_heavy() && !sides_push(parameters) &&
           !parameters.top.suspension.is_there())
         press_in_proportion();
       else if (platen)

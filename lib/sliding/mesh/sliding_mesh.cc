@@ -254,25 +254,20 @@ std::vector<std::array<double, dim>> SlidingMesh<dim>::start_acceleration(
   std::vector<std::array<double, dim>> a(n, by_weight);
   const SharedNodes &top   = surfaces.top;
   const double of_supports = this->setup.step.common_alpha();
-  std::vector<double> mass(n), drag(n), of_top(top.size(), 0.), drag_of_top(of_top);
+  std::vector<double> mass(n), drag(n), of_top(top.size(), 0.);
   stepper.mass_row(0, mass.data());
   for (std::size_t i = 0; i < n; ++i)
     drag[i] = stepper.alpha_of({static_cast<unsigned int>(i), 0}, mass[i]) * mass[i];
   std::vector<std::array<bool, dim>> held_on_top(top.size());
   for_each_point(top, [&](const unsigned int i, const unsigned int point) {
     of_top[i]      = mass[point];
-    drag_of_top[i] = drag[point];
     held_on_top[i] = rests[point];
   });
-  const auto pushed =
-    this->top.start_acceleration(of_top, drag_of_top, held_on_top, velocity);
-  const bool platen = this->setup.top.is_platen; // moves as one
+  const auto pushed = this->top.start_acceleration(of_top, held_on_top, velocity);
   for_each_point(top, [&](const unsigned int i, const unsigned int point) {
     a[point] = pushed[i];
     mass[point] += this->top.suspended_mass(i);
     drag[point] += of_supports * this->top.suspended_mass(i);
-    if (platen)
-      drag[point] = 0.; // pushed has it
   });
   const auto load = [&](const SideSurface<dim> &side, const unsigned int k,
                         const unsigned int point) {
@@ -286,33 +281,31 @@ std::vector<std::array<double, dim>> SlidingMesh<dim>::start_acceleration(
     drag[point] += of_supports * side.mass(k);
   };
   const std::size_t n_platens = this->platens.size();
-  for (std::size_t k = 0; k < n_platens; ++k)
-    {
-      const SharedNodes &nodes = surfaces.sides[k].own;
-      std::vector<double> of_side(nodes.size(), 0.), drag_of_side(of_side);
-      for_each_point(nodes, [&](const unsigned int i, const unsigned int point) {
-        of_side[i]      = mass[point];
-        drag_of_side[i] = drag[point];
-      });
-      const auto found =
-        this->platens[k].start_acceleration(of_side, drag_of_side, velocity);
-      for_each_point(nodes, [&](const unsigned int, const unsigned int point) {
-        a[point]    = found;
-        drag[point] = 0.; // found has it
-      });
-    }
   for (std::size_t s = 0; s < this->sides.size(); ++s)
     {
       const SharedSide &side = surfaces.sides[n_platens + s];
       for (unsigned int k = 0; k < side.own.size(); ++k)
         load(this->sides[s], k, side.own.point(k));
       for (const SideGuest &guest : side.guests)
-        if (guest.host > 1 + n_platens || guest.host == 0 || (guest.host == 1 && !platen))
-          load(this->sides[s], guest.k, surfaces.host(guest.host).point(guest.i));
+        load(this->sides[s], guest.k, surfaces.host(guest.host).point(guest.i));
     }
   for (std::size_t i = 0; i < n; ++i)
     for (unsigned int c = 0; c < dim; ++c)
       a[i][c] -= drag[i] / mass[i] * velocity[c];
+  // What platens move, once all that acts on their nodes is known.
+  const auto together = [&](const RigidPlaten<dim> &platen, const SharedNodes &nodes) {
+    std::vector<typename RigidPlaten<dim>::NodeAtStart> at_start(nodes.size());
+    for_each_point(nodes, [&](const unsigned int i, const unsigned int point) {
+      at_start[i] = {mass[point], a[point]};
+    });
+    const auto found = platen.start_acceleration(at_start, velocity);
+    for_each_point(
+      nodes, [&](const unsigned int, const unsigned int point) { a[point] = found; });
+  };
+  if (const RigidPlaten<dim> *platen = this->top.moved_by(); platen != nullptr)
+    together(*platen, top);
+  for (std::size_t k = 0; k < n_platens; ++k)
+    together(this->platens[k], surfaces.sides[k].own);
   return a;
 }
 

@@ -2,6 +2,7 @@
 
 #include "base/errors.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -14,11 +15,17 @@ normal_of(const SideSupport &side, const SideNodes &nodes, const unsigned int di
   const double area                = nodes.whole_area();
   const std::array<double, 3> push = nodes.whole_push();
   for (unsigned int c = 0; c < dim; ++c)
-    if (std::fabs(std::fabs(push[c]) - area) <= tolerance * area)
-      return c;
+    {
+      const std::vector<double> &place = nodes.position[c];
+      const auto [first, last]         = std::minmax_element(place.begin(), place.end());
+      const double length              = dim == 2 ? area : std::sqrt(area);
+      if (std::fabs(std::fabs(push[c]) - area) <= tolerance * area &&
+          *last - *first <= tolerance * length)
+        return c;
+    }
   throw UserError(side.key("Kind") +
-                  " is platen, but its faces are not all on one side of the body across "
-                  "an axis; a platen moves plane sides along their normal, set Kind = "
+                  " is platen, but its faces are not in one plane across an axis; a "
+                  "platen moves plane sides along their normal, set Kind = "
                   "springs or pressure");
 }
 

@@ -218,8 +218,13 @@ void ContactParameters::bind_sides(Keys &keys)
         !std::isfinite(top.hold_from) || !(side.suspension.mass > 0.), name + "/Mass",
         "the top is held from Supports/Top/Hold from on, and a corner has this "
         "mass, too; leave one of the two out");
-      if (side.holds() || side.is_loaded())
-        supports.push_back(side);
+      if (!side.holds() && !side.is_loaded())
+        continue;
+      for (const auto &groups : mesh.periodic)
+        keys.require(std::count(groups.begin(), groups.end(), name) == 0, name + "/Kind",
+                     "the group is one of Mesh/Periodic in x or y, which are free; leave "
+                     "its section out");
+      supports.push_back(side);
     }
   keys.only_if(mesh.mesh.dim == 3 || mesh.is_given(), {"Front/", "Back/"},
                "the body is plane", "set Dimension = 3");

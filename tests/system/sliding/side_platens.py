@@ -110,6 +110,24 @@ def check_modes(folder, name, first, body):
             assert np.min(np.abs(found / frequency - 1)) < 1e-6, (name, seen[0], found)
 
 
+def check_alone(folder):
+    """Under a platen at one side that nothing pushes, the flat of a body that yields along x carries all but what the platen does; a body may turn about
+    the one row of nodes that a platen moves; springs of a platen are in the critical step, as the largest frequency of their matrices is."""
+    solid = {"Body/Stiffness": "40e9, 9e9, 47e9, 13e9", "Body/Density": 1800, "Body/Size": "4e-3, 2e-3"}
+    folder.write("alone.prm", prm({**solid, "Analysis": "static contact", "Body/Cells": "4, 4", "Flat/Velocity": 0, "Friction/Coefficient": 0, "Static contact/Tolerance": 1e-11,
+                                   "Supports/Top/Kind": "pressure", "Supports/Top/Pressure": 1e6, "Supports/Top/Held": "u_x"}))
+    for side, expected in (("Left", 3383.24), ("Right", 3383.24)):  # N/m, of a dense code
+        folder.run(0, "contact_dynamics", "alone.prm", "--output", "alone", "--set", f"Supports/{side}/Kind=platen")
+        assert abs(folder.summary("alone")["normal_force"] / expected - 1) < 2e-6, (side, folder.summary("alone")["normal_force"])
+    folder.write("turns.prm", prm({**solid, "Analysis": "modal", "Body/Cells": "6, 2", "Supports/Top/Kind": "free", "Modal/Number of modes": 4, "Supports/Left/Kind": "platen"}))
+    folder.run(0, "contact_dynamics", "turns.prm", "--output", "turns")
+    assert folder.summary("turns")["rigid_motions"] == {"free": 2, "held": 1}, folder.summary("turns")["rigid_motions"]
+    folder.write("stiff.prm", prm({**solid, "Body/Size": "3e-3, 2e-3", "Body/Cells": "4, 2", "Supports/Top/Kind": "pressure", "Supports/Top/Pressure": 1e6, "Time/Rayleigh beta": 0,
+                                   "Time/End time": 1e-4, "Supports/Left/Kind": "platen"}))
+    for stiffness in (1e14, 1e16):
+        folder.run(0, "contact_dynamics", "stiff.prm", "--output", "stiff", "--set", f"Supports/Left/Spring stiffness={stiffness}")
+
+
 def check_sentences(folder):
     refused = lambda words, *settings: words in folder.run(2, "contact_dynamics", "run.prm", "--validate",
                                                            *[arg for text in settings for arg in ("--set", text)])
@@ -123,6 +141,13 @@ def check_sentences(folder):
     folder.write("mesh.prm", prm({"Mesh/File": "mesh2.msh", "Mesh/Scale": 0.001, "Phases/Names": "body", "Phases/body/Type": "stiffness",
                                   "Phases/body/Density": 1770, "Phases/body/Stiffness": PLANE, "Supports/Contact/Kind": "platen"}))
     assert "belong to the contact" in folder.run(2, "contact_dynamics", "mesh.prm", "--validate")
+    assert "Supports/Left/Kind: the group is one of Mesh/Periodic" in folder.run(
+        2, "contact_dynamics", "mesh.prm", "--validate", "--set", "Mesh/Periodic in x=Left, Right", "--set", "Supports/Left/Kind=platen")
+    free = ["Analysis=static contact", "Flat/Velocity=0", "Friction/Coefficient=0", "Supports/Top/Kind=pressure", "Supports/Top/Pressure=1e6"]
+    assert refused("Supports/Left/Kind = platen: nothing holds the body along x; set Supports/Top/Held", *free)
+    assert refused("Supports/Left/Pressure or Traction: nothing holds the body along x", *free, "Supports/Left/Kind=pressure", "Supports/Left/Pressure=1")
+    for mended in ("Supports/Top/Held=u_x", "Supports/Right/Held=u_x", "Supports/Top/Kind=platen", "Friction/Coefficient=0.1"):
+        folder.run(0, "contact_dynamics", "run.prm", "--validate", *[arg for text in [*free, mended] for arg in ("--set", text)])
 
 
 with tempfile.TemporaryDirectory() as path:
@@ -134,4 +159,5 @@ with tempfile.TemporaryDirectory() as path:
         check_modes(here, *what)
         if what[0] == "box":
             check_alike(here, *({**RUN, **SIDES, **IN_3D, **TOPS["springs"], **keys} for keys in (freed(what[2]), bricks(here))))
+    check_alone(here)
     check_sentences(here)
