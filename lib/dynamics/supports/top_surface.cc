@@ -76,6 +76,7 @@ TopSurface<dim>::TopSurface(const TopSetup &setup,
 {
   for (std::vector<double> &component : increment)
     component.assign(n_nodes, 0.);
+  no_mobility.assign(n_nodes, 0.);
   n_in_top = mpi::sum(static_cast<double>(n_distinct), ranks);
   std::array<bool, dim> moves;
   for (unsigned int c = 0; c < dim; ++c)
@@ -117,7 +118,7 @@ void TopSurface<dim>::initialize(const SurfaceView<dim> &surface)
     for (unsigned int i = 0; i < surface.n; ++i)
       increment[c][i] = step.dt * surface.w[c][i];
   for (unsigned int i = 0; i < surface.n && on_nodes; ++i)
-    nodes.start(i, surface, i);
+    nodes.start(i, held_along_flat(surface), i);
   started = true;
 }
 
@@ -207,19 +208,32 @@ TopLoad TopSurface<dim>::push_nodes(const SurfaceView<dim> &surface)
   return load;
 }
 
+/** A view in which what is held along the flat does not move. */
 template <int dim>
-TopLoad TopSurface<dim>::push_suspended(const SurfaceView<dim> &surface)
+SurfaceView<dim> TopSurface<dim>::held_along_flat(SurfaceView<dim> surface) const
 {
-  constexpr unsigned int y = dim - 1;
-  const SuspensionLoad<dim> load =
-    nodes.load_at(surface.time, setup.pressure(surface.time));
-  std::array<double, dim> force = {};
+  for (unsigned int c = 0; c + 1 < dim; ++c)
+    if (setup.held[c])
+      surface.inverse_mass[c] = no_mobility.data();
+  return surface;
+}
+
+template <int dim>
+TopLoad TopSurface<dim>::push_suspended(const SurfaceView<dim> &given)
+{
+  constexpr unsigned int y       = dim - 1;
+  const SuspensionLoad<dim> load = nodes.load_at(given.time, setup.pressure(given.time));
+  const SurfaceView<dim> surface = held_along_flat(given);
+  std::array<double, dim> force  = {};
   for (unsigned int i = 0; i < surface.n; ++i)
     {
       const auto of_node = nodes.advance(i, surface, i, load, increment);
       for (unsigned int c = 0; c < dim && i < n_distinct; ++c)
         force[c] += of_node[c];
     }
+  for (unsigned int c = 0; c < y; ++c)
+    if (setup.held[c])
+      force[c] = sum_of(surface.force[c], n_distinct);
   return {-force[y], -along_flat(force)};
 }
 

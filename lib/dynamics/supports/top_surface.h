@@ -241,7 +241,8 @@ private:
   void initialize(const SurfaceView<dim> &surface);
 
   TopLoad push_nodes(const SurfaceView<dim> &surface);
-  TopLoad push_suspended(const SurfaceView<dim> &surface);
+  SurfaceView<dim> held_along_flat(SurfaceView<dim> surface) const;
+  TopLoad push_suspended(const SurfaceView<dim> &given);
   TopLoad push_platen(const SurfaceView<dim> &surface);
   TopLoad hold(const SurfaceView<dim> &surface);
   double transmitted(const SurfaceView<dim> &surface,
@@ -263,6 +264,7 @@ private:
   SuspendedNodes<dim> nodes; ///< if so
   std::optional<RigidPlaten<dim>> platen;
   std::array<std::vector<double>, dim> increment; ///< of the step before (m)
+  std::vector<double> no_mobility;                ///< zeros, one a node
   bool started          = false;
   bool holding          = false;
   double total_work     = 0.;

@@ -148,8 +148,10 @@ void ContactParameters::bind_top(Keys &keys)
                  {"Ramp", "Ramp time", "Expression"});
   keys.only_with("Kind", {"pressure", "platen"}, {"Hold from"});
   keys.only_with("Kind", {"pressure", "springs", "absorbing"}, {"Traction"});
-  keys.require(held.empty() || !top.suspension.traction.is_there(), "Traction",
-               "the top has one, and Held; hold another side, or leave one of them out");
+  for (unsigned int c = 0; c + 1 < mesh.mesh.dim; ++c)
+    keys.require(!top.held[c] || !top.suspension.traction.acts(c), "Traction",
+                 std::string("along ") + "xy"[c] + " it has no effect, as u_" + "xy"[c] +
+                   " is held; leave one of the two out");
   // Steady sliding under complex modes takes its pressure from there.
   if (analysis == ContactAnalysis::transient)
     keys.only_with("Kind", {"pressure", "platen", "springs", "absorbing"}, {"Pressure"});
