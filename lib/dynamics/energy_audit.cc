@@ -33,6 +33,26 @@ std::vector<double> EnergyHistory::residual() const
   return r;
 }
 
+EnergyHistory &EnergyHistory::operator+=(const EnergyHistory &other)
+{
+  const auto add = [](std::vector<double> &to, const std::vector<double> &from) {
+    std::transform(to.begin(), to.end(), from.begin(), to.begin(), std::plus<>());
+  };
+  add(kinetic, other.kinetic);
+  add(elastic, other.elastic);
+  add(potential, other.potential);
+  add(external_work, other.external_work);
+  add(friction, other.friction);
+  add(impact, other.impact);
+  add(damping, other.damping);
+  add(scheme, other.scheme);
+  add(contact, other.contact);
+  add(supports, other.supports);
+  add(dashpots, other.dashpots);
+  initial += other.initial;
+  return *this;
+}
+
 EnergyAudit::EnergyAudit(Stepper &stepper,
                          const std::uint64_t interval,
                          const std::function<BoundaryWork()> &boundary_work)

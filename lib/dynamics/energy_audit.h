@@ -54,6 +54,9 @@ struct EnergyHistory
 
   /** What is left of the balance at each sample; zero in exact arithmetic. */
   std::vector<double> residual() const;
+
+  /** Adds that of another body at the same times. */
+  EnergyHistory &operator+=(const EnergyHistory &other);
 };
 
 /**

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -154,6 +155,11 @@ struct ContactParameters : SlidingSetup
    */
   void bind(Keys &keys);
 
+  /** The second body in the place of the flat, if there is one. */
+  std::shared_ptr<const ContactParameters> counter;
+
+  bool upside_down = false; ///< it is a second body, whose contact is its upper side
+
   std::vector<SideSupport>
     supports; ///< sides besides contact and top that are held or loaded
 
@@ -198,6 +204,8 @@ private:
   void bind_contact_map(Keys &keys);
   void check_contact_map(const Keys &keys) const;
   void bind_analyses(Keys &keys);
+  void bind_counter(Keys &keys);
+  void check_counter(const Keys &keys, const ContactParameters &other) const;
 };
 } // namespace mesoslip
 

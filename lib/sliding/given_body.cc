@@ -1,5 +1,6 @@
 #include "sliding/given_body.h"
 
+#include "base/errors.h"
 #include "base/exchange.h"
 #include "base/text.h"
 #include "body/elastic_body.h"
@@ -61,11 +62,8 @@ void GivenBody<dim>::check_damping() const
 template <int dim>
 void GivenBody<dim>::describe(std::ostream &out, const double more_memory) const
 {
-  for (const std::string &line : known.lines)
+  for (const std::string &line : told())
     out << line << '\n';
-  for (const SideSupport *side : parameters.suspended())
-    if (const std::string line = support_text(*side, dim); !line.empty())
-      out << line << '\n';
   BodyMemory memory = known.memory;
   memory.on_rank_0 += more_memory;
   out << dim * known.n_points << " degrees of freedom\n"
@@ -75,13 +73,20 @@ void GivenBody<dim>::describe(std::ostream &out, const double more_memory) const
 }
 
 template <int dim>
-void GivenBody<dim>::log(RunContext &context) const
+std::vector<std::string> GivenBody<dim>::told() const
 {
-  for (const std::string &line : known.lines)
-    context.log(line);
+  std::vector<std::string> all = known.lines;
   for (const SideSupport *side : parameters.suspended())
     if (const std::string line = support_text(*side, dim); !line.empty())
-      context.log(line);
+      all.push_back(line);
+  return all;
+}
+
+template <int dim>
+void GivenBody<dim>::log(RunContext &context) const
+{
+  for (const std::string &line : told())
+    context.log(line);
   for (const std::string &warning : known.warnings)
     context.warn(warning);
 }

@@ -8,6 +8,7 @@
 #include "sliding/body_memory.h"
 #include "sliding/complex/contact_parts.h"
 #include "sliding/contact_parameters.h"
+#include "sliding/counter/counter_motion.h"
 #include "sliding/flat/profile_check.h"
 
 #include "sliding/run_plan.h"
@@ -125,6 +126,9 @@ public:
   /** Prints lines, degrees of freedom, memory and warnings for --validate. */
   void describe(std::ostream &out, const double more_memory = 0.) const;
 
+  /** Lines, and those of supports. */
+  std::vector<std::string> told() const;
+
   /** Writes lines and warnings to the log. */
   void log(RunContext &context) const;
 
@@ -137,9 +141,18 @@ public:
   /** Puts analysis, material and size of the body into summary.json. */
   void summarize(const std::string &analysis, RunContext &context) const;
 
-  /** The body at the start of a run; this and @p context must outlive it. */
+  /** The body at the start of a run, above @p counter if there is one; this, @p counter and @p context must outlive it. */
   virtual BodyInMotion<dim> start(const SlidingSetup &setup,
-                                  RunContext &context) const = 0;
+                                  RunContext &context,
+                                  CounterMotion<dim> *counter) const = 0;
+
+  /** A body that is upside down as the counter body of another one, on rank 0; elsewhere, and of bodies that cannot be one,
+   * empty. */
+  virtual CounterMotion<dim> start_below(const SlidingSetup & /*setup*/,
+                                         RunContext & /*context*/) const
+  {
+    return {};
+  }
 
   /** On rank 0: writes into the group /contact of a run where the nodes of the contact are. */
   virtual void write_contact(Hdf5File &file) const = 0;

@@ -34,7 +34,11 @@ BodyDescription make_body_on_root(const ContactParameters &parameters)
 {
   BodyDescription body;
   const unsigned int n_copies = is_repeated(parameters) ? ranks_of_this_machine() : 1;
-  on_root(MPI_COMM_WORLD, [&]() { body = make_body(parameters, n_copies); });
+  on_root(MPI_COMM_WORLD, [&]() {
+    body = make_body(parameters, n_copies);
+    if (parameters.upside_down)
+      turn_over(body);
+  });
   broadcast_object(MPI_COMM_WORLD, body);
   return body;
 }
@@ -103,7 +107,7 @@ GivenGrid::GivenGrid(const ContactParameters &given, const BodyDescription &desc
 {
   check_probes(parameters.observation, body.grid);
   require_frequency(material);
-  if (parameters.analysis == ContactAnalysis::transient)
+  if (parameters.analysis == ContactAnalysis::transient && !parameters.upside_down)
     check_ranks(body.grid);
   const double bytes = field_memory(parameters, body.grid);
   (is_repeated(parameters) ? known.memory.on_each : known.memory.divided) = bytes;
@@ -246,17 +250,25 @@ BodySize GivenGrid::size() const
   return size;
 }
 
-BodyInMotion<2> GivenGrid::start(const SlidingSetup &given, RunContext &context) const
+/** With what the supports of this body stand for. */
+SlidingSetup GivenGrid::with_sides(SlidingSetup setup) const
 {
-  const std::vector<ProbePoint> &probes = parameters.observation.probes;
-  SlidingSetup setup                    = given;
-  setup.top.nodes                       = top_nodes().carried;
+  setup.top.nodes = top_nodes().carried;
   for (const SideSupport &side : parameters.loaded_sides())
     setup.loaded.push_back(
       {side, column_of(side), {}, {}, known.size.side_moves[setup.loaded.size()]});
-  auto sliding =
-    std::make_unique<SlidingGrid>(material, setup, context.communicator(), nullptr,
-                                  context.options().profile ? &context.timer() : nullptr);
+  return setup;
+}
+
+BodyInMotion<2> GivenGrid::start(const SlidingSetup &given,
+                                 RunContext &context,
+                                 CounterMotion<2> *counter) const
+{
+  const std::vector<ProbePoint> &probes = parameters.observation.probes;
+  const SlidingSetup setup              = with_sides(given);
+  auto sliding                          = std::make_unique<SlidingGrid>(
+    material, setup, context.communicator(), nullptr,
+    context.options().profile ? &context.timer() : nullptr, counter);
   sliding->set_initial_velocity(parameters.body.initial_velocity);
   BodyInMotion<2> motion;
   if (!probes.empty())
@@ -284,7 +296,7 @@ void GivenGrid::write_contact(Hdf5File &file) const
 
 Hdf5File GivenGrid::create_file(const std::string &path, const std::string &format) const
 {
-  return create_grid_file(path, body, format);
+  return create_grid_file(path, described(), format);
 }
 
 Shape GivenGrid::vectors_shape() const
@@ -314,6 +326,6 @@ void GivenGrid::show(const std::string &path,
                      const std::vector<XdmfField> &fields,
                      const std::vector<double> &times) const
 {
-  show_grid(path, body.grid, !body.phase_id.empty(), fields, times);
+  show_grid(path, described().grid, !body.phase_id.empty(), fields, times);
 }
 } // namespace mesoslip

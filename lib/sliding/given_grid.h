@@ -32,6 +32,9 @@ DofMask held_by_supports(const UniformMaterial &material,
                          const TopSetup &top,
                          const bool bottom_held = false);
 
+/** Exchanges above and below. */
+void turn_over(BodyDescription &body);
+
 /** A plane grid. */
 class GivenGrid : public GivenBody<2>
 {
@@ -43,7 +46,11 @@ public:
   /** The body as it is described. */
   GivenGrid(const ContactParameters &given, const BodyDescription &described);
 
-  BodyInMotion<2> start(const SlidingSetup &given, RunContext &context) const override;
+  BodyInMotion<2> start(const SlidingSetup &given,
+                        RunContext &context,
+                        CounterMotion<2> *counter) const override;
+  CounterMotion<2> start_below(const SlidingSetup &given,
+                               RunContext &context) const override;
   void write_contact(Hdf5File &file) const override;
 
   void make_elastic(const MPI_Comm communicator, const bool whole) override;
@@ -71,7 +78,7 @@ public:
             const std::vector<double> &times) const override;
 
 protected:
-  const BodyDescription body;     ///< the same on all ranks
+  const BodyDescription body;     ///< the same on all ranks, if so upside down
   const UniformMaterial material; ///< stiffness and density of its cells
 
 private:
@@ -82,6 +89,9 @@ private:
   BodySize size() const;
   std::vector<std::vector<double>> top_impedance() const;
   SideNodes column_of(const SideSupport &side) const;
+  SlidingSetup with_sides(SlidingSetup setup) const;
+  double place_of_row(const double row) const;
+  BodyDescription described() const;
 
   std::unique_ptr<ElasticBody<2>> of_statics; ///< see make_elastic()
 };

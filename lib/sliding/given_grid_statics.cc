@@ -54,7 +54,7 @@ SupportNodes GivenGrid::top_nodes() const
       top.nodes.push_back({i, body.grid.cells[1]});
       top.carried.area.push_back(tributary_width(body.grid, i, parameters.periodic));
       top.carried.position[0].push_back(i * body.grid.spacing[0]);
-      top.carried.position[1].push_back(body.grid.extent(1));
+      top.carried.position[1].push_back(place_of_row(body.grid.cells[1]));
     }
   if (parameters.top.suspension.absorbing)
     top.carried.impedance = top_impedance();
@@ -99,7 +99,7 @@ SideNodes GivenGrid::column_of(const SideSupport &side) const
                    area = below + above;
       nodes.area.push_back(area);
       nodes.position[0].push_back(left ? 0. : body.grid.extent(0));
-      nodes.position[1].push_back(j * body.grid.spacing[1]);
+      nodes.position[1].push_back(place_of_row(j));
       nodes.push[0].push_back(left ? area : -area);
       const auto behind = [&](const unsigned int row) {
         return of_phase[body.phase_of(std::size_t{m} * row + (left ? 0 : m - 1))];

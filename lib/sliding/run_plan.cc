@@ -116,6 +116,13 @@ TimeStepChoice choose_time_step(const ContactParameters &parameters,
   return choice;
 }
 
+void TimeStepChoice::shorten(const TimeStepChoice &other, const double end_time)
+{
+  critical = std::min(critical, other.critical);
+  step.dt  = std::min(step.dt, other.step.dt);
+  n_steps  = static_cast<std::uint64_t>(std::ceil(end_time / step.dt - 1e-9));
+}
+
 ContactMapSetup contact_map_setup(const ContactParameters &parameters, const double dt)
 {
   const ContactMapParameters &map = parameters.map;

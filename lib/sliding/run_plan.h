@@ -64,6 +64,9 @@ struct TimeStepChoice
     return asked > 0 ? asked : statistics_interval;
   }
 
+  /** Takes that of another body that moves with it in a run of this length (s), where it is shorter. */
+  void shorten(const TimeStepChoice &other, const double end_time);
+
   /** "dt = 13.2 ns, 95 % of the critical 13.9 ns; beta2 = 0.5, beta = 4.4 ns". */
   std::string text() const;
 };

@@ -1,6 +1,7 @@
 #include "sliding/sliding_body.h"
 
 #include "base/exchange.h"
+#include "sliding/counter/counter_motion.h"
 #include "sliding/supports/grid_columns.h"
 
 #include <deal.II/base/exceptions.h>
@@ -133,7 +134,8 @@ SlidingGrid::SlidingGrid(const UniformMaterial &material,
                          const SlidingSetup &given,
                          const MPI_Comm communicator,
                          SurfaceCondition<2> *bottom,
-                         Timer *timer)
+                         Timer *timer,
+                         CounterMotion<2> *counter)
   : SlidingBody<2>(completed(given, material, communicator), material.n_columns(), timer)
   , material(material)
   , damping(given.step.damps_by_phase()
@@ -146,12 +148,24 @@ SlidingGrid::SlidingGrid(const UniformMaterial &material,
   , u(material.n_columns(), rows.n_local())
   , w(material.n_columns(), rows.n_local())
   , halo(material.n_columns(), rows.ghosts, communicator)
+  , below(counter != nullptr && counter->body
+            ? dynamic_cast<SlidingGrid *>(counter->body.get())
+            : nullptr)
+  , pair(below != nullptr ? std::make_unique<PairedContact<2>>(
+                              contact,
+                              *counter->partner,
+                              [this]() { below->stepper.advance(1); },
+                              given.step,
+                              given.periodic)
+                          : nullptr)
   , platen_columns(
       make_platen_columns(platens, setup, material, pointer_to(damping), rows, u, w))
   , columns(make_columns(sides, setup, material, pointer_to(damping), rows, u, w))
   , stepper({material, given.step, u, w,
-             bottom != nullptr
-               ? bottom
+             bottom != nullptr ? bottom
+             : pair
+               ? profile.timed<TimedSurface<2>>(*pair,
+                                                "Counter body, contact and its histories")
                : profile.timed<TimedSurface<2>>(contact, "Contact and its histories"),
              profile.timed<TimedSurface<2>>(top, "Top and its histories"), rows,
              rows.end - rows.begin < rows.n_global
@@ -169,6 +183,7 @@ void SlidingGrid::set_initial_velocity(const std::array<double, 3> &v)
 {
   const unsigned int n = w.n_columns(), last = rows.n_global - 1;
   const double back                = -setup.step.beta2 * setup.step.dt;
+  start_velocity                   = v;
   const std::array<bool, 2> &left  = setup.sides.left_held,
                             &right = setup.sides.right_held;
   const auto a                     = start_acceleration(v);
@@ -194,6 +209,31 @@ void SlidingGrid::set_initial_velocity(const std::array<double, 3> &v)
         if (top_row && (c == 0 ? setup.top.holds(0) : setup.top.is_held()))
           std::fill_n(of_row, n, 0.);
       }
+  if (below != nullptr)
+    start_together(a, v, back);
+}
+
+/** Partners that press on each other from the start move with their common acceleration along the normal. */
+void SlidingGrid::start_together(const NodalField<double> &a,
+                                 const std::array<double, 3> &v,
+                                 const double back)
+{
+  const std::array<double, 3> &of_below = below->start_velocity;
+  const NodalField<double> b            = below->start_acceleration(of_below);
+  std::vector<double> own(w.n_columns()), other(own);
+  stepper.mass_row(0, own.data());
+  below->stepper.mass_row(0, other.data());
+  const std::array<bool, 2> ends = {
+    {setup.sides.left_held[1], setup.sides.right_held[1]}};
+  for (unsigned int i = ends[0] ? 1 : 0; i + (ends[1] ? 1 : 0) < w.n_columns(); ++i)
+    {
+      const double up = a(1, {i, 0}), down = b(1, {i, 0}),
+                   common = (own[i] * up - other[i] * down) / (own[i] + other[i]);
+      const bool rest     = contact.rests(i, up + down) && v[1] == -of_below[1];
+      w.row(1, 0)[i]      = v[1] + back * (rest ? common : up);
+      if (rest)
+        below->w.row(1, 0)[i] = of_below[1] - back * common;
+    }
 }
 
 /** Accelerations (m/s^2) of all nodes at the start, when they move with @p v, by weight, loads and what damps masses. */

@@ -12,6 +12,8 @@
 #include "sliding/loop_profile.h"
 #include "sliding/supports/shared_sides.h"
 
+#include "contact/pair/paired_contact.h"
+
 #include <array>
 #include <cstdint>
 #include <deque>
@@ -131,6 +133,9 @@ private:
   void add_platen(const LoadedSide &side);
 };
 
+template <int dim>
+struct CounterMotion;
+
 /**
  * On a plane grid. Each rank holds a slab of rows; the contact is on rank 0, the top on the
  * last one.
@@ -140,13 +145,15 @@ class SlidingGrid : public SlidingBody<2>
 public:
   /**
    * At rest at u = 0. @p material must outlive the body. @p bottom takes the place of the
-   * contact; a @p timer gets the times of the parts of a step.
+   * contact; a @p timer gets the times of the parts of a step; on the rank of the contact the body
+   * is above @p counter, if there is one, whose nodes at the contact are partners of its own.
    */
   SlidingGrid(const UniformMaterial &material,
               const SlidingSetup &given,
               const MPI_Comm communicator = MPI_COMM_SELF,
               SurfaceCondition<2> *bottom = nullptr,
-              Timer *timer                = nullptr);
+              Timer *timer                = nullptr,
+              CounterMotion<2> *counter   = nullptr);
 
   Stepper &time_integration() override
   {
@@ -158,10 +165,15 @@ public:
   void set_initial_velocity(const std::array<double, 3> &velocity);
 
 private:
+  void start_together(const NodalField<double> &a,
+                      const std::array<double, 3> &v,
+                      const double back);
   NodalField<double> start_acceleration(const std::array<double, 3> &v) const;
   void load_top(const std::array<double, 3> &v,
                 std::vector<double> &whole,
                 NodalField<double> &a) const;
+  std::array<double, 3> start_velocity = {}; ///< see set_initial_velocity() (m/s)
+
   void start_as_one(const RigidPlaten<2> &platen,
                     const std::vector<NodeIndex> &nodes,
                     const std::vector<double> &mass,
@@ -177,13 +189,15 @@ public:
   const UniformMaterial &material; ///< the grid, with stiffness and density of its cells
   const std::optional<UniformMaterial> damping; ///< of phases_of_damping(), if there are
   const MPI_Comm communicator;                  ///< of the ranks that share the body
-  const NodeRows rows;                     ///< node rows of this rank, and ghost rows
-  NodalField<double> u;                    ///< displacement (m), own and ghost rows
-  NodalField<double> w;                    ///< velocity of the scheme (m/s)
-  MPIHalo halo;                            ///< exchange with the ranks above and below
-  std::deque<PlatenColumn> platen_columns; ///< sides that platens move
-  std::deque<SideColumn> columns;          ///< sides under a load
-  ExplicitStepper stepper;                 ///< the time integration
+  const NodeRows rows;      ///< node rows of this rank, and ghost rows
+  NodalField<double> u;     ///< displacement (m), own and ghost rows
+  NodalField<double> w;     ///< velocity of the scheme (m/s)
+  MPIHalo halo;             ///< exchange with the ranks above and below
+  SlidingGrid *const below; ///< the second body; null: the flat is rigid
+  const std::unique_ptr<PairedContact<2>> pair; ///< with it
+  std::deque<PlatenColumn> platen_columns;      ///< sides that platens move
+  std::deque<SideColumn> columns;               ///< sides under a load
+  ExplicitStepper stepper;                      ///< the time integration
 };
 } // namespace mesoslip
 

@@ -40,10 +40,12 @@ struct SideSupport
     return suspension.is_there() || platen_mass > 0.;
   }
 
+  std::string section; ///< its path; empty: Supports/ and the name
+
   /** Path of a key in its section. */
   std::string key(const std::string &of_section) const
   {
-    return "Supports/" + name + "/" + of_section;
+    return (section.empty() ? "Supports/" + name : section) + "/" + of_section;
   }
 };
 } // namespace mesoslip

@@ -80,6 +80,23 @@ void add_mesh(RunConditions &conditions, const ContactParameters &p, const bool 
     }
 }
 
+/** Size, cells, material, damping and supports of a counter body. */
+std::string counter_text(const ContactParameters &p)
+{
+  const BodyParameters &body = p.body;
+  std::string text = to_text(body.size[0]) + " x " + to_text(body.size[1]) + " m, " +
+                     std::to_string(body.cells[0]) + " x " +
+                     std::to_string(body.cells[1]) + " cells";
+  if (!body.rve_file.empty())
+    text += ", " + std::string(body.heterogeneous ? "phases" : body.stiffness_name) +
+            " of " + body.rve_file;
+  else
+    text += ", " + to_text(body.stiffness) + " Pa, " + to_text(body.density) + " kg/m^3";
+  text +=
+    ", alpha " + to_text(p.step.alpha) + " 1/s, beta " + to_text(p.step.beta) + " s";
+  const std::string supports = support_texts(p);
+  return supports.empty() ? text : text + " | " + supports;
+}
 } // namespace
 
 RunConditions ContactParameters::stated_conditions() const
@@ -108,6 +125,8 @@ RunConditions ContactParameters::stated_conditions() const
     conditions["platen_mass"] = top.platen_mass;
   if (const std::string text = support_texts(*this); !text.empty())
     conditions["supports"] = text;
+  if (counter)
+    conditions["counter_body"] = counter_text(*counter);
   if (contact.is_compliant())
     conditions["normal_stiffness"] = contact.normal_spring.stiffness;
   if (contact.normal_spring.exponent != 1.)

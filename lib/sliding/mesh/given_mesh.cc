@@ -138,7 +138,8 @@ unsigned int GivenMesh<dim>::most_ranks() const
 
 template <int dim>
 BodyInMotion<dim> GivenMesh<dim>::start(const SlidingSetup &given,
-                                        RunContext &context) const
+                                        RunContext &context,
+                                        CounterMotion<dim> * /*counter*/) const
 {
   SlidingSetup setup                    = given;
   setup.step                            = mesh->of_materials(given.step);

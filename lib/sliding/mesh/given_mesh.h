@@ -25,7 +25,9 @@ public:
    */
   GivenMesh(const ContactParameters &given, std::unique_ptr<BodyMesh<dim>> unread);
 
-  BodyInMotion<dim> start(const SlidingSetup &given, RunContext &context) const override;
+  BodyInMotion<dim> start(const SlidingSetup &given,
+                          RunContext &context,
+                          CounterMotion<dim> *counter) const override;
   void write_contact(Hdf5File &file) const override;
 
   void make_elastic(const MPI_Comm communicator, const bool whole) override;

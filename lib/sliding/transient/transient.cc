@@ -11,22 +11,60 @@
 #include "sliding/transient/run_draft.h"
 #include "sliding/transient/transient_run.h"
 
+#include <cmath>
 #include <optional>
 #include <ostream>
 #include <utility>
 
 namespace mesoslip
 {
+namespace
+{
+/** The counter body of a body, or null. Collective. @throws UserError if its nodes at the contact are not those of the body */
+template <int dim>
+std::unique_ptr<GivenBody<dim>> counter_below(const GivenBody<dim> &body)
+{
+  const ContactParameters &parameters = body.parameters;
+  if (!parameters.counter)
+    return nullptr;
+  auto counter                     = make_given_body<dim>(*parameters.counter);
+  const std::vector<double> &own   = body.facts().contact_place[0],
+                            &below = counter->facts().contact_place[0];
+  const double width               = own.back() - own.front();
+  bool meet                        = own.size() == below.size();
+  for (std::size_t i = 0; meet && i < own.size(); ++i)
+    meet = std::fabs(own[i] - below[i]) <= 1e-9 * width;
+  if (!meet)
+    throw UserError("Counter body/Size: it has " + std::to_string(below.size()) +
+                    " nodes at the contact on " + to_text(below.back() - below.front()) +
+                    " m, which are to be where those of the body are, " +
+                    std::to_string(own.size()) + " on " + to_text(width) +
+                    " m; give it the same width and cells along x");
+  return counter;
+}
+
+/** What is told of it. */
+std::string of_counter(const std::string &line)
+{
+  const std::string start = "Body: ";
+  return "Counter body: " +
+         (line.rfind(start, 0) == 0 ? line.substr(start.size()) : line);
+}
+} // namespace
+
 template <int dim>
 TransientAnalysis<dim>::TransientAnalysis(std::unique_ptr<GivenBody<dim>> given,
                                           const Keys &keys)
   : BodyAnalysis<dim>(std::move(given))
-  , identity(run_identity(keys, parameters, facts.contents))
+  , counter(counter_below(*body))
+  , identity(run_identity(
+      keys, parameters, facts.contents + (counter ? counter->facts().contents : "")))
   , time(time_step())
   , needs(run_needs(parameters,
                     facts.scales,
                     time,
-                    static_cast<double>(dim * facts.n_points),
+                    static_cast<double>(
+                      dim * (facts.n_points + (counter ? counter->facts().n_points : 0))),
                     static_cast<double>(facts.size.friction.size())))
 {
   require_memory(needs.memory);
@@ -37,6 +75,10 @@ TimeStepChoice TransientAnalysis<dim>::time_step() const
 {
   constexpr double most_steps = 1e15; // a thousand years on a machine of today
   TimeStepChoice choice = choose_time_step(parameters, facts.scales.highest_frequency);
+  if (counter)
+    choice.shorten(
+      choose_time_step(*parameters.counter, counter->facts().scales.highest_frequency),
+      parameters.time.end_time);
   const double end_time = parameters.time.end_time, n = end_time / choice.step.dt;
   if (!(n < most_steps))
     throw UserError("Time/End time: " + to_text(end_time) + " s are " +
@@ -59,6 +101,13 @@ template <int dim>
 void TransientAnalysis<dim>::describe(std::ostream &out) const
 {
   body->describe(out, needs.memory.bytes);
+  if (counter)
+    {
+      for (const std::string &line : counter->told())
+        out << of_counter(line) << '\n';
+      for (const std::string &warning : counter->facts().warnings)
+        out << "warning: " << of_counter(warning) << '\n';
+    }
   out << time.text() << "\nTimes: " << crossing_text(parameters, facts.scales) << '\n'
       << needs.text() << bytes_text(needs.disk.bytes) << " on the disk\n";
   for (const std::string &warning : warnings())
@@ -94,6 +143,12 @@ void TransientAnalysis<dim>::run(RunContext &context)
 {
   std::optional<Timer::Scope> starting = context.timer().scope("Start of the run");
   body->log(context);
+  if (counter)
+    for (const std::string &line : counter->told())
+      context.log(of_counter(line));
+  if (counter)
+    for (const std::string &warning : counter->facts().warnings)
+      context.warn(of_counter(warning));
   TransientCheckpoint checkpoint(context, parameters.checkpoints,
                                  identity + "Time step in s = " + to_text(time.step.dt) +
                                    "\n");
@@ -104,14 +159,32 @@ void TransientAnalysis<dim>::run(RunContext &context)
   for (const std::string &warning : warnings())
     context.warn(warning);
 
+  CounterMotion<dim> below;
+  if (counter)
+    below = counter->start_below(
+      setup_below(*parameters.counter, counter->facts().size, time.step), context);
   const BodyInMotion<dim> motion =
-    body->start(run_setup(parameters, facts.size, time), context);
+    body->start(run_setup(parameters, facts.size, time), context, &below);
   RunOutput<dim> output(context, *body, time, motion.displacement);
+  const auto of_counter_output = counter_output(context, below);
   TransientRun<dim> run({parameters, time, facts.scales, facts.size, facts.place,
-                         *motion.body, motion.probes.get(), output, checkpoint, context});
+                         *motion.body, motion.probes.get(), below.body.get(),
+                         of_counter_output.get(), output, checkpoint, context});
   starting.reset();
   run.carry_out(found == TransientCheckpoint::Found::state,
                 [&]() { body->summarize("transient", context); });
+}
+
+template <int dim>
+std::unique_ptr<CounterOutput<dim>>
+TransientAnalysis<dim>::counter_output(RunContext &context,
+                                       const CounterMotion<dim> &below) const
+{
+  const std::vector<std::uint64_t> steps = snapshot_steps(parameters, time);
+  if (!below.body || steps.empty())
+    return nullptr;
+  return std::make_unique<CounterOutput<dim>>(context.file("counter_body.h5"), *counter,
+                                              below.displacement, steps, time.step.dt);
 }
 
 template class TransientAnalysis<2>;

@@ -2,6 +2,7 @@
 #define mesoslip_sliding_transient_transient_h
 
 #include "sliding/body_analysis.h"
+#include "sliding/counter/counter_output.h"
 #include "sliding/run_plan.h"
 #include "sliding/transient/run_needs.h"
 
@@ -53,9 +54,12 @@ private:
   using BodyAnalysis<dim>::parameters;
 
   TimeStepChoice time_step() const;
+  std::unique_ptr<CounterOutput<dim>>
+  counter_output(RunContext &context, const CounterMotion<dim> &below) const;
   std::vector<std::string> warnings() const;
 
-  const std::string identity; ///< see run_identity()
+  const std::unique_ptr<GivenBody<dim>> counter; ///< below it; null: the flat is rigid
+  const std::string identity;                    ///< see run_identity()
   const TimeStepChoice time;
   const RunNeeds needs;
 };

@@ -41,6 +41,17 @@ SlidingSetup run_setup(const ContactParameters &parameters,
   return setup;
 }
 
+SlidingSetup setup_below(const ContactParameters &parameters,
+                         const BodySize &size,
+                         const StepParameters &step)
+{
+  SlidingSetup setup                 = static_cast<const SlidingSetup &>(parameters);
+  setup.step.dt                      = step.dt;
+  setup.history_interval             = 0;
+  setup.contact.friction_coefficient = size.friction;
+  return setup;
+}
+
 template <int dim>
 TransientRun<dim>::TransientRun(const RunParts<dim> &parts)
   : parts(parts)
@@ -53,7 +64,10 @@ TransientRun<dim>::TransientRun(const RunParts<dim> &parts)
                        stepper.rows.n_global > 1);
       })
   , strains(stepper,
-            [this](const Deformation &found, const std::uint64_t n) { judge(found, n); })
+            [this](const Deformation &found, const std::uint64_t n) {
+              judge(found, this->parts.place, n);
+              judge_counter(n);
+            })
   , statistics(parts.parameters,
                parts.size,
                parts.time,
@@ -68,12 +82,27 @@ TransientRun<dim>::TransientRun(const RunParts<dim> &parts)
 }
 
 template <int dim>
-void TransientRun<dim>::judge(const Deformation &found, const std::uint64_t n)
+void TransientRun<dim>::judge_counter(const std::uint64_t n)
 {
-  require_upright_cells(found, n, parts.time, parts.parameters, parts.scales,
-                        parts.place);
+  if (!parts.parameters.counter)
+    return;
+  const Deformation own   = parts.counter != nullptr
+                              ? parts.counter->time_integration().deformation()
+                              : Deformation(),
+                    found = mpi::broadcast(own, 0, parts.context.communicator());
+  counter_strain          = std::max(counter_strain, found.strain.value);
+  judge(
+    found, [](const CellExtreme &) { return "a cell of the counter body"; }, n);
+}
+
+template <int dim>
+void TransientRun<dim>::judge(const Deformation &found,
+                              const PlaceText &place,
+                              const std::uint64_t n)
+{
+  require_upright_cells(found, n, parts.time, parts.parameters, parts.scales, place);
   const std::string warning =
-    large_strain_warning(found, parts.parameters, parts.scales, parts.place,
+    large_strain_warning(found, parts.parameters, parts.scales, place,
                          " in step " + std::to_string(n) +
                            " at t = " + quantity_text(n * parts.time.step.dt, "s"));
   if (!warning.empty() && !warned)
@@ -122,6 +151,8 @@ void TransientRun<dim>::save()
   if (map)
     map->drain(stepper.step_number());
   parts.output.sync();
+  if (parts.counter_output != nullptr)
+    parts.counter_output->sync();
   parts.checkpoint.write(position(), save_state(*this));
 }
 
@@ -146,6 +177,10 @@ std::vector<StepObserver *> TransientRun<dim>::observers()
   add(strains, "Strains");
   if (parts.body.energy)
     add(*parts.body.energy, "Energies");
+  if (parts.counter != nullptr && parts.counter->energy)
+    add(*parts.counter->energy, "Energies");
+  if (parts.counter_output != nullptr)
+    add(*parts.counter_output, "Snapshots");
   if (parts.probes != nullptr)
     add(*parts.probes, "Probes");
   if (parts.output.has_snapshots())
@@ -170,6 +205,8 @@ TransientResult TransientRun<dim>::advance()
   Timer *const timer        = parts.body.profile.timer;
   parts.output.begin(stepper.step_number(), parts.checkpoint.position().snapshots,
                      map.get());
+  if (parts.counter_output != nullptr)
+    parts.counter_output->begin(parts.checkpoint.position().snapshots);
   const auto watching = observers();
   context.progress().start("Sliding", n_end, size.n_cells, stepper.step_number());
   counted = std::chrono::steady_clock::now();
@@ -196,7 +233,7 @@ TransientResult TransientRun<dim>::collect()
   if (map)
     map->drain(stepper.step_number());
   strains.look(stepper.step_number());
-  all.largest_strain = strains.largest_strain();
+  all.largest_strain = std::max(strains.largest_strain(), counter_strain);
   // Before it was resumed, as each run has its own warnings.
   if (!warned && !(all.largest_strain <= largest_small_strain))
     parts.context.warn("the strain was " + quantity_text(100. * all.largest_strain, "%") +
@@ -204,6 +241,8 @@ TransientResult TransientRun<dim>::collect()
                        "trusted");
   if (parts.body.energy)
     all.energy = parts.body.energy->reduce();
+  if (parts.counter != nullptr && parts.counter->energy)
+    all.energy += parts.counter->energy->local_history();
   if (parts.probes != nullptr)
     all.probes = parts.probes->gather();
   all.steps_done = stepper.step_number();
@@ -244,6 +283,8 @@ void TransientRun<dim>::carry_out(const bool continued,
     {
       const auto scope = context.timer().scope("Evaluation and output");
       parts.output.end();
+      if (parts.counter_output != nullptr)
+        parts.counter_output->end();
       on_root(context.communicator(), [&]() {
         result.evaluate();
         parts.output.write(result, map.get());

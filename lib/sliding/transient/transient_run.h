@@ -3,6 +3,7 @@
 
 #include "dynamics/deformation.h"
 #include "dynamics/stability_monitor.h"
+#include "sliding/counter/counter_output.h"
 #include "sliding/run_plan.h"
 #include "sliding/sliding_body.h"
 #include "sliding/transient/contact_map_output.h"
@@ -32,6 +33,11 @@ SlidingSetup run_setup(const ContactParameters &parameters,
                        const BodySize &size,
                        const TimeStepChoice &time);
 
+/** The same of a counter body, which is observed in its energies and snapshots alone. */
+SlidingSetup setup_below(const ContactParameters &parameters,
+                         const BodySize &size,
+                         const StepParameters &step);
+
 /** What a run is of, as the kind of the body has it; all of it must outlive the run. */
 template <int dim>
 struct RunParts
@@ -43,6 +49,8 @@ struct RunParts
   PlaceText place;                     ///< of a cell
   SlidingBody<dim> &body;              ///< in its initial state
   ProbeRecorder *probes;               ///< null without any
+  SlidingBody<dim> *counter;           ///< below it, on rank 0; null without one
+  CounterOutput<dim> *counter_output;  ///< of its snapshots, on rank 0; null without any
   RunOutput<dim> &output;              ///< dynamics.h5
   TransientCheckpoint &checkpoint;     ///< of the run
   RunContext &context;                 ///< of the program
@@ -71,14 +79,18 @@ public:
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    archive &parts.body &monitor &strains &statistics &loop_seconds;
+    archive &parts.body &monitor &strains &statistics &loop_seconds &counter_strain;
+    if (parts.counter != nullptr)
+      archive &*parts.counter;
     if (parts.probes != nullptr)
       archive &*parts.probes;
   }
 
 private:
   /** Ends the run if a cell is inside out, and warns once of large strains. */
-  void judge(const Deformation &found, const std::uint64_t n);
+  void judge(const Deformation &found, const PlaceText &place, const std::uint64_t n);
+  /** The same of a counter body. Collective. */
+  void judge_counter(const std::uint64_t n);
   /** Does what the ranks want; false: the run ends. */
   bool control(const std::uint64_t n);
   /** Adds the wall-clock time since the last call to loop_seconds. */
@@ -99,10 +111,11 @@ private:
   DeformationWatch strains;
   RunStatistics<dim> statistics;
   std::unique_ptr<ContactMapOutput<dim>> map; ///< of the contact; null without one
-  bool warned         = false;                ///< of large strains
-  bool interrupted    = false;
-  bool at_limit_cycle = false;
-  double loop_seconds = 0.; ///< in earlier runs, too
+  bool warned           = false;              ///< of large strains
+  bool interrupted      = false;
+  bool at_limit_cycle   = false;
+  double loop_seconds   = 0.; ///< in earlier runs, too
+  double counter_strain = 0.; ///< DeformationWatch::largest_strain() of a counter body
 
   std::chrono::steady_clock::time_point counted; ///< loop_seconds reach up to here
 };

@@ -27,16 +27,17 @@ BY_PHASE = ((3e-9, 1.1e-8), (5e4, 1e4))  # beta (s), alpha (1/s)
 
 
 class Body:
-    """Of two phases in cells of HX x HY; node k = j (NX + 1) + i, degree of freedom 2 k + c."""
+    """Of two phases in cells of HX x HY from y = @p lowest on; node k = j (NX + 1) + i, degree of freedom 2 k + c."""
 
-    def __init__(self, random):
-        self.phases = random.choice(2, size=(NY, NX))
-        self.i, self.j = (a.ravel() for a in np.meshgrid(np.arange(NX + 1), np.arange(NY + 1)))
+    def __init__(self, random, rows=NY, lowest=0.0):
+        self.rows, self.lowest = rows, lowest
+        self.phases = random.choice(2, size=(rows, NX))
+        self.i, self.j = (a.ravel() for a in np.meshgrid(np.arange(NX + 1), np.arange(rows + 1)))
         n = 2 * len(self.i)
         self.K, self.mass, self.K_beta, self.alpha_mass = np.zeros((n, n)), np.zeros(n), np.zeros((n, n)), np.zeros(n)
         self.betas, self.alphas = ([of_phases, (of_all, of_all)][random.choice(2)] for of_phases, of_all in zip(BY_PHASE, (BETA, ALPHA)))
         points = (0.5 - 0.5 / 3**0.5, 0.5 + 0.5 / 3**0.5)
-        for row in range(NY):
+        for row in range(rows):
             for column in range(NX):
                 a, b, c, d = STIFFNESS[self.phases[row, column]]
                 first = row * (NX + 1) + column
@@ -72,10 +73,10 @@ class Body:
 
     def side(self, name):
         """Its nodes, their lengths, the axis of its normal, the sign of the normal into the body, and the diagonals of its impedances."""
-        axis = 1 if name == "Top" else 0
-        at = {"Left": self.i == 0, "Right": self.i == NX, "Top": self.j == NY}[name]
+        axis = 1 if name in ("Top", "Bottom") else 0
+        at = {"Left": self.i == 0, "Right": self.i == NX, "Top": self.j == self.rows, "Bottom": self.j == 0}[name]
         nodes, h = np.flatnonzero(at), HX if axis else HY
-        cells = {"Left": self.phases[:, 0], "Right": self.phases[:, -1], "Top": self.phases[-1]}[name]
+        cells = {"Left": self.phases[:, 0], "Right": self.phases[:, -1], "Top": self.phases[-1], "Bottom": self.phases[0]}[name]
         waves = np.array([np.sqrt(DENSITY[p] * np.array([STIFFNESS[p][2 * axis], STIFFNESS[p][3]])) for p in cells])  # P, S
         if axis:
             waves = waves[:, ::-1]
@@ -84,7 +85,7 @@ class Body:
             for node in (cell, cell + 1):
                 length[node] += h / 2
                 impedance[node] += h / 2 * Z
-        return nodes, length, axis, 1 if name == "Left" else -1, impedance / length[:, None]
+        return nodes, length, axis, 1 if name in ("Left", "Bottom") else -1, impedance / length[:, None]
 
     def carried(self, support):
         """side() of what carries the load of a support: platens at the left and the right move all but the corners, and have the whole side."""
@@ -178,7 +179,7 @@ def supports_of(body, supports):
             nodes, length, axis, sign, _ = body.carried(support)
             force[2 * nodes + axis] += sign * length * support.pressure
             for c in range(2):
-                force[2 * nodes + c] += length * (support.k[c] * support.far(t)[c] + support.traction(body.i[nodes] * HX, body.j[nodes] * HY, t)[c])
+                force[2 * nodes + c] += length * (support.k[c] * support.far(t)[c] + support.traction(body.i[nodes] * HX, body.lowest + body.j[nodes] * HY, t)[c])
         return force
 
     return springs, dashpots, added, held, load

@@ -1,0 +1,25 @@
+#ifndef mesoslip_sliding_counter_counter_motion_h
+#define mesoslip_sliding_counter_counter_motion_h
+
+#include "contact/pair/paired_contact.h"
+#include "sliding/sliding_body.h"
+
+#include <functional>
+#include <memory>
+
+namespace mesoslip
+{
+struct FieldRows;
+
+/** A second body that moves below the first one, which it meets node by node. It is computed upside down: its contact is its
+ * bottom. */
+template <int dim>
+struct CounterMotion
+{
+  std::unique_ptr<PartnerSurface<dim>> partner; ///< moves its contact nodes
+  std::unique_ptr<SlidingBody<dim>> body;       ///< all of it that moves
+  std::function<FieldRows()> displacement;      ///< as files have it, upright
+};
+} // namespace mesoslip
+
+#endif
