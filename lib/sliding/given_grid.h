@@ -46,6 +46,7 @@ public:
   /** The body as it is described. */
   GivenGrid(const ContactParameters &given, const BodyDescription &described);
 
+  /** Above @p counter, if there is one. */
   BodyInMotion<2> start(const SlidingSetup &given,
                         RunContext &context,
                         CounterMotion<2> *counter) const override;

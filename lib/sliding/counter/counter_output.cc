@@ -11,8 +11,8 @@ namespace mesoslip
 {
 namespace
 {
-const char dataset[]     = "/snapshots/displacement";
-const char start_again[] = "start again without --resume";
+const char dataset[]    = "/snapshots/displacement";
+const char begin_anew[] = "start again without --resume";
 } // namespace
 
 template <int dim>
@@ -42,13 +42,13 @@ void CounterOutput<dim>::begin(const std::uint64_t n_done)
 {
   n_written       = n_done;
   const auto open = [&]() {
-    return n_done > 0 ? Hdf5File::resume(path, start_again)
+    return n_done > 0 ? Hdf5File::resume(path, begin_anew)
                       : body.create_file(path, dynamics_format);
   };
   Hdf5File file = open();
-  if (n_done > 0 && file.shape(dataset, start_again)[0] < n_done)
+  if (n_done > 0 && file.shape(dataset, begin_anew)[0] < n_done)
     throw UserError(path + " has fewer than the " + std::to_string(n_done) +
-                    " snapshots it had at the checkpoint; " + start_again);
+                    " snapshots it had at the checkpoint; " + begin_anew);
   file.reserve_rows(dataset, shape(steps.size()));
   file.flush();
   file.leave();
@@ -80,7 +80,7 @@ template <int dim>
 void CounterOutput<dim>::end()
 {
   rows.reset();
-  Hdf5File file = Hdf5File::resume(path, start_again);
+  Hdf5File file = Hdf5File::resume(path, begin_anew);
   std::vector<double> times;
   for (std::size_t k = 0; k < n_written; ++k)
     times.push_back(static_cast<double>(steps[k]) * dt);
