@@ -24,8 +24,8 @@ const std::vector<OwnSections> &own_sections()
      {"Grid", "Microstructure", "Homogenization", "Loads", "Ensemble"}},
     {"contact_dynamics",
      {"Body", "Time", "Flat", "Supports", "Sides", "Friction", "Observation",
-      "Contact map", "Snapshots", "Checkpoints", "Performance", "Modal", "Static contact",
-      "Complex modes", "Friction homogenization"}},
+      "Contact map", "Counter body", "Snapshots", "Checkpoints", "Performance", "Modal",
+      "Static contact", "Complex modes", "Friction homogenization"}},
     {"stress_localization",
      {"Input", "Localization", "Window", "Probes", "Volume element", "Comparison"}}};
   return all;

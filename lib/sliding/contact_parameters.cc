@@ -79,6 +79,10 @@ void check_mesh(const Keys &keys, const ContactParameters &p)
                "the body is no plane grid", "remove it");
   keys.only_if(!p.step.damps_by_phase(), {"Performance/Temporal blocking"},
                "runs with damping by phase go step by step", "remove it");
+  keys.only_if(std::none_of(p.supports.begin(), p.supports.end(),
+                            [](const SideSupport &side) { return side.is_platen; }),
+               {"Performance/Temporal blocking"},
+               "runs with a platen at a side go step by step", "remove it");
   const auto only_solver =
     p.mesh.is_given() ? StaticSolverKind::ml : StaticSolverKind::multigrid;
   keys.only_if(p.mesh.is_plane_grid() || p.static_solver == only_solver,

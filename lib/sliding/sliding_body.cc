@@ -242,12 +242,12 @@ NodalField<double> SlidingGrid::start_acceleration(const std::array<double, 3> &
   const unsigned int n     = w.n_columns();
   const double of_supports = setup.step.common_alpha();
   NodalField<double> a     = w.zeros_alike();
-  std::vector<double> mass(n), drag(n), whole(n);
+  std::vector<double> mass(n), drag(n);
   for (unsigned int l = 0; l < rows.n_local(); ++l)
     {
       const unsigned int j = rows.first() + l;
       stepper.mass_row(j, mass.data());
-      whole = mass;
+      std::vector<double> whole = mass;
       for (unsigned int c = 0; c < 2; ++c)
         std::fill_n(a.row(c, l), n, setup.step.acceleration[c]);
       for (unsigned int i = 0; i < n; ++i)

@@ -118,7 +118,7 @@ StaticContactSolution StaticLoad<dim>::follow(const StaticContactOptions &given)
 {
   options                          = given;
   const StaticLoadParameters &load = parameters.static_load;
-  const bool platen                = !moves.empty();
+  const bool platen                = !platen_moves.empty();
   for (unsigned int n = 1; n <= load.steps; ++n)
     {
       const double share = static_cast<double>(n) / load.steps;
@@ -126,7 +126,7 @@ StaticContactSolution StaticLoad<dim>::follow(const StaticContactOptions &given)
       problem.force = whole_load;
       for (std::size_t k = 0; k < problem.force.size(); ++k)
         problem.force.begin()[k] *= share;
-      if (parameters.top.is_platen && moves.size() == 1 && gaps.empty() &&
+      if (parameters.top.is_platen && platen_moves.size() == 1 && gaps.empty() &&
           !parameters.contact.profile && !(springs && !springs->are_linear()) &&
           !load.has_history() && !parameters.step.is_heavy() && !sides_push(parameters) &&
           !parameters.top.suspension.is_there())

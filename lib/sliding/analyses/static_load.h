@@ -131,10 +131,10 @@ private:
   };
   void add_platens(const GivenBody<dim> &body);
 
-  std::vector<Platen> platens;   ///< of sides, then the top
-  std::vector<PlatenMove> moves; ///< that of the top along its normal is the last
-  Eigen::VectorXd shift;         ///< in moves (m)
-  Eigen::MatrixXd mobility;      ///< about how it changes with platen_force() (m/N)
+  std::vector<Platen> platens;          ///< of sides, then the top
+  std::vector<PlatenMove> platen_moves; ///< that of the top along its normal is the last
+  Eigen::VectorXd shift;                ///< in these (m)
+  Eigen::MatrixXd mobility; ///< about how it changes with platen_force() (m/N)
   std::vector<StaticLoadStep> done;
 };
 } // namespace mesoslip

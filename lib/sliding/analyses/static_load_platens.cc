@@ -13,16 +13,16 @@ namespace mesoslip
 template <int dim>
 void StaticLoad<dim>::add_platens(const GivenBody<dim> &body)
 {
-  const TopSetup &top                  = parameters.top;
+  const TopSetup &of_top               = parameters.top;
   const std::vector<SideSupport> sides = parameters.loaded_sides();
-  std::vector<Platen> all              = body.platens(top);
-  if (top.is_platen)
+  std::vector<Platen> all              = body.platens(of_top);
+  if (of_top.is_platen)
     std::rotate(all.begin(), all.begin() + 1, all.end());
   platens = all;
   for (std::size_t k = 0; k < platens.size(); ++k)
     {
-      const bool is_top          = top.is_platen && k + 1 == platens.size();
-      const SideSupport &support = is_top ? top : sides[k];
+      const bool is_top          = of_top.is_platen && k + 1 == platens.size();
+      const SideSupport &support = is_top ? of_top : sides[k];
       const double area          = is_top ? facts.size.top_area : facts.size.side_area[k];
       for (unsigned int c = 0; c < dim; ++c)
         if (platens[k].moves[c])
@@ -32,10 +32,10 @@ void StaticLoad<dim>::add_platens(const GivenBody<dim> &body)
               elastic.phases()[0].stiffness(normal, normal) / elastic.extent(normal);
             const double push =
               is_top ? (c == normal ? -area : 0.) : facts.size.side_push[k][c];
-            moves.push_back({k, c, -push * support.pressure.amplitude(),
-                             area * support.suspension.stiffness[c] *
-                               std::fabs(support.suspension.motion[c](0.)),
-                             area * (of_body + support.suspension.stiffness[c])});
+            platen_moves.push_back({k, c, -push * support.pressure.amplitude(),
+                                    area * support.suspension.stiffness[c] *
+                                      std::fabs(support.suspension.motion[c](0.)),
+                                    area * (of_body + support.suspension.stiffness[c])});
           }
     }
 }
@@ -48,12 +48,12 @@ Eigen::VectorXd StaticLoad<dim>::platen_force() const
   NodalField<double> internal = elastic.zero_field();
   elastic.vmult(internal, problem.displacement);
   const std::vector<bool> counted = elastic.counted_originals();
-  Eigen::VectorXd force(moves.size());
-  for (std::size_t k = 0; k < moves.size(); ++k)
+  Eigen::VectorXd force(platen_moves.size());
+  for (std::size_t k = 0; k < platen_moves.size(); ++k)
     {
-      const unsigned int c = moves[k].component;
+      const unsigned int c = platen_moves[k].component;
       double sum           = 0.;
-      for (const NodeIndex &node : platens[moves[k].platen].nodes)
+      for (const NodeIndex &node : platens[platen_moves[k].platen].nodes)
         if (counted[std::size_t{node.j} * elastic.n_columns() + node.i])
           sum += problem.force(c, node) - internal(c, node);
       force[static_cast<Eigen::Index>(k)] = mpi::sum(sum, elastic.communicator());
@@ -81,14 +81,14 @@ void StaticLoad<dim>::press(const double share)
   // Broyden's method, in one component the secant through the last two forces; these are in proportion to how far
   // the platen is lowered where there are neither gaps nor springs.
   constexpr unsigned int most = 40;
-  const auto n                = static_cast<Eigen::Index>(moves.size());
+  const auto n                = static_cast<Eigen::Index>(platen_moves.size());
   Eigen::VectorXd wanted(n), before, moved;
   double scale = parameters.top.is_platen
                    ? 0.
                    : share * parameters.top.pressure.amplitude() * facts.size.top_area;
   for (Eigen::Index k = 0; k < n; ++k)
     {
-      const PlatenMove &move = moves[static_cast<std::size_t>(k)];
+      const PlatenMove &move = platen_moves[static_cast<std::size_t>(k)];
       wanted[k]              = share * move.pressed;
       scale += std::fabs(wanted[k]) + share * move.pulled;
     }
@@ -139,9 +139,9 @@ void StaticLoad<dim>::press(const double share)
 template <int dim>
 void StaticLoad<dim>::move_platens()
 {
-  for (std::size_t k = 0; k < moves.size(); ++k)
-    for (const NodeIndex &node : platens[moves[k].platen].nodes)
-      problem.displacement(moves[k].component, node) =
+  for (std::size_t k = 0; k < platen_moves.size(); ++k)
+    for (const NodeIndex &node : platens[platen_moves[k].platen].nodes)
+      problem.displacement(platen_moves[k].component, node) =
         shift[static_cast<Eigen::Index>(k)];
 }
 
@@ -168,11 +168,11 @@ std::exception_ptr StaticLoad<dim>::failure_of_solve()
 template <int dim>
 void StaticLoad<dim>::start_platens(const double share)
 {
-  const auto n = static_cast<Eigen::Index>(moves.size());
+  const auto n = static_cast<Eigen::Index>(platen_moves.size());
   shift        = Eigen::VectorXd::Zero(n);
   mobility     = Eigen::MatrixXd::Zero(n, n);
   for (Eigen::Index k = 0; k < n; ++k)
-    mobility(k, k) = -1. / moves[static_cast<std::size_t>(k)].stiffness;
+    mobility(k, k) = -1. / platen_moves[static_cast<std::size_t>(k)].stiffness;
   if (parameters.top.is_platen)
     shift[n - 1] = -share * strain * elastic.extent(dim - 1);
 }

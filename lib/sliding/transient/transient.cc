@@ -144,11 +144,12 @@ void TransientAnalysis<dim>::run(RunContext &context)
   std::optional<Timer::Scope> starting = context.timer().scope("Start of the run");
   body->log(context);
   if (counter)
-    for (const std::string &line : counter->told())
-      context.log(of_counter(line));
-  if (counter)
-    for (const std::string &warning : counter->facts().warnings)
-      context.warn(of_counter(warning));
+    {
+      for (const std::string &line : counter->told())
+        context.log(of_counter(line));
+      for (const std::string &warning : counter->facts().warnings)
+        context.warn(of_counter(warning));
+    }
   TransientCheckpoint checkpoint(context, parameters.checkpoints,
                                  identity + "Time step in s = " + to_text(time.step.dt) +
                                    "\n");
