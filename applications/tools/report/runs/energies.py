@@ -48,7 +48,7 @@ def friction_energy(runs):
 ENERGIES = [("external_work", "external work", BLACK), ("friction", "friction", ORANGE),
             ("elastic", "elastic", BLUE), ("kinetic", "kinetic", PINK), ("damping", "damping", GREEN),
             ("scheme", "time scheme", GREY), ("impact", "impacts", YELLOW), ("contact", "springs of the contact", SKY),
-            ("supports", "springs of the supports", VIOLET), ("dashpots", "dashpots", BROWN)]
+            ("supports", "springs and masses of supports", VIOLET), ("dashpots", "dashpots", BROWN)]
 
 
 NEGLIGIBLE, SMALL = 1e-4, 0.2  # of the largest term: not drawn; drawn on a scale of its own
