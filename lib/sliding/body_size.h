@@ -43,7 +43,7 @@ struct BodyScales
   double shear_impedance   = 0.; ///< least of the phases, see shear_impedance() (Pa s/m)
   double highest_frequency = 0.; ///< circular, of the body or a bound of it (1/s)
 
-  /** Of masses. */
+  /** Unit of the masses of the body and of what moves with it. */
   const char *mass_unit() const
   {
     return dim == 2 ? "kg/m" : "kg";

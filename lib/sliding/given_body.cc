@@ -29,18 +29,6 @@ GivenBody<dim>::GivenBody(const ContactParameters &parameters)
 {
 }
 
-namespace
-{
-/** The components in which a platen moves the top. */
-std::array<bool, 3> moves_of_top(const TopSetup &top, const unsigned int dim)
-{
-  std::array<bool, 3> moves = {};
-  for (unsigned int c = 0; c < dim; ++c)
-    moves[c] = c + 1 == dim || !top.holds(c);
-  return moves;
-}
-} // namespace
-
 template <int dim>
 void GivenBody<dim>::check_damping() const
 {
@@ -161,7 +149,7 @@ std::vector<Platen> GivenBody<dim>::platens(const TopSetup &top) const
 {
   std::vector<Platen> all;
   if (top.is_platen)
-    all.push_back({top_nodes().nodes, moves_of_top(top, dim), top.platen_mass});
+    all.push_back({top_nodes().nodes, top.moves(dim), top.platen_mass});
   const std::vector<SideSupport> sides = parameters.loaded_sides();
   std::vector<SupportNodes> nodes      = side_nodes();
   for (std::size_t k = 0; k < sides.size(); ++k)
@@ -175,7 +163,7 @@ std::size_t GivenBody<dim>::n_platen_moves(const TopSetup &top) const
 {
   std::vector<std::array<bool, 3>> all = known.size.side_moves;
   if (top.is_platen)
-    all.push_back(moves_of_top(top, dim));
+    all.push_back(top.moves(dim));
   std::size_t n = 0;
   for (const std::array<bool, 3> &moves : all)
     n += static_cast<std::size_t>(std::count(moves.begin(), moves.end(), true));

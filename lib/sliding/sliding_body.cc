@@ -84,12 +84,10 @@ SlidingBody<dim>::SlidingBody(const SlidingSetup &setup,
 template <int dim>
 void SlidingBody<dim>::add_platen(const LoadedSide &side)
 {
-  std::array<bool, dim> moves;
-  std::copy_n(side.moves.begin(), dim, moves.begin());
   const auto n_owned = side.counted.empty()
                          ? side.nodes.area.size()
                          : std::count(side.counted.begin(), side.counted.end(), true);
-  platens.emplace_back(side.support, moves, setup.step, side.nodes,
+  platens.emplace_back(side.support, side.moves, setup.step, side.nodes,
                        static_cast<unsigned int>(n_owned), setup.platen_ranks);
 }
 

@@ -70,3 +70,8 @@ def check_ranks_and_restart(folder, what):
     for key, values in histories(folder, "half").items():
         assert np.array_equal(values, one[key]), (what, key)
     return one
+
+
+def refuses(folder, words, *settings):
+    """Whether run.prm with these --set is refused in a sentence with these words."""
+    return words in folder.run(2, "contact_dynamics", "run.prm", "--validate", *[arg for text in settings for arg in ("--set", text)])

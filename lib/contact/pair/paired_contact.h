@@ -59,8 +59,11 @@ private:
   const std::function<void()> advance_partner;
   const StepParameters step;
   const bool periodic;
-  const SurfaceView<dim> *above = nullptr;      ///< in the step under way
-  NodalField<double> u, w, force, inverse_mass; ///< of the relative motion
+  const SurfaceView<dim> *above = nullptr; ///< in the step under way
+
+  /** Of the relative motion: displacement (m), velocity of the scheme (m/s), force without contact (N, in 2D N/m) and one over
+   * the inertia (1/kg, in 2D m/kg), a column for each node. */
+  NodalField<double> u, w, force, inverse_mass;
 };
 } // namespace mesoslip
 

@@ -42,7 +42,8 @@ public:
   const unsigned int column; ///< of nodes of the grid: its first or last one
 
 private:
-  using Components = std::array<std::vector<double>, 2>; ///< of each row
+  using Components =
+    std::array<std::vector<double>, 2>; ///< x and y, a value for each of places
 
   RigidPlaten<2> &platen;
   const StepParameters step;

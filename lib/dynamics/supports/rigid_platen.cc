@@ -8,7 +8,7 @@ namespace mesoslip
 {
 template <int dim>
 RigidPlaten<dim>::RigidPlaten(const SideSupport &support,
-                              const std::array<bool, dim> &moves,
+                              const std::array<bool, 3> &moves,
                               const StepParameters &step,
                               const SideNodes &nodes,
                               const unsigned int n_owned,

@@ -27,7 +27,7 @@ public:
   /** Of these @p nodes of this rank, of which the first @p n_owned are counted here; components in which they do not
    * move are left alone. @p ranks share the nodes. Collective. */
   RigidPlaten(const SideSupport &support,
-              const std::array<bool, dim> &moves,
+              const std::array<bool, 3> &moves,
               const StepParameters &step,
               const SideNodes &nodes,
               const unsigned int n_owned,
@@ -95,7 +95,7 @@ private:
             const FarEnd<dim> &far);
 
   const SideSupport support;
-  const std::array<bool, dim> moves;
+  const std::array<bool, 3> moves;
   const StepParameters step;
   const unsigned int n_owned;
   const MPI_Comm ranks;

@@ -78,12 +78,9 @@ TopSurface<dim>::TopSurface(const TopSetup &setup,
     component.assign(n_nodes, 0.);
   no_mobility.assign(n_nodes, 0.);
   n_in_top = mpi::sum(static_cast<double>(n_distinct), ranks);
-  std::array<bool, dim> moves;
-  for (unsigned int c = 0; c < dim; ++c)
-    moves[c] = c + 1 == dim || !setup.holds(c);
   if (setup.is_platen)
-    platen.emplace(setup, moves, step, nodes_of<dim>(setup, tributary), n_distinct,
-                   ranks);
+    platen.emplace(setup, setup.moves(dim), step, nodes_of<dim>(setup, tributary),
+                   n_distinct, ranks);
 }
 
 template <int dim>

@@ -48,6 +48,15 @@ struct TopSetup : SideSupport
     return is_platen ? !(suspension.stiffness[c] > 0.) : held[c];
   }
 
+  /** The components in which a platen moves it, of @p dim. */
+  std::array<bool, 3> moves(const unsigned int dim) const
+  {
+    std::array<bool, 3> result = {};
+    for (unsigned int c = 0; c < dim; ++c)
+      result[c] = c + 1 == dim || !holds(c);
+    return result;
+  }
+
   /** Whether it keeps the body from moving along the flat from the start, so that it takes the
    * friction. */
   bool holds_tangentially() const

@@ -36,7 +36,7 @@ std::string top_text(const TopSetup &top)
     {
       std::string common;
       for (unsigned int c = 0; c < dim; ++c)
-        if (c + 1 == dim || !top.holds(c))
+        if (top.moves(dim)[c])
           common += std::string(common.empty() ? "" : ", ") + "u_" + "xyz"[c];
       return "rigid platen of " + to_text(top.platen_mass) +
              (dim == 2 ? " kg/m: " : " kg: ") +

@@ -8,7 +8,7 @@ import tempfile
 import h5py
 import numpy as np
 
-from four_bodies import PLANE, bodies, bricks, check_alike, check_ranks_and_restart, histories
+from four_bodies import PLANE, bodies, bricks, check_alike, check_ranks_and_restart, histories, refuses
 from scenes import Folder, prm
 
 PRESSURE = 5e6
@@ -102,8 +102,7 @@ def check_corners(folder):
 
 
 def check_sentences(folder):
-    refused = lambda words, *settings: words in folder.run(2, "contact_dynamics", "run.prm", "--validate",
-                                                           *[arg for text in settings for arg in ("--set", text)])
+    refused = lambda words, *settings: refuses(folder, words, *settings)
     folder.write("run.prm", prm({"Body/Stiffness": PLANE, "Body/Density": 1770, "Body/Size": "0.006, 0.004", "Body/Cells": "12, 9"}))
     assert refused("Supports/Left/Kind: it is springs, but", "Supports/Left/Kind=springs")
     assert refused("Supports/Left/Pressure: it is 0, but", "Supports/Left/Kind=pressure")
