@@ -272,6 +272,19 @@ void sum_over_ranks(std::vector<double> &values, const MPI_Comm communicator)
   sum_over_ranks(values.data(), values.size(), communicator);
 }
 
+void all_gather(const std::vector<double> &own,
+                const std::vector<int> &counts,
+                const std::vector<int> &starts,
+                std::vector<double> &all,
+                const MPI_Comm communicator)
+{
+  if (counts.size() == 1)
+    all = own;
+  else
+    MPI_Allgatherv(own.data(), static_cast<int>(own.size()), MPI_DOUBLE, all.data(),
+                   counts.data(), starts.data(), MPI_DOUBLE, communicator);
+}
+
 void in_order_of_ranks(double *values,
                        const std::size_t n,
                        const std::function<void()> &add,

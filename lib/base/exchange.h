@@ -143,6 +143,13 @@ void sum_over_ranks(double *values, const std::size_t n, const MPI_Comm communic
 /** Replaces each of the @p values, as many on all ranks, by its sum over the ranks. Collective. */
 void sum_over_ranks(std::vector<double> &values, const MPI_Comm communicator);
 
+/** Fills @p all with the @p own values of each rank, whose @p counts and @p starts there all ranks know. Collective. */
+void all_gather(const std::vector<double> &own,
+                const std::vector<int> &counts,
+                const std::vector<int> &starts,
+                std::vector<double> &all,
+                const MPI_Comm communicator);
+
 /**
  * Lets the ranks, one after the other, @p add what they have to @p values, so that a sum has the same
  * bits on any number of ranks; then all have what the last one made. @p n values, whose start is that

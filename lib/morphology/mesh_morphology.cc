@@ -208,6 +208,13 @@ void MeshParameters::bind(Keys &keys)
             has_grids_in_3d
               ? "Dimension of the body: 2, plane strain, or 3 [-]"
               : "Dimension of the body: 2, plane strain, or 3, which needs a mesh [-]");
+  bind_file(keys);
+  keys.require(dim == 2 || has_grids_in_3d || !files.empty(), "Dimension",
+               "3 needs a mesh; set Mesh/File to one that Gmsh wrote");
+}
+
+void MeshParameters::bind_file(Keys &keys)
+{
   {
     const auto section = keys.section("Mesh");
     keys.bind_inputs("File", files,
@@ -224,9 +231,7 @@ void MeshParameters::bind(Keys &keys)
     keys.only_if(!files.empty(), {"Scale", "Tolerance"}, "there is no mesh",
                  "set Mesh/File");
   }
-  scale_typed = keys.is_typed("Mesh/Scale");
-  keys.require(dim == 2 || has_grids_in_3d || !files.empty(), "Dimension",
-               "3 needs a mesh; set Mesh/File to one that Gmsh wrote");
+  scale_typed = keys.is_typed(keys.path("Mesh/Scale"));
 }
 
 template <int dim>

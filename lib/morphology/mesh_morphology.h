@@ -29,6 +29,9 @@ struct MeshParameters
 
   /** Binds the keys. */
   void bind(Keys &keys);
+
+  /** Binds those of section Mesh alone, in the current section. */
+  void bind_file(Keys &keys);
 };
 
 /** A mesh with the materials of its cells. */

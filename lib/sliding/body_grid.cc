@@ -32,15 +32,15 @@ void check_size(const BodyParameters &body, const std::array<double, dim> &volum
       equal   = equal && std::fabs(body.size[d] - volume[d]) <= 1e-9 * volume[d];
       smaller = smaller || body.size[d] < (1. - 1e-9) * volume[d];
     }
-  const std::string sizes = "Body/Size is " + extents_text(body.size, dim) +
+  const std::string sizes = body.section + "/Size is " + extents_text(body.size, dim) +
                             " m, but the volume in " + body.rve_file + " measures " +
                             extents_text(volume, dim) + " m; ";
   if (!equal && (smaller || body.heterogeneous))
     throw UserError(sizes + "leave Size empty to take it from there" +
                     (smaller ? "" : ", a homogeneous body may be larger"));
   if (!equal && body.cells[0] == 0)
-    throw UserError(sizes + "leave Size empty to take it from there, or set Body/Cells "
-                            "to the numbers of cells of the larger body");
+    throw UserError(sizes + "leave Size empty to take it from there, or set " +
+                    body.section + "/Cells to the numbers of cells of the larger body");
 }
 
 /** Along each axis, the number of cells of @p grid in one of the volume. @throws UserError */
@@ -58,7 +58,7 @@ std::array<unsigned int, dim> refinement(const RveFile<dim> &rve,
       fits     = fits && ratio[d] > 0 && fine[d] % coarse[d] == 0;
     }
   if (!fits)
-    throw UserError("Body/Cells: " + extents_text(fine, dim) + " is no multiple of the " +
+    throw UserError("Cells: " + extents_text(fine, dim) + " is no multiple of the " +
                     extents_text(coarse, dim) + " cells of " + rve.path() +
                     ", whose morphology a heterogeneous body takes");
   return ratio;
@@ -75,10 +75,10 @@ Phase<dim> given_phase(const BodyParameters &body)
     }
   catch (const std::invalid_argument &e)
     {
-      throw UserError("Body/Stiffness is " + to_text(body.stiffness) + ": " + e.what() +
-                      (dim == 2
-                         ? "; D11 D22 has to be larger than D12^2, and D33 positive"
-                         : "; give 9 numbers of an orthotropic material or all 21"));
+      throw UserError(
+        body.section + "/Stiffness is " + to_text(body.stiffness) + ": " + e.what() +
+        (dim == 2 ? "; D11 D22 has to be larger than D12^2, and D33 positive"
+                  : "; give 9 numbers of an orthotropic material or all 21"));
     }
 }
 
@@ -105,14 +105,14 @@ UniformGrid<dim> make_grid(const BodyParameters &body, const RveFile<dim> *rve)
   if (body.cells[0] > 0)
     std::copy_n(body.cells.begin(), dim, grid.cells.begin());
   else if (rve != nullptr && rve->is_mesh())
-    throw UserError("Body/Cells is empty, and " + body.rve_file +
-                    " holds a mesh, which has no rows and columns; set Body/Cells to the "
+    throw UserError(body.section + "/Cells is empty, and " + body.rve_file +
+                    " holds a mesh, which has no rows and columns; set it to the "
                     "numbers of cells of the body along " +
                     (dim == 2 ? "x and y" : "x, y and z"));
   if (!(size[0] > 0.) || grid.cells[0] == 0)
     throw UserError(
-      std::string("Body/") + (size[0] > 0. ? "Cells" : "Size") +
-      " is empty, and without a Body/RVE file a body in 3D has to be given by Size, in "
+      body.section + "/" + (size[0] > 0. ? "Cells" : "Size") +
+      " is empty, and without an RVE file a body in 3D has to be given by Size, in "
       "m, and "
       "Cells, each three numbers along x, y, z; or name a mesh in Mesh/File");
   for (unsigned int d = 0; d < dim; ++d)

@@ -37,9 +37,10 @@ enum class ContactAnalysis
   complex_modes
 };
 
-/** Section Body: geometry and material. */
+/** Section Body or Counter body: geometry and material. */
 struct BodyParameters
 {
+  std::string section = "Body"; ///< of its keys
   bool heterogeneous =
     false;              ///< every phase with its own stiffness, else the effective one
   std::string rve_file; ///< empty: the material in stiffness and density
@@ -158,7 +159,8 @@ struct ContactParameters : SlidingSetup
   /** The second body in the place of the flat, if there is one. */
   std::shared_ptr<const ContactParameters> counter;
 
-  bool upside_down = false; ///< it is a second body, whose contact is its upper side
+  bool is_counter =
+    false; ///< whether it is a second body, whose contact is its upper side
 
   std::vector<SideSupport>
     supports; ///< sides besides contact and top that are held or loaded
@@ -205,6 +207,7 @@ private:
   void check_contact_map(const Keys &keys) const;
   void bind_analyses(Keys &keys);
   void bind_counter(Keys &keys);
+  void bind_supports_below(Keys &keys, ContactParameters &other) const;
   void check_counter(const Keys &keys, const ContactParameters &other) const;
 };
 } // namespace mesoslip

@@ -146,13 +146,11 @@ public:
                                   RunContext &context,
                                   CounterMotion<dim> *counter) const = 0;
 
-  /** A body that is upside down as the counter body of another one, on rank 0; elsewhere, and of bodies that cannot be one,
-   * empty. */
-  virtual CounterMotion<dim> start_below(const SlidingSetup & /*setup*/,
-                                         RunContext & /*context*/) const
-  {
-    return {};
-  }
+  /** A counter body in its initial state, whose contact nodes have these @p partners in the contact of the body above; of a plane
+   * grid on rank 0 alone. */
+  virtual CounterMotion<dim> start_below(const SlidingSetup &setup,
+                                         const std::vector<unsigned int> &partners,
+                                         RunContext &context) const = 0;
 
   /** On rank 0: writes into the group /contact of a run where the nodes of the contact are. */
   virtual void write_contact(Hdf5File &file) const = 0;

@@ -36,7 +36,7 @@ BodyDescription make_body_on_root(const ContactParameters &parameters)
   const unsigned int n_copies = is_repeated(parameters) ? ranks_of_this_machine() : 1;
   on_root(MPI_COMM_WORLD, [&]() {
     body = make_body(parameters, n_copies);
-    if (parameters.upside_down)
+    if (parameters.is_counter)
       turn_over(body);
   });
   broadcast_object(MPI_COMM_WORLD, body);
@@ -107,7 +107,7 @@ GivenGrid::GivenGrid(const ContactParameters &given, const BodyDescription &desc
 {
   check_probes(parameters.observation, body.grid);
   require_frequency(material);
-  if (parameters.analysis == ContactAnalysis::transient && !parameters.upside_down)
+  if (parameters.analysis == ContactAnalysis::transient && !parameters.is_counter)
     check_ranks(body.grid);
   const double bytes = field_memory(parameters, body.grid);
   (is_repeated(parameters) ? known.memory.on_each : known.memory.divided) = bytes;
@@ -168,9 +168,10 @@ std::vector<std::string> GivenGrid::lines() const
 
 std::vector<std::string> GivenGrid::warnings() const
 {
-  const std::string &file = parameters.body.rve_file;
-  const std::string size =
-    file.empty() || parameters.body.size[0] > 0. ? "Body/Size" : "the size in " + file;
+  const std::string &file = parameters.body.rve_file, &section = parameters.body.section;
+  const std::string size             = file.empty() || parameters.body.size[0] > 0.
+                                         ? section + "/Size"
+                                         : "the size in " + file;
   const FrictionParameters &friction = parameters.friction;
   std::vector<PlausibleRange> ranges = {
     plausible_length(size + " along x", body.grid.extent(0)),
@@ -179,7 +180,7 @@ std::vector<std::string> GivenGrid::warnings() const
     {
       const std::string of_phase = " of phase '" + phase.name + "'";
       ranges.push_back(plausible_density(
-        file.empty() ? "Body/Density" : "the density" + of_phase, phase.density));
+        file.empty() ? section + "/Density" : "the density" + of_phase, phase.density));
       if (friction.coefficient_by_phase)
         ranges.push_back(plausible_friction("the friction coefficient" + of_phase,
                                             phase.friction_coefficient));

@@ -51,6 +51,7 @@ public:
                         RunContext &context,
                         CounterMotion<2> *counter) const override;
   CounterMotion<2> start_below(const SlidingSetup &given,
+                               const std::vector<unsigned int> &partners,
                                RunContext &context) const override;
   void write_contact(Hdf5File &file) const override;
 

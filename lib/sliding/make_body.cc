@@ -109,7 +109,7 @@ BodyDescription make_body(const ContactParameters &parameters,
   std::optional<RveFile<2>> rve;
   if (!given.rve_file.empty())
     {
-      require_readable_file("Body/RVE file: ", given.rve_file,
+      require_readable_file(given.section + "/RVE file: ", given.rve_file,
                             "run rve_homogenization first, or mend the name");
       rve.emplace(given.rve_file);
     }

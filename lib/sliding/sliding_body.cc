@@ -121,11 +121,48 @@ std::vector<NodeCounts> SlidingBody<dim>::contact_states(const std::size_t n_nod
 }
 
 template <int dim>
+SurfaceCondition<dim> &SlidingBody<dim>::contact_condition(SurfaceCondition<dim> *given,
+                                                           CounterMotion<dim> *counter,
+                                                           const NodesOfContact &nodes,
+                                                           const MPI_Comm communicator)
+{
+  if (given != nullptr)
+    return *given;
+  if (counter == nullptr || !counter->body)
+    return *profile.timed<TimedSurface<dim>>(contact, "Contact and its histories");
+  below = counter->body.get();
+  pair  = std::make_unique<PairedContact<dim>>(
+    contact, nodes, *counter->partner, [this]() { below->time_integration().advance(1); },
+    setup.step, communicator);
+  return *profile.timed<TimedSurface<dim>>(*pair,
+                                           "Counter body, contact and its histories");
+}
+
+template <int dim>
+void SlidingBody<dim>::start_together()
+{
+  if (!pair)
+    return;
+  pair->start_as_one(contact_start, below->contact_start);
+  start_contact();
+  below->start_contact();
+}
+
+template <int dim>
 void SlidingBody<dim>::watch_energy()
 {
   if (setup.energy_interval > 0)
     energy = std::make_unique<EnergyAudit>(time_integration(), setup.energy_interval,
                                            [this]() { return boundary_work(); });
+}
+
+NodesOfContact nodes_of_contact(const SlidingSetup &setup)
+{
+  NodesOfContact nodes = {setup.contact_places,
+                          static_cast<unsigned int>(setup.contact_places.size())};
+  if (setup.periodic && nodes.n_owned > 0)
+    nodes.number.push_back(0);
+  return nodes;
 }
 
 SlidingGrid::SlidingGrid(const UniformMaterial &material,
@@ -146,25 +183,11 @@ SlidingGrid::SlidingGrid(const UniformMaterial &material,
   , u(material.n_columns(), rows.n_local())
   , w(material.n_columns(), rows.n_local())
   , halo(material.n_columns(), rows.ghosts, communicator)
-  , below(counter != nullptr && counter->body
-            ? dynamic_cast<SlidingGrid *>(counter->body.get())
-            : nullptr)
-  , pair(below != nullptr ? std::make_unique<PairedContact<2>>(
-                              contact,
-                              *counter->partner,
-                              [this]() { below->stepper.advance(1); },
-                              given.step,
-                              given.periodic)
-                          : nullptr)
   , platen_columns(
       make_platen_columns(platens, setup, material, pointer_to(damping), rows, u, w))
   , columns(make_columns(sides, setup, material, pointer_to(damping), rows, u, w))
   , stepper({material, given.step, u, w,
-             bottom != nullptr ? bottom
-             : pair
-               ? profile.timed<TimedSurface<2>>(*pair,
-                                                "Counter body, contact and its histories")
-               : profile.timed<TimedSurface<2>>(contact, "Contact and its histories"),
+             &contact_condition(bottom, counter, nodes_of_contact(setup), MPI_COMM_SELF),
              profile.timed<TimedSurface<2>>(top, "Top and its histories"), rows,
              rows.end - rows.begin < rows.n_global
                ? profile.timed<TimedHalo>(halo, "Exchange between ranks")
@@ -181,7 +204,6 @@ void SlidingGrid::set_initial_velocity(const std::array<double, 3> &v)
 {
   const unsigned int n = w.n_columns(), last = rows.n_global - 1;
   const double back                = -setup.step.beta2 * setup.step.dt;
-  start_velocity                   = v;
   const std::array<bool, 2> &left  = setup.sides.left_held,
                             &right = setup.sides.right_held;
   const auto a                     = start_acceleration(v);
@@ -207,31 +229,27 @@ void SlidingGrid::set_initial_velocity(const std::array<double, 3> &v)
         if (top_row && (c == 0 ? setup.top.holds(0) : setup.top.is_held()))
           std::fill_n(of_row, n, 0.);
       }
-  if (below != nullptr)
-    start_together(a, v, back);
+  if (rows.begin > 0)
+    return;
+  contact_start.velocity = v[1];
+  contact_start.acceleration.assign(a.row(1, 0), a.row(1, 0) + n);
+  contact_start.inverse_inertia.resize(n);
+  stepper.mass_row(0, contact_start.inverse_inertia.data());
+  for (double &of_node : contact_start.inverse_inertia)
+    of_node = 1. / of_node;
+  if (left[1])
+    contact_start.inverse_inertia.front() = 0.;
+  if (right[1])
+    contact_start.inverse_inertia.back() = 0.;
+  start_together();
 }
 
-/** Partners that press on each other from the start move with their common acceleration along the normal. */
-void SlidingGrid::start_together(const NodalField<double> &a,
-                                 const std::array<double, 3> &v,
-                                 const double back)
+void SlidingGrid::start_contact()
 {
-  const std::array<double, 3> &of_below = below->start_velocity;
-  const NodalField<double> b            = below->start_acceleration(of_below);
-  std::vector<double> own(w.n_columns()), other(own);
-  stepper.mass_row(0, own.data());
-  below->stepper.mass_row(0, other.data());
-  const std::array<bool, 2> ends = {
-    {setup.sides.left_held[1], setup.sides.right_held[1]}};
-  for (unsigned int i = ends[0] ? 1 : 0; i + (ends[1] ? 1 : 0) < w.n_columns(); ++i)
-    {
-      const double up = a(1, {i, 0}), down = b(1, {i, 0}),
-                   common = (own[i] * up - other[i] * down) / (own[i] + other[i]);
-      const bool rest     = contact.rests(i, up + down) && v[1] == -of_below[1];
-      w.row(1, 0)[i]      = v[1] + back * (rest ? common : up);
-      if (rest)
-        below->w.row(1, 0)[i] = of_below[1] - back * common;
-    }
+  const double back = -setup.step.beta2 * setup.step.dt;
+  for (unsigned int i = 0; i < w.n_columns(); ++i)
+    if (contact_start.inverse_inertia[i] > 0.)
+      w.row(1, 0)[i] = contact_start.velocity + back * contact_start.acceleration[i];
 }
 
 /** Accelerations (m/s^2) of all nodes at the start, when they move with @p v, by weight, loads and what damps masses. */

@@ -3,6 +3,7 @@
 
 #include "contact/contact_map.h"
 #include "contact/contact_recorder.h"
+#include "contact/pair/paired_contact.h"
 #include "dynamics/energy_audit.h"
 #include "dynamics/explicit_stepper.h"
 #include "dynamics/supports/side_column.h"
@@ -11,8 +12,6 @@
 #include "grid/row_partition.h"
 #include "sliding/loop_profile.h"
 #include "sliding/supports/shared_sides.h"
-
-#include "contact/pair/paired_contact.h"
 
 #include <array>
 #include <cstdint>
@@ -62,6 +61,9 @@ struct SlidingSetup
   /** The energy balance has a sample every so many steps; 0: none. */
   unsigned int energy_interval = 0;
 };
+
+template <int dim>
+struct CounterMotion;
 
 /**
  * A body on the moving flat, with load, histories and energies: everything of a run but
@@ -126,15 +128,34 @@ protected:
    * times of the parts of a step. */
   SlidingBody(const SlidingSetup &setup, const unsigned int n_top_nodes, Timer *timer);
 
+  /** What moves the @p nodes of the contact that this rank has: @p given, if it is not null, or the contact, which is that with
+   * @p counter where there is one. Collective over the @p communicator. */
+  SurfaceCondition<dim> &contact_condition(SurfaceCondition<dim> *given,
+                                           CounterMotion<dim> *counter,
+                                           const NodesOfContact &nodes,
+                                           const MPI_Comm communicator);
+
   /** To be called once time_integration() is there: observes the energies. */
   void watch_energy();
 
+  /** Starts partners that press on each other with their common acceleration, once both bodies have started. */
+  void start_together();
+
+  /** Sets the velocities of the scheme along the normal at the contact as contact_start tells. */
+  virtual void start_contact() = 0;
+
+  NormalStart
+    contact_start; ///< of the nodes of the contact, after set_initial_velocity()
+
 private:
   void add_platen(const LoadedSide &side);
+
+  SlidingBody<dim> *below = nullptr;        ///< the second body; null: the flat is rigid
+  std::unique_ptr<PairedContact<dim>> pair; ///< with it
 };
 
-template <int dim>
-struct CounterMotion;
+/** The nodes of the contact of a grid with this completed @p setup, whose last one duplicates the first where it is periodic. */
+NodesOfContact nodes_of_contact(const SlidingSetup &setup);
 
 /**
  * On a plane grid. Each rank holds a slab of rows; the contact is on rank 0, the top on the
@@ -165,15 +186,11 @@ public:
   void set_initial_velocity(const std::array<double, 3> &velocity);
 
 private:
-  void start_together(const NodalField<double> &a,
-                      const std::array<double, 3> &v,
-                      const double back);
+  void start_contact() override;
   NodalField<double> start_acceleration(const std::array<double, 3> &v) const;
   void load_top(const std::array<double, 3> &v,
                 std::vector<double> &whole,
                 NodalField<double> &a) const;
-  std::array<double, 3> start_velocity = {}; ///< see set_initial_velocity() (m/s)
-
   void start_as_one(const RigidPlaten<2> &platen,
                     const std::vector<NodeIndex> &nodes,
                     const std::vector<double> &mass,
@@ -189,15 +206,13 @@ public:
   const UniformMaterial &material; ///< the grid, with stiffness and density of its cells
   const std::optional<UniformMaterial> damping; ///< of phases_of_damping(), if there are
   const MPI_Comm communicator;                  ///< of the ranks that share the body
-  const NodeRows rows;      ///< node rows of this rank, and ghost rows
-  NodalField<double> u;     ///< displacement (m), own and ghost rows
-  NodalField<double> w;     ///< velocity of the scheme (m/s)
-  MPIHalo halo;             ///< exchange with the ranks above and below
-  SlidingGrid *const below; ///< the second body; null: the flat is rigid
-  const std::unique_ptr<PairedContact<2>> pair; ///< with it
-  std::deque<PlatenColumn> platen_columns;      ///< sides that platens move
-  std::deque<SideColumn> columns;               ///< sides under a load
-  ExplicitStepper stepper;                      ///< the time integration
+  const NodeRows rows;                     ///< node rows of this rank, and ghost rows
+  NodalField<double> u;                    ///< displacement (m), own and ghost rows
+  NodalField<double> w;                    ///< velocity of the scheme (m/s)
+  MPIHalo halo;                            ///< exchange with the ranks above and below
+  std::deque<PlatenColumn> platen_columns; ///< sides that platens move
+  std::deque<SideColumn> columns;          ///< sides under a load
+  ExplicitStepper stepper;                 ///< the time integration
 };
 } // namespace mesoslip
 

@@ -74,4 +74,6 @@ def check_ranks_and_restart(folder, what):
 
 def refuses(folder, words, *settings):
     """Whether run.prm with these --set is refused in a sentence with these words."""
-    return words in folder.run(2, "contact_dynamics", "run.prm", "--validate", *[arg for text in settings for arg in ("--set", text)])
+    found = folder.run(2, "contact_dynamics", "run.prm", "--validate", *[arg for text in settings for arg in ("--set", text)])
+    assert words in found, (words, found)
+    return True

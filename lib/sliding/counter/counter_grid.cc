@@ -23,18 +23,21 @@ void turn_over(BodyDescription &body)
 /** y (m) of a row of nodes. */
 double GivenGrid::place_of_row(const double row) const
 {
-  return (parameters.upside_down ? -row : row) * body.grid.spacing[1];
+  return (parameters.is_counter ? -row : row) * body.grid.spacing[1];
 }
 
 CounterMotion<2> GivenGrid::start_below(const SlidingSetup &given,
+                                        const std::vector<unsigned int> & /*partners*/,
                                         RunContext &context) const
 {
   CounterMotion<2> below;
   if (!context.root())
     return below;
-  below.partner = std::make_unique<PartnerSurface<2>>();
+  below.partner         = std::make_unique<PartnerSurface<2>>();
+  below.partner->normal = -1.;
   auto sliding = std::make_unique<SlidingGrid>(material, with_sides(given), MPI_COMM_SELF,
                                                below.partner.get());
+  below.partner->nodes = nodes_of_contact(sliding->setup);
   sliding->set_initial_velocity(parameters.body.initial_velocity);
   below.displacement = [&moving = *sliding]() {
     const NodalField<double> &u = moving.u;
@@ -55,7 +58,7 @@ CounterMotion<2> GivenGrid::start_below(const SlidingSetup &given,
 BodyDescription GivenGrid::described() const
 {
   BodyDescription upright = body;
-  if (!parameters.upside_down)
+  if (!parameters.is_counter)
     return upright;
   turn_over(upright);
   upright.grid.origin[1] = -body.grid.extent(1);

@@ -11,14 +11,14 @@ namespace mesoslip
 {
 struct FieldRows;
 
-/** A second body that moves below the first one, which it meets node by node. It is computed upside down: its contact is its
- * bottom. */
+/** A second body that moves below the first one, which it meets node by node. */
 template <int dim>
 struct CounterMotion
 {
   std::unique_ptr<PartnerSurface<dim>> partner; ///< moves its contact nodes
   std::unique_ptr<SlidingBody<dim>> body;       ///< all of it that moves
   std::function<FieldRows()> displacement;      ///< as files have it, upright
+  MPI_Comm communicator = MPI_COMM_SELF;        ///< of the ranks that have it
 };
 } // namespace mesoslip
 

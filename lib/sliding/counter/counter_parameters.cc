@@ -3,6 +3,7 @@
 #include "sliding/keys/body_keys.h"
 #include "sliding/supports/side_keys.h"
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -39,14 +40,60 @@ TopSetup top_of(const SideSupport &bottom, const Keys &keys, const unsigned int 
 }
 } // namespace
 
+/** Its supports: the bottom, other sides of grids, and groups of a mesh. */
+void ContactParameters::bind_supports_below(Keys &keys, ContactParameters &other) const
+{
+  const auto section             = keys.section("Supports");
+  const unsigned int dim         = mesh.mesh.dim;
+  const bool turned              = other.mesh.is_plane_grid();
+  const SideSupport bottom       = bind_side(keys, "Bottom", dim, "held");
+  std::vector<std::string> names = sides_of_grid;
+  for (const std::string &name : keys.typed_sections())
+    if (name != "Bottom" && !is_side_of_grid(name))
+      names.push_back(name);
+  const auto add = [&](const SideSupport &side) {
+    if (side.holds() || side.is_loaded())
+      other.supports.push_back(turned ? turned_over(side, dim) : side);
+  };
+  for (const std::string &name : names)
+    {
+      const SideSupport side = bind_side(keys, name, dim);
+      keys.require(other.mesh.is_given() || is_side_of_grid(name), name,
+                   "the counter body is a grid, whose sides are Left, Right, Front, Back "
+                   "and Bottom; name one of them, or set Counter body/Mesh/File");
+      keys.require(
+        name != other.mesh.contact_boundary || (!side.holds() && !side.is_loaded()), name,
+        "it is the contact of the counter body, which has no support; leave "
+        "the section out");
+      add(side);
+    }
+  keys.only_if(dim == 3 || other.mesh.is_given(), {"Front/", "Back/"},
+               "the body is plane", "set Dimension = 3");
+  if (!keys.are_read())
+    return;
+  if (turned)
+    other.top = top_of(bottom, keys, dim);
+  else
+    add(bottom);
+}
+
 void ContactParameters::bind_counter(Keys &keys)
 {
-  const auto section   = keys.section("Counter body");
-  auto other           = std::make_shared<ContactParameters>();
-  other->mesh.mesh.dim = mesh.mesh.dim;
+  const auto section       = keys.section("Counter body");
+  const unsigned int dim   = mesh.mesh.dim;
+  auto other               = std::make_shared<ContactParameters>();
+  other->is_counter        = true;
+  other->body.section      = "Counter body";
+  other->mesh.section      = "Counter body/";
+  other->mesh.mesh.dim     = dim;
+  other->mesh.top_boundary = "";
+  other->top               = TopSetup();
+  other->top.is_platen     = false;
+  other->mesh.bind_below(keys);
   bind_material(keys, other->body, other->mesh, true);
+  other->mesh.mesh.one_phase = !other->body.heterogeneous;
   bind_vector(
-    keys, "Initial velocity", other->body.initial_velocity, mesh.mesh.dim,
+    keys, "Initial velocity", other->body.initial_velocity, dim,
     "Velocity of all of the counter body at the start: x, y and, in 3D, z [m/s]");
   other->step       = StepParameters();
   other->step.dt    = step.dt;
@@ -57,34 +104,32 @@ void ContactParameters::bind_counter(Keys &keys)
   other->n_betas =
     bind_damping(keys, "Rayleigh beta", other->step.beta, other->step.beta_of_phases,
                  "As Time/Rayleigh beta, of the counter body [s]");
-  SideSupport bottom;
-  {
-    const auto of_supports = keys.section("Supports");
-    bottom                 = bind_side(keys, "Bottom", mesh.mesh.dim, "held");
-    for (const char *name : {"Left", "Right"})
-      if (const SideSupport side = bind_side(keys, name, mesh.mesh.dim);
-          side.holds() || side.is_loaded())
-        other->supports.push_back(turned_over(side, mesh.mesh.dim));
-    if (keys.are_read())
-      other->top = top_of(bottom, keys, mesh.mesh.dim);
-  }
-  const bool is_there = other->body.size[0] > 0. || !other->body.rve_file.empty();
+  bind_supports_below(keys, *other);
+  const bool is_there =
+    other->body.size[0] > 0. || !other->body.rve_file.empty() || other->mesh.is_given();
   keys.only_if(is_there,
                {"Material", "Stiffness from", "Stiffness", "Density", "Cells",
                 "Initial velocity", "Rayleigh alpha", "Rayleigh beta", "Supports/"},
                "Counter body/Size is empty, so that the flat is rigid", "give it");
+  keys.only_if(!other->mesh.is_given(), {"Size", "Cells"}, "the counter body is a mesh",
+               "remove Counter body/Mesh/File");
   if (!keys.are_read() || !is_there)
     return;
+  other->periodic = periodic;
+  for (std::size_t axis = 0; axis < 2 && !other->mesh.is_given(); ++axis)
+    if (!mesh.periodic[axis].empty())
+      other->mesh.periodic[axis] = {sides_of_grid[2 * axis], sides_of_grid[2 * axis + 1]};
   check_counter(keys, *other);
   other->analysis          = analysis;
   other->time              = time;
   other->sweep             = sweep;
-  other->periodic          = periodic;
   other->energy_interval   = energy_interval;
-  other->upside_down       = true;
   other->step.acceleration = step.acceleration;
-  other->step.acceleration[mesh.mesh.dim - 1] *= -1.;
-  other->body.initial_velocity[mesh.mesh.dim - 1] *= -1.;
+  if (other->mesh.is_plane_grid()) // it is computed upside down
+    {
+      other->step.acceleration[1] *= -1.;
+      other->body.initial_velocity[1] *= -1.;
+    }
   other->friction.coefficient_by_phase = false;
   other->contact.gap                   = 1.; // nothing is there that it could touch
   other->hold_sides();
@@ -95,15 +140,26 @@ void ContactParameters::bind_counter(Keys &keys)
 void ContactParameters::check_counter(const Keys &keys,
                                       const ContactParameters &other) const
 {
-  keys.require(analysis == ContactAnalysis::transient, "Size",
+  const std::string size = other.mesh.is_given() ? "Mesh/File" : "Size";
+  keys.require(analysis == ContactAnalysis::transient, size,
                "a counter body is known in transient runs only; leave it empty, or set "
                "Analysis = transient");
-  keys.require(mesh.is_plane_grid(), "Size",
-               "a counter body is known below plane grids only; leave it empty");
-  keys.require(profile.expression.empty() && profile.file.empty(), "Size",
+  keys.require(mesh.is_plane_grid() == other.mesh.is_plane_grid(), size,
+               mesh.is_plane_grid()
+                 ? "the body is a plane grid, and so has to be the counter body; give "
+                   "Counter body/Size and Cells, or set Mesh/File"
+                 : "the body is a plane mesh, and so has to be the counter body; set "
+                   "Counter body/Mesh/File, or remove Mesh/File");
+  keys.require(profile.expression.empty() && profile.file.empty(), size,
                "a counter body has no Flat/Profile; leave one of the two out");
   for (const SideSupport &side : other.supports)
-    keys.require(!periodic, "Supports/" + side.name + "/Kind",
-                 "Sides/Periodic is true, so that Left and Right are free; leave it out");
+    for (const auto &groups : other.mesh.periodic)
+      keys.require(std::count(groups.begin(), groups.end(), side.name) == 0,
+                   "Supports/" + side.name + "/Kind",
+                   other.mesh.is_given()
+                     ? "the group is one of Counter body/Mesh/Periodic in x or y, which "
+                       "are free; leave it out"
+                     : "Sides/Periodic is true for this side and the one opposite, which "
+                       "are free; leave it out");
 }
 } // namespace mesoslip

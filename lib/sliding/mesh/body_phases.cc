@@ -46,9 +46,9 @@ phases_of_file(const BodyParameters &body, const bool on_mesh, const RveFile<dim
   require_densities(rve);
   if (on_mesh && body.heterogeneous && !rve.materials.oriented.empty())
     throw UserError(
-      "Body/RVE file = " + body.rve_file +
+      body.section + "/RVE file = " + body.rve_file +
       " has phases in orientations by cell, which a mesh does not have; set "
-      "Body/Material = homogeneous, or remove Mesh/File");
+      "Material = homogeneous, or remove the mesh");
   if (!body.heterogeneous)
     return {numbers_of<dim>(
       {"effective", rve.stiffness(body.stiffness_name), rve.mean_density(), 0.})};
@@ -63,7 +63,7 @@ template <int dim>
 ContactParameters with_phases(ContactParameters parameters)
 {
   const BodyParameters &body = parameters.body;
-  if (parameters.mesh.is_given() && body.rve_file.empty())
+  if (parameters.mesh.is_given() && body.rve_file.empty() && !parameters.is_counter)
     return parameters;
   if (parameters.friction.coefficient_by_phase && !body.heterogeneous)
     throw UserError(
@@ -76,7 +76,7 @@ ContactParameters with_phases(ContactParameters parameters)
         found = {numbers_of<dim>(given_phase<dim>(body))};
         return;
       }
-    require_readable_file("Body/RVE file: ", body.rve_file,
+    require_readable_file(body.section + "/RVE file: ", body.rve_file,
                           "run rve_homogenization first");
     const RveFile<dim> rve(body.rve_file);
     found                       = phases_of_file(body, parameters.mesh.is_given(), rve);

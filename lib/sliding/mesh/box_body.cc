@@ -204,12 +204,15 @@ BodyMemory BoxBody::read(const ContactParameters &parameters,
   std::shared_ptr<const RveFile<3>> rve;
   if (!path.empty())
     {
-      require_readable_file("Body/RVE file: ", path, "run rve_homogenization first");
+      require_readable_file(parameters.body.section + "/RVE file: ", path,
+                            "run rve_homogenization first");
       rve = std::make_shared<const RveFile<3>>(path);
     }
-  const UniformGrid<3> grid = make_grid<3>(parameters.body, rve.get());
-  const BodyMemory memory   = memory_of_box(parameters, grid);
-  const double bytes        = memory.on_machine(n_here, n_ranks);
+  UniformGrid<3> grid = make_grid<3>(parameters.body, rve.get());
+  if (parameters.is_counter)
+    grid.origin[2] = -grid.extent(2); // as files show it
+  const BodyMemory memory = memory_of_box(parameters, grid);
+  const double bytes      = memory.on_machine(n_here, n_ranks);
   require_memory({bytes, cells_that_fit({grid.cells.begin(), grid.cells.end()}, bytes) +
                            "; reduce Body/Cells, or take more machines"});
   file         = path;
@@ -225,8 +228,10 @@ BodyMemory BoxBody::read(const ContactParameters &parameters,
   std::set_union(at_sides.begin(), at_sides.end(), near.begin(), near.end(),
                  std::back_inserter(cells));
   keep_cells(*this, cells);
-  mesh.boundaries = {"Left", "Right", "Front", "Back", "Contact", "Top"};
-  phases          = make_phases<3>(parameters.mesh.phases);
+  mesh.boundaries = {"Left", "Right", "Front", "Back"};
+  mesh.boundaries.emplace_back(parameters.is_counter ? "Bottom" : "Contact");
+  mesh.boundaries.emplace_back(parameters.is_counter ? "Contact" : "Top");
+  phases = make_phases<3>(parameters.mesh.phases);
   for (const Phase<3> &material : materials())
     mesh.phases.push_back(material.name);
   describe_phases(*this, parameters.mesh.phases, find_materials(*this));

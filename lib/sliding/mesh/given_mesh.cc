@@ -5,7 +5,6 @@
 #include "base/object_exchange.h"
 #include "exchange/datasets.h"
 #include "material/plausibility.h"
-#include "mesh/point_blocks.h"
 #include "program/machine.h"
 #include "program/run_context.h"
 #include "sliding/mesh/contact_area.h"
@@ -134,56 +133,6 @@ unsigned int GivenMesh<dim>::most_ranks() const
   constexpr unsigned int of_a_rank = 2000; // cells that hide what ranks tell each other
   unsigned int most                = static_cast<unsigned int>(body.n_cells / of_a_rank);
   return std::max(1U, std::min(most, mesh->most_ranks()));
-}
-
-template <int dim>
-BodyInMotion<dim> GivenMesh<dim>::start(const SlidingSetup &given,
-                                        RunContext &context,
-                                        CounterMotion<dim> * /*counter*/) const
-{
-  SlidingSetup setup                    = given;
-  setup.step                            = mesh->of_materials(given.step);
-  setup.top.nodes                       = body.top_nodes;
-  const std::vector<SideSupport> loaded = parameters.loaded_sides();
-  for (const auto &[points, nodes, moves] : body.sides)
-    setup.loaded.push_back({loaded[setup.loaded.size()], nodes, points, {}, moves});
-  auto sliding = std::make_unique<SlidingMesh<dim>>(
-    *distributed, body.contact, body.top, body.held, setup,
-    context.options().profile ? &context.timer() : nullptr);
-  sliding->set_initial_velocity(parameters.body.initial_velocity, body.held, body.top);
-  BodyInMotion<dim> motion;
-  if (!body.probes.empty())
-    motion.probes = std::make_unique<MeshProbes<dim>>(
-      body.probes, distributed->part(), phases, sliding->stepper,
-      typename MeshProbes<dim>::Contact{sliding->contact, sliding->contact_nodes,
-                                        body.contact.points, body.contact.area},
-      setup.probe_interval);
-  motion.displacement = displacement_rows(*sliding);
-  motion.body         = std::move(sliding);
-  return motion;
-}
-
-template <int dim>
-std::function<FieldRows()>
-GivenMesh<dim>::displacement_rows(const SlidingMesh<dim> &moving) const
-{
-  // Made when there is something to write. Planes of a box are written as wholes.
-  std::size_t n_together = 0;
-  std::shared_ptr<const PointBlocks<dim>> blocks;
-  return [this, &u = moving.u, n_together, blocks]() mutable {
-    if (!blocks)
-      {
-        on_root(MPI_COMM_WORLD,
-                [&]() { n_together = body.n_points / vectors_shape()[0]; });
-        broadcast_object(MPI_COMM_WORLD, n_together);
-        blocks = std::make_shared<const PointBlocks<dim>>(
-          distributed->part(), body.n_points, distributed->communicator(), n_together);
-      }
-    std::array<const double *, dim> components;
-    for (unsigned int c = 0; c < dim; ++c)
-      components[c] = u.row(c, 0);
-    return FieldRows{blocks->first() / n_together, blocks->gather(components)};
-  };
 }
 
 template <int dim>

@@ -28,6 +28,9 @@ public:
   BodyInMotion<dim> start(const SlidingSetup &given,
                           RunContext &context,
                           CounterMotion<dim> *counter) const override;
+  CounterMotion<dim> start_below(const SlidingSetup &given,
+                                 const std::vector<unsigned int> &partners,
+                                 RunContext &context) const override;
   void write_contact(Hdf5File &file) const override;
 
   void make_elastic(const MPI_Comm communicator, const bool whole) override;
@@ -64,6 +67,7 @@ private:
 
   std::vector<std::string> lines() const;
   BodySize size() const;
+  SlidingSetup with_sides(SlidingSetup setup) const;
   std::vector<ProbePoint> probe_places() const;
   unsigned int most_ranks() const;
   std::function<FieldRows()> displacement_rows(const SlidingMesh<dim> &moving) const;

@@ -77,9 +77,11 @@ bool needs_contact(const ContactParameters &parameters)
          parameters.modal_bottom != "free";
 }
 
-/** Whether anything happens at the top: not to modes that leave it free. */
+/** Whether anything happens at the top: not to modes that leave it free, nor to a counter body. */
 bool needs_top(const ContactParameters &parameters)
 {
+  if (parameters.is_counter) // its bottom is one of the other sides
+    return false;
   const TopSetup &top = parameters.top;
   return parameters.analysis != ContactAnalysis::modal || top.holds(0) ||
          (parameters.mesh.mesh.dim == 3 && top.holds(1)) || top.suspension.is_there() ||
@@ -247,13 +249,20 @@ MeshBodyDescription describe_body(const BodyMesh<dim> &morphology,
   MeshBodyDescription body;
   if (needs_contact(given))
     {
-      const auto bottom =
-        faces_with("Mesh/Contact boundary", parameters.contact_boundary);
-      body.contact = mesh_boundary(mesh, bottom);
+      const std::string key = parameters.section + "Mesh/Contact boundary";
+      const auto bottom     = faces_with(key, parameters.contact_boundary);
+      body.contact          = mesh_boundary(mesh, bottom);
+      if (given.is_counter)
+        for (double &area : body.contact.area)
+          area *= -1.;
       if (!(sum_of(body.contact.area) < 0.))
         throw UserError(
-          "Mesh/Contact boundary: '" + parameters.contact_boundary +
-          "' does not face down; the flat is below the body, its normal is " + normal);
+          key + ": '" + parameters.contact_boundary +
+          (given.is_counter
+             ? "' does not face up; a counter body is below the other one"
+             : std::string(
+                 "' does not face down; the flat is below the body, its normal is ") +
+                 normal));
       body.friction =
         friction_of_points(morphology, bottom, body.contact, given.friction);
       body.shares = shares_of_phases(morphology, bottom, body.contact);
@@ -277,7 +286,9 @@ MeshBodyDescription describe_body(const BodyMesh<dim> &morphology,
   for (unsigned int c = 0; c < dim; ++c)
     for (const std::string &name : parameters.held[c])
       for (const unsigned int point :
-           boundary_points(mesh, faces_with("Supports/" + name, name)).points)
+           boundary_points(mesh,
+                           faces_with(parameters.section + "Supports/" + name, name))
+             .points)
         body.held.push_back({mesh.original(point), c});
   describe_sides(body, morphology, faces, given);
   check_supports(body, dim - 1, given);

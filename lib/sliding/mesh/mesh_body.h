@@ -20,6 +20,7 @@ class BodyMesh;
 /** Key Dimension and sections Mesh and Phases of contact_dynamics, and what Supports holds. */
 struct MeshBodyParameters
 {
+  std::string section;                          ///< what is before the names of its keys
   MeshParameters mesh;                          ///< the file
   std::string contact_boundary = "Contact";     ///< name of a physical group
   std::string top_boundary     = "Top";         ///< name of a physical group
@@ -59,8 +60,15 @@ struct MeshBodyParameters
   /** Binds the keys. @throws UserError for several meshes */
   void bind(Keys &keys);
 
+  /** The same of those of a counter body, in the current section. */
+  void bind_below(Keys &keys);
+
   /** @throws UserError naming the key of a phase that makes no sense */
   void check() const;
+
+private:
+  void bind_periodicity(Keys &keys);
+  void require_one_mesh(const Keys &keys) const;
 };
 
 /**

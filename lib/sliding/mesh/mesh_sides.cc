@@ -32,10 +32,11 @@ std::vector<MeshSide> loaded_sides_of(const BodyMesh<dim> &morphology,
 {
   std::vector<MeshSide> sides;
   for (const SideSupport &support : given.loaded_sides())
-    sides.push_back(
-      mesh_side(morphology,
-                group_faces(morphology, faces, "Supports/" + support.name, support.name),
-                support.suspension.absorbing));
+    sides.push_back(mesh_side(morphology,
+                              group_faces(morphology, faces,
+                                          given.mesh.section + "Supports/" + support.name,
+                                          support.name),
+                              support.suspension.absorbing));
   return sides;
 }
 } // namespace

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
-#include <unordered_map>
 
 namespace mesoslip
 {
@@ -53,94 +51,30 @@ SlidingSetup restricted(SlidingSetup setup,
   setup.ranks = setup.platen_ranks = communicator;
   return setup;
 }
+
+/** Calls what (i, point) for the nodes that have a point on this rank. */
+template <typename Function>
+void for_each_point(const SharedNodes &nodes, const Function &what)
+{
+  for (unsigned int i = 0; i < nodes.size(); ++i)
+    if (const unsigned int point = nodes.point(i); point != SharedNodes::none)
+      what(i, point);
+}
 } // namespace
 
-template <int dim>
-MeshBoundary mesh_boundary(const Mesh<dim> &mesh,
-                           const std::vector<BoundaryFace<dim>> &faces)
+NodesOfContact nodes_of_contact(const SharedNodes &nodes,
+                                const std::vector<unsigned int> &partners)
 {
-  const BoundaryPoints<dim> found = boundary_points(mesh, faces);
-  std::map<unsigned int, double> area; // of originals
-  for (std::size_t k = 0; k < found.points.size(); ++k)
-    area[mesh.original(found.points[k])] += found.normal_area[k][dim - 1];
-  MeshBoundary boundary;
-  for (const auto &[point, of_point] : area)
-    boundary.points.push_back(point);
-  const auto coordinates = [&](const unsigned int point) {
-    std::array<double, dim> result;
-    for (unsigned int d = 0; d < dim; ++d)
-      result[d] = mesh.points[point][d];
-    return result;
-  };
-  std::sort(boundary.points.begin(), boundary.points.end(),
-            [&](const unsigned int a, const unsigned int b) {
-              return coordinates(a) < coordinates(b);
-            });
-  double lowest = std::numeric_limits<double>::infinity();
-  for (const unsigned int point : boundary.points)
+  NodesOfContact result;
+  result.n_owned = nodes.n_owned();
+  for (unsigned int i = 0; i < nodes.size(); ++i)
     {
-      boundary.area.push_back(area.at(point));
-      boundary.height.push_back(mesh.points[point][dim - 1]);
-      for (unsigned int d = 0; d + 1 < dim; ++d)
-        boundary.position[d].push_back(mesh.points[point][d]);
-      lowest = std::min(lowest, boundary.height.back());
+      const unsigned int k = nodes.number(i);
+      result.number.push_back(nodes.point(i) == SharedNodes::none ? NodesOfContact::none
+                              : partners.empty()                  ? k
+                                                                  : partners[k]);
     }
-  for (double &h : boundary.height)
-    h -= lowest;
-  return boundary;
-}
-
-template <int dim>
-std::vector<double> mean_of_phases(const Mesh<dim> &mesh,
-                                   const std::vector<BoundaryFace<dim>> &faces,
-                                   const MeshBoundary &boundary,
-                                   const std::vector<double> &property,
-                                   const std::vector<double> &weight)
-{
-  // Faces that stand on the flat count where there is nothing else.
-  constexpr double standing = 1e-9;
-  std::unordered_map<unsigned int, std::array<double, 2>> sums;
-  for (const BoundaryFace<dim> &face : faces)
-    {
-      const unsigned int phase          = mesh.cells[face.cell].material_id;
-      const BoundaryPoints<dim> of_face = boundary_points<dim>(mesh, {face});
-      for (std::size_t k = 0; k < of_face.points.size(); ++k)
-        {
-          const dealii::Tensor<1, dim> &area = of_face.normal_area[k];
-          const double share =
-            weight[phase] * (std::fabs(area[dim - 1]) + standing * area.norm());
-          auto &sum = sums[mesh.original(of_face.points[k])];
-          sum[0] += share * property[phase];
-          sum[1] += share;
-        }
-    }
-  std::vector<double> means;
-  for (const unsigned int point : boundary.points)
-    means.push_back(sums.at(point)[0] / sums.at(point)[1]);
-  return means;
-}
-
-template <int dim>
-std::vector<double> extreme_of_phases(const Mesh<dim> &mesh,
-                                      const std::vector<BoundaryFace<dim>> &faces,
-                                      const MeshBoundary &boundary,
-                                      const std::vector<double> &property,
-                                      const bool largest)
-{
-  std::unordered_map<unsigned int, double> found;
-  for (const BoundaryFace<dim> &face : faces)
-    {
-      const double here = property[mesh.cells[face.cell].material_id];
-      for (const unsigned int point : boundary_points<dim>(mesh, {face}).points)
-        {
-          double &extreme = found.emplace(mesh.original(point), here).first->second;
-          extreme         = largest ? std::max(extreme, here) : std::min(extreme, here);
-        }
-    }
-  std::vector<double> extremes;
-  for (const unsigned int point : boundary.points)
-    extremes.push_back(found.at(point));
-  return extremes;
+  return result;
 }
 
 template <int dim>
@@ -149,14 +83,18 @@ SlidingMesh<dim>::SlidingMesh(const DistributedBody<dim> &body,
                               const MeshBoundary &top,
                               const std::vector<HeldComponent> &held,
                               const SlidingSetup &setup,
-                              Timer *timer)
+                              Timer *timer,
+                              CounterMotion<dim> *counter,
+                              PartnerSurface<dim> *partner)
   : SlidingMesh(body,
                 contact,
                 top,
                 SharedSurfaces(contact.points, top.points, setup.loaded, body.part()),
                 held,
                 setup,
-                timer)
+                timer,
+                counter,
+                partner)
 {
 }
 
@@ -167,7 +105,9 @@ SlidingMesh<dim>::SlidingMesh(const DistributedBody<dim> &body,
                               const SharedSurfaces &shared,
                               const std::vector<HeldComponent> &held,
                               const SlidingSetup &setup,
-                              Timer *timer)
+                              Timer *timer,
+                              CounterMotion<dim> *counter,
+                              PartnerSurface<dim> *partner)
   : SlidingBody<dim>(restricted(setup, contact, top, shared, body.communicator()),
                      shared.top.size(),
                      timer)
@@ -184,8 +124,12 @@ SlidingMesh<dim>::SlidingMesh(const DistributedBody<dim> &body,
   };
   std::vector<MeshSurface<dim> *> hosts = {
     &stepper.add_surface(shared.contact,
-                         *timed(this->contact, "Contact and its histories")),
-    &stepper.add_surface(shared.top, *timed(this->top, "Top and its histories"))};
+                         this->contact_condition(partner, counter,
+                                                 nodes_of_contact(shared.contact),
+                                                 body.communicator())),
+    top.points.empty()
+      ? nullptr
+      : &stepper.add_surface(shared.top, *timed(this->top, "Top and its histories"))};
   const std::size_t n_platens = this->platens.size();
   for (std::size_t k = 0; k < n_platens; ++k)
     hosts.push_back(&stepper.add_side(shared.sides[k].own,
@@ -222,26 +166,34 @@ void SlidingMesh<dim>::set_initial_velocity(const std::array<double, 3> &velocit
         hold(point, c);
   std::vector<std::array<double, dim>> a = start_acceleration(velocity, rests);
   const double back                      = -this->setup.step.beta2 * this->setup.step.dt;
-  for (unsigned int i = 0; i < contact_nodes.size(); ++i)
-    if (const unsigned int point = contact_nodes.point(i);
-        point != SharedNodes::none && this->contact.rests(i, a[point][normal]))
+  NormalStart &start                     = this->contact_start;
+  start.velocity                         = velocity[normal];
+  start.acceleration.assign(contact_nodes.size(), 0.);
+  start.inverse_inertia.assign(contact_nodes.size(), 0.);
+  std::vector<double> mass(n);
+  stepper.mass_row(0, mass.data());
+  for_each_point(contact_nodes, [&](const unsigned int i, const unsigned int point) {
+    start.acceleration[i]    = a[point][normal];
+    start.inverse_inertia[i] = rests[point][normal] ? 0. : 1. / mass[point];
+    if (this->contact.rests(i, a[point][normal]))
       a[point][normal] = 0.;
+  });
   for (unsigned int c = 0; c < dim; ++c)
     for (std::size_t i = 0; i < n; ++i)
       w.row(c, 0)[i] = rests[i][c] ? 0. : velocity[c] + back * a[i][c];
+  this->start_together();
 }
 
-namespace
+template <int dim>
+void SlidingMesh<dim>::start_contact()
 {
-/** Calls what (i, point) for the nodes that have a point on this rank. */
-template <typename Function>
-void for_each_point(const SharedNodes &nodes, const Function &what)
-{
-  for (unsigned int i = 0; i < nodes.size(); ++i)
-    if (const unsigned int point = nodes.point(i); point != SharedNodes::none)
-      what(i, point);
+  const NormalStart &start = this->contact_start;
+  const double back        = -this->setup.step.beta2 * this->setup.step.dt;
+  for_each_point(contact_nodes, [&](const unsigned int i, const unsigned int point) {
+    if (start.inverse_inertia[i] > 0.)
+      w.row(dim - 1, 0)[point] = start.velocity + back * start.acceleration[i];
+  });
 }
-} // namespace
 
 template <int dim>
 std::vector<std::array<double, dim>> SlidingMesh<dim>::start_acceleration(
@@ -309,17 +261,6 @@ std::vector<std::array<double, dim>> SlidingMesh<dim>::start_acceleration(
   return a;
 }
 
-#define MESOSLIP_INSTANTIATE(dim)                                                    \
-  template MeshBoundary mesh_boundary(const Mesh<dim> &,                             \
-                                      const std::vector<BoundaryFace<dim>> &);       \
-  template std::vector<double> mean_of_phases(                                       \
-    const Mesh<dim> &, const std::vector<BoundaryFace<dim>> &, const MeshBoundary &, \
-    const std::vector<double> &, const std::vector<double> &);                       \
-  template std::vector<double> extreme_of_phases(                                    \
-    const Mesh<dim> &, const std::vector<BoundaryFace<dim>> &, const MeshBoundary &, \
-    const std::vector<double> &, const bool);                                        \
-  template class SlidingMesh<dim>;
-MESOSLIP_INSTANTIATE(2)
-MESOSLIP_INSTANTIATE(3)
-#undef MESOSLIP_INSTANTIATE
+template class SlidingMesh<2>;
+template class SlidingMesh<3>;
 } // namespace mesoslip

@@ -60,6 +60,10 @@ std::vector<double> extreme_of_phases(const Mesh<dim> &mesh,
                                       const std::vector<double> &property,
                                       const bool largest);
 
+/** The @p nodes of a contact of a rank, whose numbers in the contact of another body are @p partners; empty: their own ones. */
+NodesOfContact nodes_of_contact(const SharedNodes &nodes,
+                                const std::vector<unsigned int> &partners = {});
+
 /**
  * A body of any shape on the moving flat, as SlidingGrid on a grid. Each rank has the nodes
  * of contact and top that are in its part of the mesh, see SharedNodes.
@@ -71,14 +75,17 @@ public:
   /**
    * At rest at u = 0. @p body must outlive it; @p setup speaks of the nodes of the whole
    * contact, top and loaded sides, whose points it has, and its held sides, sweep and periodicity are not used. A @p timer gets the
-   * times of the parts of a step. Collective.
+   * times of the parts of a step; the contact is that with @p counter, if there is one. A counter body, without a @p top, has
+   * @p partner in the place of the contact. Collective.
    */
   SlidingMesh(const DistributedBody<dim> &body,
               const MeshBoundary &contact,
               const MeshBoundary &top,
               const std::vector<HeldComponent> &held,
               const SlidingSetup &setup,
-              Timer *timer = nullptr);
+              Timer *timer                 = nullptr,
+              CounterMotion<dim> *counter  = nullptr,
+              PartnerSurface<dim> *partner = nullptr);
 
   Stepper &time_integration() override
   {
@@ -116,7 +123,11 @@ private:
               const SharedSurfaces &shared,
               const std::vector<HeldComponent> &held,
               const SlidingSetup &setup,
-              Timer *timer);
+              Timer *timer,
+              CounterMotion<dim> *counter,
+              PartnerSurface<dim> *partner);
+
+  void start_contact() override;
 };
 } // namespace mesoslip
 

@@ -1,11 +1,10 @@
 #ifndef mesoslip_sliding_transient_run_output_h
 #define mesoslip_sliding_transient_run_output_h
 
-#include "dynamics/stepper.h"
-#include "io/parallel_rows.h"
 #include "sliding/given_body.h"
 #include "sliding/transient/contact_map_output.h"
 #include "sliding/transient/run_needs.h"
+#include "sliding/transient/snapshots.h"
 #include "sliding/transient/transient_result.h"
 
 #include <cstdint>
@@ -23,7 +22,7 @@ namespace mesoslip
  * everything else at its end. Members are called by all ranks unless said otherwise.
  */
 template <int dim>
-class RunOutput : public StepObserver
+class RunOutput
 {
 public:
   /** Snapshots are those that the parameters of the @p body ask for; references are kept. */
@@ -32,18 +31,6 @@ public:
             const TimeStepChoice &time,
             const std::function<FieldRows()> &displacement);
 
-  /** Whether the run has snapshots. */
-  bool has_snapshots() const
-  {
-    return !steps.empty();
-  }
-
-  /** Snapshots written so far. */
-  std::uint64_t n_snapshots() const
-  {
-    return n_written;
-  }
-
   /**
    * Makes place for the snapshots of a run at step @p step, of which the first @p n_done are in the
    * file already, of the run that is continued, and for @p map (may be null).
@@ -51,12 +38,6 @@ public:
    */
   void
   begin(const std::uint64_t step, const std::uint64_t n_done, ContactMapOutput<dim> *map);
-
-  /** The first step >= @p n before which a snapshot is taken. */
-  std::uint64_t next_step(const std::uint64_t n) const override;
-
-  /** Writes a snapshot. */
-  void before_step(const std::uint64_t n) override;
 
   /** Waits until the snapshots are on the disk. */
   void sync();
@@ -68,23 +49,19 @@ public:
    * be null. */
   void write(const TransientResult &result, const ContactMapOutput<dim> *map);
 
+  Snapshots<dim> snapshots; ///< of the body
+
 private:
-  /** Rank 0 begins the file, or goes on with it. */
-  void open(const bool resumed);
   void write_phases();
-  Shape snapshots_shape(const std::size_t n) const;
-  std::vector<double> snapshot_times() const;
 
   RunContext &context;
   const GivenBody<dim> &body;
   const TimeStepChoice &time;
-  const std::function<FieldRows()> displacement;
-  const std::vector<std::uint64_t> steps; ///< of all snapshots, those to come as well
-  const std::string path;                 ///< of the file
-  std::uint64_t n_written = 0;            ///< see n_snapshots()
-  std::optional<Hdf5File> file;           ///< on rank 0, but not while all write rows
+  const std::string path;       ///< of the file
+  std::optional<Hdf5File> file; ///< on rank 0, but not while all write rows
+  bool all_write = false;       ///< between begin() and end(), if there are rows to write
 
-  /** Between begin() and end(), by dataset: those that all ranks write. */
+  /** Between begin() and end(), by dataset: those of the map. */
   std::map<std::string, std::unique_ptr<ParallelRows>> rows;
 };
 } // namespace mesoslip

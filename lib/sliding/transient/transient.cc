@@ -8,6 +8,7 @@
 #include "material/plausibility.h"
 #include "parameters/keys.h"
 #include "program/run_context.h"
+#include "sliding/counter/partners.h"
 #include "sliding/transient/run_draft.h"
 #include "sliding/transient/transient_run.h"
 
@@ -20,27 +21,12 @@ namespace mesoslip
 {
 namespace
 {
-/** The counter body of a body, or null. Collective. @throws UserError if its nodes at the contact are not those of the body */
+/** The counter body of a body, or null. Collective. @throws UserError */
 template <int dim>
-std::unique_ptr<GivenBody<dim>> counter_below(const GivenBody<dim> &body)
+std::unique_ptr<GivenBody<dim>> counter_of(const GivenBody<dim> &body)
 {
-  const ContactParameters &parameters = body.parameters;
-  if (!parameters.counter)
-    return nullptr;
-  auto counter                     = make_given_body<dim>(*parameters.counter);
-  const std::vector<double> &own   = body.facts().contact_place[0],
-                            &below = counter->facts().contact_place[0];
-  const double width               = own.back() - own.front();
-  bool meet                        = own.size() == below.size();
-  for (std::size_t i = 0; meet && i < own.size(); ++i)
-    meet = std::fabs(own[i] - below[i]) <= 1e-9 * width;
-  if (!meet)
-    throw UserError("Counter body/Size: it has " + std::to_string(below.size()) +
-                    " nodes at the contact on " + to_text(below.back() - below.front()) +
-                    " m, which are to be where those of the body are, " +
-                    std::to_string(own.size()) + " on " + to_text(width) +
-                    " m; give it the same width and cells along x");
-  return counter;
+  return body.parameters.counter ? make_given_body<dim>(*body.parameters.counter)
+                                 : nullptr;
 }
 
 /** What is told of it. */
@@ -56,7 +42,8 @@ template <int dim>
 TransientAnalysis<dim>::TransientAnalysis(std::unique_ptr<GivenBody<dim>> given,
                                           const Keys &keys)
   : BodyAnalysis<dim>(std::move(given))
-  , counter(counter_below(*body))
+  , counter(counter_of(*body))
+  , partners(counter ? partners_in(*body, *counter) : std::vector<unsigned int>())
   , identity(run_identity(
       keys, parameters, facts.contents + (counter ? counter->facts().contents : "")))
   , time(time_step())
@@ -115,10 +102,16 @@ void TransientAnalysis<dim>::describe(std::ostream &out) const
 }
 
 template <int dim>
+std::size_t TransientAnalysis<dim>::n_cells() const
+{
+  return facts.size.n_cells + (counter ? counter->facts().size.n_cells : 0);
+}
+
+template <int dim>
 unsigned int TransientAnalysis<dim>::useful_ranks() const
 {
   const double updates =
-    static_cast<double>(facts.size.n_cells) * static_cast<double>(time.n_steps);
+    static_cast<double>(n_cells()) * static_cast<double>(time.n_steps);
   return updates < facts.long_run ? 1 : facts.most_ranks;
 }
 
@@ -163,13 +156,14 @@ void TransientAnalysis<dim>::run(RunContext &context)
   CounterMotion<dim> below;
   if (counter)
     below = counter->start_below(
-      setup_below(*parameters.counter, counter->facts().size, time.step), context);
+      setup_below(*parameters.counter, counter->facts().size, time.step), partners,
+      context);
   const BodyInMotion<dim> motion =
     body->start(run_setup(parameters, facts.size, time), context, &below);
   RunOutput<dim> output(context, *body, time, motion.displacement);
   const auto of_counter_output = counter_output(context, below);
-  TransientRun<dim> run({parameters, time, facts.scales, facts.size, facts.place,
-                         *motion.body, motion.probes.get(), below.body.get(),
+  TransientRun<dim> run({parameters, time, facts.scales, facts.size, n_cells(),
+                         facts.place, *motion.body, motion.probes.get(), below.body.get(),
                          of_counter_output.get(), output, checkpoint, context});
   starting.reset();
   run.carry_out(found == TransientCheckpoint::Found::state,
@@ -185,7 +179,8 @@ TransientAnalysis<dim>::counter_output(RunContext &context,
   if (!below.body || steps.empty())
     return nullptr;
   return std::make_unique<CounterOutput<dim>>(context.file("counter_body.h5"), *counter,
-                                              below.displacement, steps, time.step.dt);
+                                              below, steps, time.step.dt,
+                                              context.timer());
 }
 
 template class TransientAnalysis<2>;

@@ -57,9 +57,11 @@ private:
   std::unique_ptr<CounterOutput<dim>>
   counter_output(RunContext &context, const CounterMotion<dim> &below) const;
   std::vector<std::string> warnings() const;
+  std::size_t n_cells() const; ///< of both bodies
 
   const std::unique_ptr<GivenBody<dim>> counter; ///< below it; null: the flat is rigid
-  const std::string identity;                    ///< see run_identity()
+  const std::vector<unsigned int> partners; ///< of its contact nodes, see partners_in()
+  const std::string identity;               ///< see run_identity()
   const TimeStepChoice time;
   const RunNeeds needs;
 };

@@ -132,7 +132,7 @@ CheckpointPosition TransientRun<dim>::position() const
   p.time           = p.step * parts.time.step.dt;
   p.by_limit_cycle = at_limit_cycle;
   p.at_end         = at_limit_cycle || p.step == parts.time.n_steps;
-  p.snapshots      = parts.output.n_snapshots();
+  p.snapshots      = parts.output.snapshots.n_written();
   return p;
 }
 
@@ -152,7 +152,7 @@ void TransientRun<dim>::save()
     map->drain(stepper.step_number());
   parts.output.sync();
   if (parts.counter_output != nullptr)
-    parts.counter_output->sync();
+    parts.counter_output->snapshots.sync();
   parts.checkpoint.write(position(), save_state(*this));
 }
 
@@ -180,13 +180,13 @@ std::vector<StepObserver *> TransientRun<dim>::observers()
   if (parts.counter != nullptr && parts.counter->energy)
     add(*parts.counter->energy, "Energies");
   if (parts.counter_output != nullptr)
-    add(*parts.counter_output, "Snapshots");
+    add(parts.counter_output->snapshots, "Snapshots");
   if (parts.probes != nullptr)
     add(*parts.probes, "Probes");
-  if (parts.output.has_snapshots())
+  if (Snapshots<dim> &snapshots = parts.output.snapshots; snapshots.are_wanted())
     {
-      add(parts.output, "Snapshots");
-      monitor.guard(parts.output);
+      add(snapshots, "Snapshots");
+      monitor.guard(snapshots);
     }
   if (map)
     {
@@ -201,20 +201,19 @@ TransientResult TransientRun<dim>::advance()
 {
   RunContext &context       = parts.context;
   const std::uint64_t n_end = parts.time.n_steps;
-  const BodySize &size      = parts.size;
   Timer *const timer        = parts.body.profile.timer;
   parts.output.begin(stepper.step_number(), parts.checkpoint.position().snapshots,
                      map.get());
   if (parts.counter_output != nullptr)
     parts.counter_output->begin(parts.checkpoint.position().snapshots);
   const auto watching = observers();
-  context.progress().start("Sliding", n_end, size.n_cells, stepper.step_number());
+  context.progress().start("Sliding", n_end, parts.n_cells, stepper.step_number());
   counted = std::chrono::steady_clock::now();
   if (!at_limit_cycle)
     {
       const auto scope = context.timer().scope("Time loop");
       run_time_loop(
-        stepper, watching, n_end, control_interval(size.n_cells),
+        stepper, watching, n_end, control_interval(parts.n_cells),
         [this](const std::uint64_t n) { return control(n); }, timer);
       monitor.check(stepper.step_number());
     }
@@ -242,7 +241,7 @@ TransientResult TransientRun<dim>::collect()
   if (parts.body.energy)
     all.energy = parts.body.energy->reduce();
   if (parts.counter != nullptr && parts.counter->energy)
-    all.energy += parts.counter->energy->local_history();
+    all.energy += parts.counter->energy->reduce();
   if (parts.probes != nullptr)
     all.probes = parts.probes->gather();
   all.steps_done = stepper.step_number();

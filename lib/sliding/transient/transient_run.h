@@ -46,11 +46,12 @@ struct RunParts
   const TimeStepChoice &time;          ///< steps
   const BodyScales &scales;            ///< of the body
   const BodySize &size;                ///< of the body
+  std::size_t n_cells;                 ///< of all bodies
   PlaceText place;                     ///< of a cell
   SlidingBody<dim> &body;              ///< in its initial state
   ProbeRecorder *probes;               ///< null without any
-  SlidingBody<dim> *counter;           ///< below it, on rank 0; null without one
-  CounterOutput<dim> *counter_output;  ///< of its snapshots, on rank 0; null without any
+  SlidingBody<dim> *counter;           ///< below it, on ranks that have it; else null
+  CounterOutput<dim> *counter_output;  ///< of its snapshots, likewise; null without any
   RunOutput<dim> &output;              ///< dynamics.h5
   TransientCheckpoint &checkpoint;     ///< of the run
   RunContext &context;                 ///< of the program

@@ -1,0 +1,95 @@
+#include "base/exchange.h"
+#include "base/object_exchange.h"
+#include "mesh/point_blocks.h"
+#include "program/run_context.h"
+#include "sliding/mesh/given_mesh.h"
+
+namespace mesoslip
+{
+/** With the materials and what the supports of this body stand for. */
+template <int dim>
+SlidingSetup GivenMesh<dim>::with_sides(SlidingSetup setup) const
+{
+  setup.step                            = mesh->of_materials(setup.step);
+  setup.top.nodes                       = body.top_nodes;
+  const std::vector<SideSupport> loaded = parameters.loaded_sides();
+  for (const auto &[points, nodes, moves] : body.sides)
+    setup.loaded.push_back({loaded[setup.loaded.size()], nodes, points, {}, moves});
+  return setup;
+}
+
+template <int dim>
+BodyInMotion<dim> GivenMesh<dim>::start(const SlidingSetup &given,
+                                        RunContext &context,
+                                        CounterMotion<dim> *counter) const
+{
+  const SlidingSetup setup = with_sides(given);
+  auto sliding             = std::make_unique<SlidingMesh<dim>>(
+    *distributed, body.contact, body.top, body.held, setup,
+    context.options().profile ? &context.timer() : nullptr, counter);
+  sliding->set_initial_velocity(parameters.body.initial_velocity, body.held, body.top);
+  BodyInMotion<dim> motion;
+  if (!body.probes.empty())
+    motion.probes = std::make_unique<MeshProbes<dim>>(
+      body.probes, distributed->part(), phases, sliding->stepper,
+      typename MeshProbes<dim>::Contact{sliding->contact, sliding->contact_nodes,
+                                        body.contact.points, body.contact.area},
+      setup.probe_interval);
+  motion.displacement = displacement_rows(*sliding);
+  motion.body         = std::move(sliding);
+  return motion;
+}
+
+template <int dim>
+CounterMotion<dim> GivenMesh<dim>::start_below(const SlidingSetup &given,
+                                               const std::vector<unsigned int> &partners,
+                                               RunContext & /*context*/) const
+{
+  CounterMotion<dim> below;
+  below.communicator = distributed->communicator();
+  below.partner      = std::make_unique<PartnerSurface<dim>>();
+  auto sliding = std::make_unique<SlidingMesh<dim>>(*distributed, body.contact, body.top,
+                                                    body.held, with_sides(given), nullptr,
+                                                    nullptr, below.partner.get());
+  below.partner->nodes = nodes_of_contact(sliding->contact_nodes, partners);
+  sliding->set_initial_velocity(parameters.body.initial_velocity, body.held, body.top);
+  below.displacement = displacement_rows(*sliding);
+  below.body         = std::move(sliding);
+  return below;
+}
+
+template <int dim>
+std::function<FieldRows()>
+GivenMesh<dim>::displacement_rows(const SlidingMesh<dim> &moving) const
+{
+  // Made when there is something to write. Planes of a box are written as wholes.
+  std::size_t n_together = 0;
+  std::shared_ptr<const PointBlocks<dim>> blocks;
+  return [this, &u = moving.u, n_together, blocks]() mutable {
+    if (!blocks)
+      {
+        on_root(MPI_COMM_WORLD,
+                [&]() { n_together = body.n_points / vectors_shape()[0]; });
+        broadcast_object(MPI_COMM_WORLD, n_together);
+        blocks = std::make_shared<const PointBlocks<dim>>(
+          distributed->part(), body.n_points, distributed->communicator(), n_together);
+      }
+    std::array<const double *, dim> components;
+    for (unsigned int c = 0; c < dim; ++c)
+      components[c] = u.row(c, 0);
+    return FieldRows{blocks->first() / n_together, blocks->gather(components)};
+  };
+}
+
+#define MESOSLIP_INSTANTIATE(dim)                                                      \
+  template SlidingSetup GivenMesh<dim>::with_sides(SlidingSetup) const;                \
+  template BodyInMotion<dim> GivenMesh<dim>::start(const SlidingSetup &, RunContext &, \
+                                                   CounterMotion<dim> *) const;        \
+  template CounterMotion<dim> GivenMesh<dim>::start_below(                             \
+    const SlidingSetup &, const std::vector<unsigned int> &, RunContext &) const;      \
+  template std::function<FieldRows()> GivenMesh<dim>::displacement_rows(               \
+    const SlidingMesh<dim> &) const;
+MESOSLIP_INSTANTIATE(2)
+MESOSLIP_INSTANTIATE(3)
+#undef MESOSLIP_INSTANTIATE
+} // namespace mesoslip

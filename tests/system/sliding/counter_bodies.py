@@ -1,0 +1,196 @@
+"""Counter bodies of every kind. A plane grid, a mesh of its quadrilaterals and a box one cell deep that is held across give the same motion of both bodies, as do
+a box and a mesh of its bricks, above and below, in whatever order the mesh has its points; runs are the same on 1, 2 and 3 ranks, close their energy and are
+continued bit for bit."""
+
+import tempfile
+
+import h5py
+import numpy as np
+
+from four_bodies import PLANE, SOLID, check_ranks_and_restart, histories, refuses
+from mesh_files import Box
+from scenes import Folder, prm
+
+HEIGHT = 3.0  # of counter bodies (mm)
+STEEL, STEEL_3D = "2.8e11, 1.2e11, 2.8e11, 0.8e11", "2.8e11, 1.2e11, 1.2e11, 2.8e11, 1.2e11, 2.8e11, 0.8e11, 0.8e11, 0.8e11"
+RUN = {"Flat/Velocity": 2, "Friction/Coefficient": 0.3, "Time/End time": 2e-5, "Time/Time step": 3e-8, "Time/Rayleigh beta": 4.4e-9, "Body/Rayleigh alpha": 1e4,
+       "Time/Beta2": 0.6, "Body/Initial velocity": "0.1, -0.2", "Body/Acceleration": "1e4, -2e4", "Observation/Energy interval": 1, "Observation/History interval": 1,
+       "Checkpoints/Keep": "true", "Snapshots/Interval": 2e-6, "Supports/Top/Kind": "pressure", "Supports/Top/Pressure": 5e6, "Counter body/Rayleigh beta": 2e-9,
+       "Counter body/Rayleigh alpha": 2e4, "Counter body/Initial velocity": "-0.1, 0.1", "Supports/Left/Kind": "springs", "Supports/Left/Spring stiffness": "1e12, 2e12"}
+BELOW = {"Kind": "springs", "Spring stiffness": "1e13, 2e13", "Dashpot": "1e6, 2e6", "Motion": "1e-7*sin(1e6*t); -1e-3*t"}
+LEFT_BELOW = {"Kind": "pressure", "Pressure": 2e6, "Traction": "1e6*y/0.003; 2e6"}
+FRICTION = [{"Friction/Law": "coulomb"}, {"Friction/Law": "constant time", "Friction/Regularization time": 1e-6, "Flat/Normal stiffness": 1e14},
+            {"Friction/Coefficient law": "static and kinetic", "Friction/Law": "coulomb", "Flat/Velocity": 0.2, "Body/Initial velocity": "0.1, 0.1"}]
+
+
+def in_3d(value, sep=","):
+    """Numbers or formulas along x and y as such along x and z."""
+    x, y = value.split(sep)
+    return f"{x}{sep} 0{sep}{y}"
+
+
+def sides_of(prefix, keys, spatial):
+    vectors = {"Spring stiffness": ",", "Dashpot": ",", "Motion": ";", "Traction": ";"}
+    turned = {key: in_3d(value, vectors[key]).replace("y/", "z/") if spatial and key in vectors else value for key, value in keys.items()}
+    return {f"{prefix}/{key}": value for key, value in turned.items()}
+
+
+def mesh(folder, name, size, cells, below, kind="cube", shuffled=False):
+    """A mesh of a box with names of its sides; a counter body lies below the flat."""
+    dim = len(cells)
+    box = Box(size, cells, lambda x: "body", kind)
+    names = [("Bottom", dim - 1, False), ("Contact", dim - 1, True)] if below else [("Contact", dim - 1, False), ("Top", dim - 1, True)]
+    for side, axis, upper in names + [("Left", 0, False), ("Right", 0, True), ("Front", 1, False), ("Back", 1, True)][:2 * dim - 2]:
+        box.name_side(side, axis, upper)
+    if below:
+        box.points[:, dim - 1] -= size[-1]
+    if shuffled:
+        order = np.random.default_rng(1).permutation(len(box.points))
+        box.points = box.points[order]
+        new = np.argsort(order)
+        box.cells = [[int(new[c]) for c in cell] for cell in box.cells]
+        box.faces = [([int(new[c]) for c in face], group) for face, group in box.faces]
+    box.write(folder(name))
+
+
+def upper(folder, kind, size, cells, element="cube"):
+    """Keys of the body: a grid, or a mesh of its cells."""
+    dim = len(cells)
+    metres = ", ".join(f"{1e-3 * x:.10g}" for x in size)
+    if kind == "grid":
+        return {"Body/Stiffness": SOLID if dim == 3 else PLANE, "Body/Density": 1770, "Body/Size": metres, "Body/Cells": ", ".join(map(str, cells))}
+    mesh(folder, f"upper{dim}.msh", size, cells, False, element)
+    return {"Mesh/File": f"upper{dim}.msh", "Mesh/Scale": 0.001, "Phases/Names": "body", "Phases/body/Type": "stiffness", "Phases/body/Density": 1770,
+            "Phases/body/Stiffness": SOLID if dim == 3 else PLANE}
+
+
+def lower(folder, kind, size, cells, element="cube"):
+    dim = len(cells)
+    keys = {"Counter body/Stiffness": STEEL_3D if dim == 3 else STEEL, "Counter body/Density": 7800}
+    if kind == "grid":
+        return {**keys, "Counter body/Size": ", ".join(f"{1e-3 * x:.10g}" for x in size), "Counter body/Cells": ", ".join(map(str, cells))}
+    mesh(folder, f"lower{dim}.msh", size, cells, True, element, shuffled=True)
+    return {**keys, "Counter body/Mesh/File": f"lower{dim}.msh", "Counter body/Mesh/Scale": 0.001}
+
+
+def scene(bodies, friction, spatial=False, across=False):
+    """All keys; in 3D with the loads along x and z."""
+    keys = {**RUN, **bodies, **friction, **sides_of("Counter body/Supports/Bottom", BELOW, spatial), **sides_of("Counter body/Supports/Left", LEFT_BELOW, spatial)}
+    if spatial:
+        for key in ("Body/Initial velocity", "Body/Acceleration", "Counter body/Initial velocity", "Supports/Left/Spring stiffness"):
+            keys[key] = in_3d(keys[key])
+    if across:
+        for body in ("", "Counter body/"):
+            for side in ("Front", "Back"):
+                keys[f"{body}Supports/{side}/Held"] = "u_y"
+    return ("set Dimension = 3\n" if spatial else "") + prm(keys)
+
+
+def points_and_motion(folder, run, name, scale=1.0):
+    """Displacements of all times at the nodes of a file in the order of z, then y, then x."""
+    with h5py.File(folder(run, name)) as file:
+        u = file["snapshots/displacement"][()]
+        dim = u.shape[-1]
+        u = u.reshape(len(u), -1, dim)
+        if "mesh" in file:
+            x = file["mesh/points"][()]
+        else:
+            grid = file["grid"].attrs
+            axes = [o + h * np.arange(n + 1) for o, h, n in zip(grid["origin"], grid["spacing"], grid["cells"])]
+            x = np.stack([a.ravel() for a in np.meshgrid(*axes[::-1], indexing="ij")[::-1]], axis=1)
+    order = np.lexsort(np.round(x * 1e9).T)
+    return x[order], u[:, order]
+
+
+def run(folder, name, text):
+    folder.write(f"{name}.prm", text)
+    folder.run(0, "contact_dynamics", f"{name}.prm", "--output", name, "--quiet")
+    return [points_and_motion(folder, name, file) for file in ("dynamics.h5", "counter_body.h5")]
+
+
+def check_equal(found, wanted, what):
+    for (x, u), (y, v) in zip(found, wanted):
+        assert np.abs(x - y).max() < 1e-12, what
+        error = np.abs(u - v).max() / np.abs(v).max()
+        assert error < 1e-10, (what, error)
+
+
+def plane_of(pair):
+    """Of a box one cell deep, which does not move across: its plane."""
+    result = []
+    for x, u in pair:
+        assert np.abs(u[..., 1]).max() == 0
+        front = x[:, 1] == x[:, 1].min()
+        assert np.abs(u[:, front] - u[:, ~front]).max() < 1e-10 * np.abs(u).max()
+        result.append((x[front][:, [0, 2]], u[:, front][..., [0, 2]]))
+    return result
+
+
+def check_kinds(folder, friction):
+    """The same pair in 2D as a grid, a mesh and a box, and in 3D as boxes and meshes of their bricks."""
+    size, cells, deep = ([6, 4], [9, 6]), ([6, HEIGHT], [9, 4]), 0.5
+    grid = run(folder, "grid", scene({**upper(folder, "grid", *size), **lower(folder, "grid", *cells)}, friction))
+    touching = histories(folder, "grid")["history/contact_normal_force"] > 0
+    assert 0.3 < touching.mean(), (friction, touching.mean())
+    of_mesh = run(folder, "plane", scene({**upper(folder, "mesh", *size), **lower(folder, "mesh", *cells)}, friction))
+    check_equal(of_mesh, grid, ("plane mesh", friction))
+    thick = lambda body: ([body[0][0], deep, body[0][1]], [body[1][0], 1, body[1][1]])
+    box = run(folder, "box", scene({**upper(folder, "grid", *thick(size)), **lower(folder, "grid", *thick(cells))}, friction, True, True))
+    check_equal(plane_of(box), grid, ("box", friction))
+    solid, base = ([3, 2, 4], [5, 4, 6]), ([3, 2, HEIGHT], [5, 4, 4])
+    wanted = run(folder, "boxes", scene({**upper(folder, "grid", *solid), **lower(folder, "grid", *base)}, friction, True))
+    for above, below in (("mesh", "grid"), ("grid", "mesh"), ("mesh", "mesh")):
+        found = run(folder, "mixed", scene({**upper(folder, above, *solid), **lower(folder, below, *base)}, friction, True))
+        check_equal(found, wanted, (above, below, friction))
+        assert folder.summary("mixed")["energy_balance_residual"] < 1e-12
+
+
+def check_ranks(folder, friction):
+    """On more ranks and after a restart; both bodies are divided."""
+    for name, spatial, bodies in (("box", True, {**upper(folder, "grid", [3, 2, 4], [5, 8, 6]), **lower(folder, "grid", [3, 2, HEIGHT], [5, 8, 4])}),
+                                  ("mesh2", False, {**upper(folder, "mesh", [6, 4], [9, 8], "simplex"), **lower(folder, "mesh", [6, HEIGHT], [9, 5], "simplex")}),
+                                  ("mesh3", True, {**upper(folder, "mesh", [3, 2, 4], [4, 3, 5]), **lower(folder, "mesh", [3, 2, HEIGHT], [4, 3, 4])})):
+        folder.write("run.prm", scene(bodies, friction, spatial))
+        folder.run(0, "contact_dynamics", "run.prm", "--output", "run1")
+        check_ranks_and_restart(folder, (name, friction))
+        assert folder.summary("run1")["energy_balance_residual"] < 1e-12, (name, folder.summary("run1")["energy_balance_residual"])
+        one, again = points_and_motion(folder, "run1", "counter_body.h5"), points_and_motion(folder, "half", "counter_body.h5")
+        assert np.array_equal(one[1], again[1]), name
+        folder.run(0, "contact_dynamics", "run.prm", "--output", "run", ranks=3)
+        check_equal([points_and_motion(folder, "run", "counter_body.h5")], [one], (name, "3 ranks"))
+
+
+def check_sentences(folder):
+    """What does not fit together is refused, and what the sentences advise works."""
+    folder.write("run.prm", scene({**upper(folder, "mesh", [6, 4], [9, 6]), **lower(folder, "mesh", [6, HEIGHT], [9, 4])}, FRICTION[0]))
+    refused = lambda words, *settings: refuses(folder, words, *settings)
+    works = lambda *settings: folder.run(0, "contact_dynamics", "run.prm", "--validate", *[arg for text in settings for arg in ("--set", text)])
+    works()
+    lower_grid = ["Counter body/Mesh/File=", "Counter body/Mesh/Scale=1", "Counter body/Size=6e-3, 3e-3", "Counter body/Cells=9, 4"]
+    assert refused("Counter body/Size: the body is a plane mesh", *lower_grid)
+    assert refused("Counter body/Size has no effect, as the counter body is a mesh", "Counter body/Size=6e-3, 3e-3")
+    assert refused("Counter body/Supports/Contact: it is the contact of the counter body", "Counter body/Supports/Contact/Kind=held")
+    assert refused("Counter body/Mesh/Contact boundary: 'Right' does not face up", "Counter body/Mesh/Contact boundary=Right")
+    assert refused("Counter body/Mesh/Contact boundary: 'Floor' is no physical group", "Counter body/Mesh/Contact boundary=Floor")
+    assert refused("Counter body/Supports/Wall: 'Wall' is no physical group", "Counter body/Supports/Wall/Kind=held")
+    mesh(folder, "lower2.msh", [6, HEIGHT], [8, 4], True)
+    assert refused("it has 9 nodes on 0.006 m at the contact, which are to be where those of the body are, 10 nodes on 0.006 m, and 8 of these have no partner; mesh both")
+    box = Box([6, HEIGHT], [9, 4], lambda x: "body")
+    box.name_side("Bottom", 1, False).name_side("Contact", 1, True).name_side("Left", 0, False).name_side("Right", 0, True)
+    box.points[:, 1] += 0.1 * np.sin(box.points[:, 0]) * (box.points[:, 1] == HEIGHT)
+    box.write(folder("lower2.msh"))
+    assert refused("Counter body/Mesh/Contact boundary: it is not even, its nodes rise by")
+    box = Box([6, HEIGHT], [9, 4], lambda x: "body")
+    box.name_side("Contact", 1, True).name_side("Left", 0, False).name_side("Right", 0, True).write(folder("lower2.msh"))
+    assert refused("Counter body/Supports/Bottom: 'Bottom' is no physical group")
+    folder.write("run.prm", scene({**upper(folder, "grid", [6, 4], [9, 6]), **lower(folder, "mesh", [6, HEIGHT], [9, 4])}, FRICTION[0]))
+    assert refused("Counter body/Mesh/File: the body is a plane grid")
+
+
+with tempfile.TemporaryDirectory() as place:
+    here = Folder(place)
+    for law in FRICTION:
+        check_kinds(here, law)
+    for law in FRICTION[1:]:
+        check_ranks(here, law)
+    check_sentences(here)
