@@ -1,3 +1,4 @@
+#include "base/digest.h"
 #include "base/text.h"
 #include "sliding/contact_parameters.h"
 #include "sliding/run_plan.h"
@@ -80,20 +81,38 @@ void add_mesh(RunConditions &conditions, const ContactParameters &p, const bool 
     }
 }
 
-/** Size, cells, material, damping and supports of a counter body. */
+/** "6e-3 x 4e-3", of as many numbers as there are axes. */
+template <typename Numbers>
+std::string product_text(const Numbers &numbers, const unsigned int dim)
+{
+  std::string text;
+  for (unsigned int c = 0; c < dim; ++c)
+    text += (c > 0 ? " x " : "") + to_text(numbers[c]);
+  return text;
+}
+
+/** Shape, material, damping and supports of a counter body; of files their content. */
 std::string counter_text(const ContactParameters &p)
 {
   const BodyParameters &body = p.body;
-  std::string text = to_text(body.size[0]) + " x " + to_text(body.size[1]) + " m, " +
-                     std::to_string(body.cells[0]) + " x " +
-                     std::to_string(body.cells[1]) + " cells";
+  const unsigned int dim     = p.mesh.mesh.dim;
+  std::string text =
+    p.mesh.is_given()
+      ? "mesh " + Digest().add_file(p.mesh.mesh.files[0]).hex() + ", scale " +
+          to_text(p.mesh.mesh.scale)
+      : product_text(body.size, dim) + " m, " + product_text(body.cells, dim) + " cells";
   if (!body.rve_file.empty())
     text += ", " + std::string(body.heterogeneous ? "phases" : body.stiffness_name) +
-            " of " + body.rve_file;
+            " of RVE " + Digest().add_file(body.rve_file).hex();
   else
     text += ", " + to_text(body.stiffness) + " Pa, " + to_text(body.density) + " kg/m^3";
-  text +=
-    ", alpha " + to_text(p.step.alpha) + " 1/s, beta " + to_text(p.step.beta) + " s";
+  text += ", alpha " + to_text(p.step.alpha) + " 1/s, beta " + to_text(p.step.beta) +
+          " s, starts with " + product_text(p.body.initial_velocity, dim) + " m/s";
+  for (unsigned int c = 0; c < dim; ++c)
+    for (const std::string &name : p.mesh.held[c])
+      text += " | " + name + ": u_" + "xyz"[c] + " = 0";
+  if (p.top.is_held())
+    text += " | Bottom: held";
   const std::string supports = support_texts(p);
   return supports.empty() ? text : text + " | " + supports;
 }
