@@ -10,6 +10,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -195,6 +196,12 @@ public:
   bool is_distributed() const
   {
     return distributed;
+  }
+
+  /** The partner of node @p k of the contact, where a second body is in the place of the flat. */
+  virtual std::optional<NodeIndex> partner(const std::size_t /*k*/) const
+  {
+    return std::nullopt;
   }
 
   /** Place of a node, from the lower corner of the bounding box (m). */

@@ -45,7 +45,8 @@ void check_size(const BodyParameters &body, const std::array<double, dim> &volum
 
 /** Along each axis, the number of cells of @p grid in one of the volume. @throws UserError */
 template <int dim>
-std::array<unsigned int, dim> refinement(const RveFile<dim> &rve,
+std::array<unsigned int, dim> refinement(const std::string &section,
+                                         const RveFile<dim> &rve,
                                          const UniformGrid<dim> &grid)
 {
   rve.require_grid("a heterogeneous body on a grid takes nothing");
@@ -58,9 +59,9 @@ std::array<unsigned int, dim> refinement(const RveFile<dim> &rve,
       fits     = fits && ratio[d] > 0 && fine[d] % coarse[d] == 0;
     }
   if (!fits)
-    throw UserError("Cells: " + extents_text(fine, dim) + " is no multiple of the " +
-                    extents_text(coarse, dim) + " cells of " + rve.path() +
-                    ", whose morphology a heterogeneous body takes");
+    throw UserError(section + "/Cells: " + extents_text(fine, dim) +
+                    " is no multiple of the " + extents_text(coarse, dim) + " cells of " +
+                    rve.path() + ", whose morphology a heterogeneous body takes");
   return ratio;
 }
 } // namespace
@@ -121,11 +122,12 @@ UniformGrid<dim> make_grid(const BodyParameters &body, const RveFile<dim> *rve)
 }
 
 template <int dim>
-std::vector<std::uint16_t> constituents_in(const RveFile<dim> &rve,
+std::vector<std::uint16_t> constituents_in(const std::string &section,
+                                           const RveFile<dim> &rve,
                                            const UniformGrid<dim> &grid,
                                            const CellBlock<dim> &block)
 {
-  const auto ratio                    = refinement(rve, grid);
+  const auto ratio                    = refinement(section, rve, grid);
   std::array<unsigned int, dim> lower = {}, upper = {};
   for (unsigned int d = 0; d < dim; ++d)
     {
@@ -169,7 +171,8 @@ void require_densities(const RveFile<dim> &rve)
   template Phase<dim> given_phase<dim>(const BodyParameters &);                      \
   template UniformGrid<dim> make_grid(const BodyParameters &, const RveFile<dim> *); \
   template std::vector<std::uint16_t> constituents_in(                               \
-    const RveFile<dim> &, const UniformGrid<dim> &, const CellBlock<dim> &);         \
+    const std::string &, const RveFile<dim> &, const UniformGrid<dim> &,             \
+    const CellBlock<dim> &);                                                         \
   template void require_densities(const RveFile<dim> &);
 MESOSLIP_INSTANTIATE(2)
 MESOSLIP_INSTANTIATE(3)

@@ -22,10 +22,11 @@ template <int dim>
 UniformGrid<dim> make_grid(const BodyParameters &body, const RveFile<dim> *rve);
 
 /** Which of the constituents of the volume the cells of @p block of @p grid are made of, x fastest;
- * each lies in one cell of the volume. @throws UserError unless the numbers of cells are
+ * each lies in one cell of the volume. The body is of this @p section. @throws UserError unless the numbers of cells are
  * multiples of those of the volume, or when they cannot be read */
 template <int dim>
-std::vector<std::uint16_t> constituents_in(const RveFile<dim> &rve,
+std::vector<std::uint16_t> constituents_in(const std::string &section,
+                                           const RveFile<dim> &rve,
                                            const UniformGrid<dim> &grid,
                                            const CellBlock<dim> &block);
 

@@ -162,6 +162,12 @@ struct ContactParameters : SlidingSetup
   bool is_counter =
     false; ///< whether it is a second body, whose contact is its upper side
 
+  /** Whether it is one that is computed upside down. */
+  bool is_turned_over() const
+  {
+    return is_counter && mesh.is_plane_grid() && analysis == ContactAnalysis::transient;
+  }
+
   std::vector<SideSupport>
     supports; ///< sides besides contact and top that are held or loaded
 

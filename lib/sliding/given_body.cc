@@ -10,6 +10,7 @@
 #include "sliding/given_grid.h"
 #include "sliding/mesh/box_body.h"
 #include "sliding/mesh/given_mesh.h"
+#include "sliding/pair/given_pair.h"
 #include "sliding/supports/plausible_supports.h"
 #include "sliding/supports/support_text.h"
 
@@ -220,7 +221,7 @@ Foundation GivenBody<dim>::foundation() const
     for (const NodeIndex &node : nodes)
       movers.insert(std::array<unsigned int, 2>{{node.i, node.j}});
   };
-  take(elastic().surface(ElasticBody<dim>::bottom).nodes);
+  take(contact_of_elastic());
   take(top.nodes);
   const std::vector<SideSupport> sides  = parameters.loaded_sides();
   const std::vector<SupportNodes> nodes = side_nodes();
@@ -237,6 +238,8 @@ namespace
 template <int dim>
 std::unique_ptr<GivenBody<dim>> make_of_kind(const ContactParameters &parameters)
 {
+  if (parameters.counter && parameters.analysis != ContactAnalysis::transient)
+    return std::make_unique<GivenPair<dim>>(parameters);
   if constexpr (dim == 2)
     if (parameters.mesh.is_plane_grid())
       return std::make_unique<GivenGrid>(parameters);

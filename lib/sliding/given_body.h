@@ -27,6 +27,7 @@ namespace mesoslip
 template <int dim>
 class ElasticBody;
 class DofMask;
+struct DampingByPhase;
 struct Foundation;
 struct Platen;
 
@@ -90,6 +91,15 @@ struct FieldRows
 {
   std::size_t first = 0;      ///< of its rows
   std::vector<double> values; ///< components of a node together
+};
+
+/** Displacements of a body that a file has and ParaView shows. */
+struct ShownFields
+{
+  std::string name;                               ///< that ParaView shows
+  std::string dataset;                            ///< in the file
+  std::vector<const NodalField<double> *> fields; ///< of elastic() or vibrating()
+  std::string unit;                               ///< empty: none
 };
 
 /** A body in its initial state on the flat, and what is read of it. */
@@ -165,10 +175,16 @@ public:
 
   virtual const ElasticBody<dim> &elastic() const = 0; ///< see make_elastic()
 
-  /** The body with phases_of_damping() for its own, with whole fields as those of elastic(); its stiffness may be
-   * singular. */
-  virtual std::unique_ptr<ElasticBody<dim>>
-  make_damping(const StepParameters &step, const MPI_Comm communicator) const = 0;
+  /** The same as it vibrates: displacements at its contact are absolute. */
+  virtual const ElasticBody<dim> &vibrating() const
+  {
+    return elastic();
+  }
+
+  /** Stiffness and masses of the body with phases_of_damping() for its own, in whole fields as those of vibrating().
+   * Collective. */
+  virtual DampingByPhase make_damping(const StepParameters &step,
+                                      const MPI_Comm communicator) const = 0;
 
   /** What supports and @p top hold of elastic(), all components of what platens move; with
    * @p contact_held the contact along the normal of the flat. */
@@ -183,8 +199,20 @@ public:
   /** The nodes of the top that this rank has. */
   virtual SupportNodes top_nodes() const = 0;
 
-  /** Those of each of ContactParameters::loaded_sides(). */
+  /** Sides of the body, and of one below it, that are loaded; platens first. */
+  virtual std::vector<SideSupport> loaded_sides() const
+  {
+    return parameters.loaded_sides();
+  }
+
+  /** The nodes of each of loaded_sides(). */
   virtual std::vector<SupportNodes> side_nodes() const = 0;
+
+  /** The nodes of the contact in elastic(), of a counter body of its upper side. */
+  virtual std::vector<NodeIndex> contact_of_elastic() const
+  {
+    return elastic().surface(ElasticBody<dim>::bottom).nodes;
+  }
 
   /** A first guess of the displacement (m) under a uniform strain along the normal of the flat, where
    * all of the contact touches; else zero. */
@@ -223,6 +251,15 @@ public:
                const std::string &path,
                const std::string &name,
                const std::vector<const NodalField<double> *> &fields) const = 0;
+
+  /** On rank 0: writes what a counter body has of fields into the file at @p path, of this @p format and shows it, with @p numbers as
+   * times; nothing without one. */
+  virtual void write_below(const std::string & /*path*/,
+                           const std::string & /*format*/,
+                           const std::vector<ShownFields> & /*shown*/,
+                           const std::vector<double> & /*numbers*/) const
+  {
+  }
 
   /** On rank 0: writes NAME.xdmf with @p fields of the file NAME.h5 at @p path, and NAME-phases.xdmf,
    * as ParaView does not read vectors of nodes and data of cells from one. */

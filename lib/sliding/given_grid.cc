@@ -36,7 +36,7 @@ BodyDescription make_body_on_root(const ContactParameters &parameters)
   const unsigned int n_copies = is_repeated(parameters) ? ranks_of_this_machine() : 1;
   on_root(MPI_COMM_WORLD, [&]() {
     body = make_body(parameters, n_copies);
-    if (parameters.is_counter)
+    if (parameters.is_turned_over())
       turn_over(body);
   });
   broadcast_object(MPI_COMM_WORLD, body);
@@ -107,7 +107,7 @@ GivenGrid::GivenGrid(const ContactParameters &given, const BodyDescription &desc
 {
   check_probes(parameters.observation, body.grid);
   require_frequency(material);
-  if (parameters.analysis == ContactAnalysis::transient && !parameters.is_counter)
+  if (parameters.analysis == ContactAnalysis::transient && !parameters.is_turned_over())
     check_ranks(body.grid);
   const double bytes = field_memory(parameters, body.grid);
   (is_repeated(parameters) ? known.memory.on_each : known.memory.divided) = bytes;

@@ -57,8 +57,8 @@ public:
 
   void make_elastic(const MPI_Comm communicator, const bool whole) override;
   const ElasticBody<2> &elastic() const override;
-  std::unique_ptr<ElasticBody<2>>
-  make_damping(const StepParameters &step, const MPI_Comm communicator) const override;
+  DampingByPhase make_damping(const StepParameters &step,
+                              const MPI_Comm communicator) const override;
   DofMask held(const TopSetup &top, const bool contact_held) const override;
   std::size_t n_free(const TopSetup &top, const bool contact_held) const override;
   SupportNodes top_nodes() const override;

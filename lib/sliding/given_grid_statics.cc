@@ -18,15 +18,14 @@ const ElasticBody<2> &GivenGrid::elastic() const
   return *of_statics;
 }
 
-std::unique_ptr<ElasticBody<2>> GivenGrid::make_damping(const StepParameters &step,
-                                                        const MPI_Comm communicator) const
+DampingByPhase GivenGrid::make_damping(const StepParameters &step,
+                                       const MPI_Comm communicator) const
 {
-  // The body keeps a reference to the material, a mesh does not.
-  const auto of_phases = std::make_shared<const UniformMaterial>(
-    material.with_phases(phases_of_damping(material.phases(), step)));
-  if (parameters.static_solver == StaticSolverKind::ml)
-    return mesoslip::make_body(*of_phases, parameters.static_solver, communicator);
-  return std::make_unique<GridBody<2>>(of_phases, parameters.static_solver);
+  const UniformMaterial of_phases =
+    material.with_phases(phases_of_damping(material.phases(), step));
+  const auto damped =
+    mesoslip::make_body(of_phases, parameters.static_solver, communicator);
+  return {whole_stiffness(*damped, communicator), damped->lumped_mass()};
 }
 
 DofMask GivenGrid::held(const TopSetup &top, const bool contact_held) const

@@ -31,7 +31,8 @@ void read_materials(const BodyParameters &given,
       return;
     }
   body.phases = rve.phases;
-  for (const std::uint16_t id : constituents_in(rve, body.grid, whole_block(body.grid)))
+  for (const std::uint16_t id :
+       constituents_in(given.section, rve, body.grid, whole_block(body.grid)))
     body.phase_id.push_back(static_cast<std::uint8_t>(rve.materials.phase_of(id)));
 }
 

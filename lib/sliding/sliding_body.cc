@@ -1,7 +1,6 @@
 #include "sliding/sliding_body.h"
 
 #include "base/exchange.h"
-#include "sliding/counter/counter_motion.h"
 #include "sliding/supports/grid_columns.h"
 
 #include <deal.II/base/exceptions.h>
@@ -118,34 +117,6 @@ std::vector<NodeCounts> SlidingBody<dim>::contact_states(const std::size_t n_nod
            ? node_statistics.blocks()
            : gather_nodes(node_statistics.blocks(), setup.contact_places, n_nodes,
                           setup.node_loads, setup.ranks);
-}
-
-template <int dim>
-SurfaceCondition<dim> &SlidingBody<dim>::contact_condition(SurfaceCondition<dim> *given,
-                                                           CounterMotion<dim> *counter,
-                                                           const NodesOfContact &nodes,
-                                                           const MPI_Comm communicator)
-{
-  if (given != nullptr)
-    return *given;
-  if (counter == nullptr || !counter->body)
-    return *profile.timed<TimedSurface<dim>>(contact, "Contact and its histories");
-  below = counter->body.get();
-  pair  = std::make_unique<PairedContact<dim>>(
-    contact, nodes, *counter->partner, [this]() { below->time_integration().advance(1); },
-    setup.step, communicator);
-  return *profile.timed<TimedSurface<dim>>(*pair,
-                                           "Counter body, contact and its histories");
-}
-
-template <int dim>
-void SlidingBody<dim>::start_together()
-{
-  if (!pair)
-    return;
-  pair->start_as_one(contact_start, below->contact_start);
-  start_contact();
-  below->start_contact();
 }
 
 template <int dim>

@@ -121,10 +121,11 @@ ComplexMode finish(const SlidingPencil &pencil, const FoundMode &found)
                                 : static_cast<Eigen::Index>(pencil.contact_nodes.back() + 1);
   mode.growth_by_friction   = Eigen::VectorXd::Zero(n_nodes);
   mode.motion_of_contact    = Eigen::VectorXd::Zero(n_nodes);
-  for (std::size_t k = 0; k < pencil.rows.size(); ++k)
+  const ComplexVector slip  = product(pencil.distribution.transpose(), found.u);
+  for (std::size_t k = 0; k < pencil.contact_nodes.size(); ++k)
     {
       const auto node = static_cast<Eigen::Index>(pencil.contact_nodes[k]);
-      const Complex u = found.u[pencil.rows[k]];
+      const Complex u = slip[static_cast<Eigen::Index>(k)];
       mode.growth_by_friction[node] +=
         (std::conj(found.s * u) * force[static_cast<Eigen::Index>(k)]).real() / energy;
       mode.motion_of_contact[node] += std::norm(u);

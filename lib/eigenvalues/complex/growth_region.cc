@@ -15,7 +15,7 @@ namespace
 double radius_of(const RealMatrix &friction, const SlidingPencil &pencil)
 {
   using Complex = SlidingPencil::Complex;
-  if (pencil.rows.empty() || friction.norm() == 0.)
+  if (pencil.targets.rows() == 0 || friction.norm() == 0.)
     return 0.;
   const ComplexMatrix stiffness = pencil.whole_stiffness().cast<Complex>();
   ComplexFactorization factors(stiffness);
@@ -86,8 +86,8 @@ bool feeds(const RealMatrix &matrix)
 FeedingDrag feeding_drag(const SlidingPencil &pencil)
 {
   const double damped = radius_of(pencil.damped_friction, pencil);
-  if (pencil.rows.empty() ||
-      (pencil.late_resistance.nonZeros() == 0 && !feeds(pencil.resistance)))
+  if (pencil.targets.rows() == 0 || (pencil.late_resistance.nonZeros() == 0 &&
+                                     !feeds(pencil.drag * pencil.distribution)))
     return {0., 0., damped};
   return {largest_rate(pencil.resistance, pencil.mass),
           largest_rate(pencil.late_resistance, pencil.mass), damped};

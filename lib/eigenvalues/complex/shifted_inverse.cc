@@ -39,8 +39,7 @@ void ShiftedInverse::vmult(ComplexVector &dst, const ComplexVector &src) const
     right -= beta * product(pencil.stiffness, u);
   const ComplexVector force =
     (beta * product(pencil.targets, u) - drag(u) - old_force) / lag;
-  for (std::size_t k = 0; k < pencil.rows.size(); ++k)
-    right[pencil.rows[k]] += force[static_cast<Eigen::Index>(k)];
+  right += product(pencil.distribution, force);
 
   ComplexVector new_u;
   factors.solve(new_u, right);

@@ -1,5 +1,7 @@
 #include "eigenvalues/complex/sliding_pencil.h"
 
+#include "eigenvalues/complex/pencil_contact.h"
+
 #include "base/exchange.h"
 #include "eigenvalues/complex/pencil_damping.h"
 #include "eigenvalues/free_dofs.h"
@@ -12,17 +14,6 @@ namespace
 {
 using Complex = SlidingPencil::Complex;
 using Triplet = Eigen::Triplet<double, std::int64_t>;
-
-/** E: a one in the row of each friction force. */
-RealMatrix distribution(const std::vector<Eigen::Index> &rows, const Eigen::Index n)
-{
-  std::vector<Triplet> ones;
-  for (std::size_t k = 0; k < rows.size(); ++k)
-    ones.emplace_back(rows[k], k, 1.);
-  RealMatrix E(n, static_cast<Eigen::Index>(rows.size()));
-  E.setFromTriplets(ones.begin(), ones.end());
-  return E;
-}
 
 /** Number of the free degree of freedom for each one of the body, -1 for none. */
 template <int dim>
@@ -42,28 +33,6 @@ std::vector<std::int64_t> free_numbers(const ElasticBody<dim> &body,
   return result;
 }
 
-/** Row in @p all of component @p c of a node. */
-template <int dim>
-Eigen::Index
-row_of(const ElasticBody<dim> &body, const NodeIndex &node, const unsigned int c)
-{
-  return static_cast<Eigen::Index>(
-    dim * (static_cast<std::size_t>(node.j) * body.n_columns() + node.i) + c);
-}
-
-/** The row @p q of targets, of a force at contact node @p node: @p reactions holds the normal
- * ones of the nodes. */
-void add_target(const std::size_t node,
-                const double coupling,
-                const RealMatrix &reactions,
-                const std::int64_t q,
-                std::vector<Triplet> &target)
-{
-  for (RealMatrix::InnerIterator entry(reactions, static_cast<Eigen::Index>(node)); entry;
-       ++entry)
-    target.emplace_back(q, entry.row(), coupling * entry.value());
-}
-
 /** The springs below the nodes, foundation and alpha, which does not act on a platen. */
 template <int dim>
 void add_supports(const ElasticBody<dim> &body,
@@ -72,9 +41,11 @@ void add_supports(const ElasticBody<dim> &body,
                   const SlidingNodesAtRest &contact,
                   SlidingPencil &pencil)
 {
-  std::vector<SpringEntry> springs = body.foundation().springs;
+  std::vector<Triplet> between;
   for (std::size_t k = 0; k < contact.stiffness.size(); ++k)
-    springs.push_back({contact.nodes[k], dim - 1, dim - 1, contact.stiffness[k]});
+    for (const auto &[row, sign] : relative(body, number, contact, k, dim - 1))
+      for (const auto &[column, other] : relative(body, number, contact, k, dim - 1))
+        between.emplace_back(row, column, sign * other * contact.stiffness[k]);
   const auto gather = [&](const std::vector<SpringEntry> &from,
                           std::vector<Triplet> entries) {
     for (const SpringEntry &spring : from)
@@ -88,7 +59,7 @@ void add_supports(const ElasticBody<dim> &body,
     matrix.setFromTriplets(entries.begin(), entries.end());
     return matrix;
   };
-  pencil.springs = gather(springs, {});
+  pencil.springs = gather(body.foundation().springs, between);
   std::vector<Triplet> of_mass;
   for (Eigen::Index k = 0; k < pencil.size() && pencil.law.alpha > 0.; ++k)
     of_mass.emplace_back(k, k, pencil.law.alpha * pencil.mass[k]);
@@ -97,73 +68,36 @@ void add_supports(const ElasticBody<dim> &body,
   pencil.resistances = gather(body.foundation().dashpots, of_mass);
 }
 
-/** The friction forces, their targets and the drag. */
+/** These entries as a matrix of the whole body. */
 template <int dim>
-void add_contact(const ElasticBody<dim> &body,
-                 const RealMatrix &reactions,
-                 const RealMatrix &damped_reactions,
-                 const std::vector<std::int64_t> &number,
-                 const SlidingNodesAtRest &contact,
-                 SlidingPencil &pencil)
+RealMatrix whole_matrix(const ElasticBody<dim> &body,
+                        const std::vector<SpringEntry> &entries)
 {
-  const double speed = std::hypot(contact.velocity[0], contact.velocity[1]);
-  const std::array<double, 2> direction = {
-    {contact.velocity[0] / speed, contact.velocity[1] / speed}};
-  std::vector<Triplet> target, damped_target, spring_target, drag, late_drag;
-  for (std::size_t k = 0; k < contact.nodes.size(); ++k)
-    for (unsigned int c = 0; c + 1 < dim; ++c)
-      {
-        const std::int64_t row = number[row_of(body, contact.nodes[k], c)];
-        if (row < 0)
-          continue;
-        const auto q = static_cast<std::int64_t>(pencil.rows.size());
-        pencil.rows.push_back(row);
-        pencil.contact_nodes.push_back(k);
-        const FrictionSlopes slopes =
-          contact.slopes.empty() ? FrictionSlopes() : contact.slopes[k];
-        const double coupling = (contact.friction[k] + slopes.pressure) * direction[c];
-        if (contact.stiffness.empty())
-          {
-            add_target(k, coupling, reactions, q, target);
-            add_target(k, coupling, damped_reactions, q, damped_target);
-          }
-        else
-          spring_target.emplace_back(q, number[row_of(body, contact.nodes[k], dim - 1)],
-                                     -coupling * contact.stiffness[k]);
-        if (contact.normal_force.empty())
-          continue;
-        const double force = contact.normal_force[k];
-        for (unsigned int d = 0; d + 1 < dim; ++d)
-          {
-            const double along        = direction[c] * direction[d],
-                         across       = (c == d ? 1. : 0.) - along;
-            const std::int64_t column = number[row_of(body, contact.nodes[k], d)];
-            if (column < 0)
-              continue;
-            drag.emplace_back(q, column,
-                              force *
-                                (slopes.rate * along +
-                                 (dim == 3 ? contact.friction[k] / speed * across : 0.)));
-            late_drag.emplace_back(q, column, force * slopes.state * along);
-          }
-      }
-  const auto n_forces = static_cast<Eigen::Index>(pencil.rows.size());
-  const auto gather   = [&](RealMatrix &matrix, const std::vector<Triplet> &entries) {
-    matrix.resize(n_forces, pencil.size());
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    matrix.prune(0., 0.);
-  };
-  gather(pencil.targets, target);
-  gather(pencil.damped_targets, damped_target);
-  gather(pencil.spring_targets, spring_target);
-  gather(pencil.drag, drag);
-  gather(pencil.late_drag, late_drag);
-  const RealMatrix E     = distribution(pencil.rows, pencil.size());
-  pencil.friction        = E * pencil.targets;
-  pencil.spring_friction = E * pencil.spring_targets;
-  pencil.damped_friction = E * pencil.damped_targets;
-  pencil.resistance      = E * pencil.drag;
-  pencil.late_resistance = E * pencil.late_drag;
+  std::vector<Triplet> triplets;
+  for (const SpringEntry &entry : entries)
+    triplets.emplace_back(row_of(body, entry.node, entry.c),
+                          row_of(body, entry.node, entry.d), entry.stiffness);
+  const auto n =
+    static_cast<Eigen::Index>(dim * std::size_t{body.n_columns()} * body.n_rows());
+  RealMatrix matrix(n, n);
+  matrix.setFromTriplets(triplets.begin(), triplets.end());
+  return matrix;
+}
+
+/** The same of drags (kg/s, in 2D kg/m/s), one for each node. */
+template <int dim>
+std::vector<SpringEntry> entries_of(const ElasticBody<dim> &body,
+                                    const std::vector<double> &drags)
+{
+  std::vector<SpringEntry> entries;
+  for (std::size_t k = 0; k < drags.size(); ++k)
+    for (unsigned int c = 0; c < dim; ++c)
+      entries.push_back({{static_cast<unsigned int>(k % body.n_columns()),
+                          static_cast<unsigned int>(k / body.n_columns())},
+                         c,
+                         c,
+                         drags[k]});
+  return entries;
 }
 
 } // namespace
@@ -219,8 +153,7 @@ double SlidingPencil::residual(const Complex s, const ComplexVector &u) const
   if (on_springs())
     elastic += product(springs, u) / damped;
   ComplexVector sum = inertia + elastic;
-  for (std::size_t k = 0; k < rows.size(); ++k)
-    sum[rows[k]] -= force[static_cast<Eigen::Index>(k)];
+  sum -= product(distribution, force);
   return sum.norm() / (inertia.norm() + elastic.norm() + force.norm());
 }
 
@@ -255,13 +188,7 @@ SlidingPencil make_sliding_pencil(const ElasticBody<dim> &body,
                                   const DampingByPhase &damping)
 {
   const std::vector<std::int64_t> number = free_numbers(body, dofs);
-  // Of sliding nodes and their duplicates: normal reactions are sums over both.
-  std::vector<std::int64_t> reaction(number.size(), -1);
-  for (std::size_t k = 0; k < contact.nodes.size(); ++k)
-    reaction[row_of(body, contact.nodes[k], dim - 1)] = static_cast<std::int64_t>(k);
-  for (const auto &[duplicate, original] : body.duplicate_nodes())
-    reaction[row_of(body, duplicate, dim - 1)] =
-      reaction[row_of(body, original, dim - 1)];
+  const std::vector<Share> shares        = reaction_shares(body, number, contact);
 
   SlidingPencil pencil;
   pencil.law   = law;
@@ -274,12 +201,12 @@ SlidingPencil make_sliding_pencil(const ElasticBody<dim> &body,
       for (RealMatrix::InnerIterator entry(whole, column); entry; ++entry)
         {
           const std::int64_t to   = number[static_cast<std::size_t>(entry.col())],
-                             from = number[static_cast<std::size_t>(entry.row())],
-                             at   = reaction[static_cast<std::size_t>(entry.row())];
+                             from = number[static_cast<std::size_t>(entry.row())];
+          const Share &share      = shares[static_cast<std::size_t>(entry.row())];
           if (to >= 0 && from >= 0)
             among.emplace_back(from, to, entry.value());
-          if (to >= 0 && at >= 0)
-            reactions.emplace_back(to, at, entry.value());
+          if (to >= 0 && share.node >= 0)
+            reactions.emplace_back(to, share.node, share.weight * entry.value());
         }
     auto parts = std::make_pair(RealMatrix(n, n), RealMatrix(n, m));
     parts.first.setFromTriplets(among.begin(), among.end());
@@ -298,7 +225,19 @@ SlidingPencil make_sliding_pencil(const ElasticBody<dim> &body,
       pencil.resistances += damped.first + drags_of(body, dofs, damping.drags);
       pencil.beta_besides = mean_beta(pencil.whole_stiffness(), damped.first);
     }
-  add_contact(body, elastic.second, damped.second, number, contact, pencil);
+  // Where contact nodes move along the normal, what else acts on them takes part in their reactions.
+  std::array<RealMatrix, 3> reactions = {
+    {elastic.second, damped.second, RealMatrix(n, m)}};
+  if (!contact.partners.empty())
+    {
+      const auto of = [&](const std::vector<SpringEntry> &entries) {
+        return split(whole_matrix(body, entries)).second;
+      };
+      reactions[1] += of(body.foundation().dashpots);
+      reactions[1] += of(entries_of(body, damping.drags));
+      reactions[2] = of(body.foundation().springs);
+    }
+  add_contact(body, reactions, number, contact, pencil);
   return pencil;
 }
 

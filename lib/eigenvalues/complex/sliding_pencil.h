@@ -24,6 +24,7 @@ struct FrictionSlopes
 struct SlidingNodesAtRest
 {
   std::vector<NodeIndex> nodes;       ///< pressed, without duplicates
+  std::vector<NodeIndex> partners;    ///< of a second body, likewise; empty: a rigid flat
   std::vector<double> friction;       ///< Coulomb's coefficient of each of them
   std::vector<double> normal_force;   ///< N (2D: N/m) of each; for slopes and in 3D
   std::vector<FrictionSlopes> slopes; ///< of each; empty: constant coefficients
@@ -62,6 +63,10 @@ struct SlidingLaw
  *     s tau z = -D_1 v - z,        s delta q = G (u + beta v) + G_s u + (G_d - D_0) v + z - q
  *
  * with N = E G, N_s = E G_s, N_d = E G_d and C_i = E D_i. Without delta there is no q, without tau no z.
+ *
+ * Partners of a second body move as one along the normal, or stand on the springs between them; E has the forces on both, and D
+ * and G_s act on their relative motion. The normal reaction of the inertias m_1 and m_2, whose common acceleration is that by
+ * all other forces f_1 and f_2, is (m_1 f_2 - m_2 f_1) / (m_1 + m_2).
  */
 class SlidingPencil
 {
@@ -87,7 +92,7 @@ public:
   /** |[...] u| over the sum of the sizes of the terms. */
   double residual(const Complex s, const ComplexVector &u) const;
 
-  /** Friction forces of the motion u exp(s t), one for each entry of rows. */
+  /** Friction forces of the motion u exp(s t). */
   ComplexVector friction_force(const Complex s, const ComplexVector &u) const;
 
   /** K + K_s. */
@@ -119,7 +124,7 @@ public:
   RealMatrix damped_friction;             ///< N_d
   RealMatrix resistance;                  ///< C_0
   RealMatrix late_resistance;             ///< C_1
-  std::vector<Eigen::Index> rows;         ///< degrees of freedom that E gives the forces
+  RealMatrix distribution;                ///< E: what friction forces do on the bodies
   std::vector<std::size_t> contact_nodes; ///< those of the forces
   SlidingLaw law;                         ///< delta and beta
   double beta_besides = 0.; ///< mean over the vibrations of beta_p - beta (s)

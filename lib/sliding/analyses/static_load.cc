@@ -33,9 +33,9 @@ double total_tangential_force(const StaticContactSolution &solution,
 namespace
 {
 /** Whether sides load the body, and not only the platen. */
-bool sides_push(const ContactParameters &p)
+bool push(const std::vector<SideSupport> &sides)
 {
-  for (const SideSupport &side : p.loaded_sides())
+  for (const SideSupport &side : sides)
     {
       if (side.pressure.amplitude() != 0.)
         return true;
@@ -87,7 +87,8 @@ StaticLoad<dim>::StaticLoad(const GivenBody<dim> &body,
     for (std::size_t k = 0; k < top.nodes.size(); ++k)
       whole_load(dim - 1, top.nodes[k]) -= load * top.carried.area[k];
   pull(top, parameters.top.suspension);
-  const std::vector<SideSupport> sides     = parameters.loaded_sides();
+  const std::vector<SideSupport> sides     = body.loaded_sides();
+  sides_push                               = push(sides);
   const std::vector<SupportNodes> of_sides = body.side_nodes();
   for (std::size_t s = 0; s < sides.size(); ++s)
     {
@@ -128,7 +129,7 @@ StaticContactSolution StaticLoad<dim>::follow(const StaticContactOptions &given)
         problem.force.begin()[k] *= share;
       if (parameters.top.is_platen && platen_moves.size() == 1 && gaps.empty() &&
           !parameters.contact.profile && !(springs && !springs->are_linear()) &&
-          !load.has_history() && !parameters.step.is_heavy() && !sides_push(parameters) &&
+          !load.has_history() && !parameters.step.is_heavy() && !sides_push &&
           !parameters.top.suspension.is_there())
         press_in_proportion();
       else if (platen)

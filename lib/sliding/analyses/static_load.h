@@ -117,6 +117,7 @@ private:
   StaticContactOptions options;
   StaticContactProblem problem;
   NodalField<double> whole_load; ///< N, in 2D N/m
+  bool sides_push = false;       ///< whether sides load the body, and not only the platen
   StaticContactSolution solution;
 
   /** A component in which a platen moves. */

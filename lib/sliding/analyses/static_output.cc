@@ -188,6 +188,8 @@ void StaticContactAnalysis<dim>::write_static_file(const RunContext &context) co
   file->write_unit(u, "m");
   file->close();
   body->show(path, {{"displacement", u, XdmfField::Values::nodes, {dim}}}, {0.});
+  body->write_below(context.file("counter_body.h5"), dynamics_format,
+                    {{"displacement", u, {&result.solution.displacement}, "m"}}, {0.});
 }
 
 template <int dim>
@@ -222,7 +224,8 @@ void StaticContactAnalysis<dim>::run(RunContext &context)
 {
   body->log(context);
   context.remove_results({"dynamics.h5", "dynamics.xdmf", "dynamics-phases.xdmf",
-                          "static_contact.csv", "load_steps.csv"});
+                          "static_contact.csv", "load_steps.csv", "counter_body.h5",
+                          "counter_body.xdmf", "counter_body-phases.xdmf"});
   StaticContactOptions options = parameters.static_contact;
   options.before_iteration     = stop_or_report(context, "iteration");
   body->make_elastic(context.communicator());

@@ -60,10 +60,11 @@ SlidingState ComplexModesAnalysis<dim>::at_rest(const ContactParameters &of_case
       });
       return found;
     };
-  const TopSetup top = top_at_start(of_case);
-  SlidingState state =
-    sliding_state<dim>(body->elastic(), of_case, body->held(top, false), friction, solve);
-  state.platens = body->platens(top);
+  const TopSetup top                = top_at_start(of_case);
+  SlidingState state                = sliding_state<dim>(body->vibrating(), of_case,
+                                          body->held(top, false), friction, solve);
+  const std::vector<Platen> platens = body->platens(top);
+  state.platens.insert(state.platens.end(), platens.begin(), platens.end());
   return state;
 }
 
@@ -76,8 +77,7 @@ DampingByPhase ComplexModesAnalysis<dim>::damping(const MPI_Comm communicator) c
     return {};
   for (double &beta : besides.beta_of_phases)
     beta -= parameters.step.least_beta();
-  const auto of_phases = body->make_damping(besides, communicator);
-  return {whole_stiffness(*of_phases, communicator), of_phases->lumped_mass()};
+  return body->make_damping(besides, communicator);
 }
 
 template <int dim>
@@ -86,7 +86,7 @@ void ComplexModesAnalysis<dim>::run(RunContext &context)
   body->log(context);
   context.remove_results(complex_modes_files());
   body->make_elastic(context.communicator(), true);
-  const ElasticBody<dim> &elastic = body->elastic();
+  const ElasticBody<dim> &elastic = body->vibrating();
   const auto scope                = context.timer().scope("Complex modes");
   const auto cases                = compute_complex_modes<dim>(
     elastic, parameters,
@@ -101,12 +101,38 @@ void ComplexModesAnalysis<dim>::run(RunContext &context)
   log_complex_modes(cases, parameters, context);
   body->summarize("complex modes", context);
   write_complex_tables(cases, parameters, context);
-  const std::string path = context.file("complex_modes.h5");
-  Hdf5File file          = body->create_file(path, "mesoslip-complex-modes");
-  const ShownComplexShapes shown =
-    write_complex_shapes(file, cases, elastic, parameters, body->vectors_shape());
-  file.close();
-  body->show(path, shown.fields, shown.numbers);
+  const std::string path       = context.file("complex_modes.h5");
+  std::optional<Hdf5File> file = body->create_file(path, "mesoslip-complex-modes");
+  write_shapes(file, path, write_complex_modes(*file, cases, elastic, parameters),
+               context);
+}
+
+/** And those of a counter body. */
+template <int dim>
+void ComplexModesAnalysis<dim>::write_shapes(std::optional<Hdf5File> &file,
+                                             const std::string &path,
+                                             const ComplexShapes &shapes,
+                                             RunContext &context) const
+{
+  std::vector<ShownFields> shown;
+  for (std::size_t part = 0; part < 2 && !shapes.numbers.empty(); ++part)
+    {
+      ShownFields &fields = shown.emplace_back();
+      fields.name         = part == 0 ? "shape_real" : "shape_imaginary";
+      fields.dataset      = "/complex_modes/" + fields.name;
+      for (const NodalField<double> &shape : shapes.parts[part])
+        fields.fields.push_back(&shape);
+    }
+  std::vector<XdmfField> of_file;
+  for (const ShownFields &fields : shown)
+    {
+      body->write_fields(file, path, fields.dataset, fields.fields);
+      of_file.push_back({fields.name, fields.dataset, XdmfField::Values::nodes, {dim}});
+    }
+  file->close();
+  body->show(path, of_file, shapes.numbers);
+  body->write_below(context.file("counter_body.h5"), "mesoslip-complex-modes", shown,
+                    shapes.numbers);
 }
 
 template class ComplexModesAnalysis<2>;

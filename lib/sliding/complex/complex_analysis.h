@@ -2,9 +2,12 @@
 #define mesoslip_sliding_complex_complex_analysis_h
 
 #include "sliding/body_analysis.h"
+#include "sliding/complex/complex_output.h"
 #include "sliding/complex/sliding_state.h"
 
 #include <memory>
+#include <optional>
+#include <string>
 
 namespace mesoslip
 {
@@ -32,6 +35,11 @@ private:
   SlidingState at_rest(const ContactParameters &of_case,
                        const double friction_factor,
                        RunContext &context) const;
+
+  void write_shapes(std::optional<Hdf5File> &file,
+                    const std::string &path,
+                    const ComplexShapes &shapes,
+                    RunContext &context) const;
 };
 } // namespace mesoslip
 

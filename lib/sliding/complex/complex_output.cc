@@ -2,7 +2,6 @@
 
 #include "eigenvalues/free_dofs.h"
 #include "exchange/datasets.h"
-#include "exchange/grid_file.h"
 #include "io/table.h"
 #include "material/plausibility.h"
 #include "sliding/complex/mode_branches.h"
@@ -155,8 +154,9 @@ std::string swept_column(const ContactParameters &parameters)
 
 std::vector<std::string> complex_modes_files()
 {
-  return {"complex_modes.csv", "complex_modes_sweep.csv", "complex_modes.h5",
-          "complex_modes.xdmf", "complex_modes-phases.xdmf"};
+  return {"complex_modes.csv",  "complex_modes_sweep.csv",   "complex_modes.h5",
+          "complex_modes.xdmf", "complex_modes-phases.xdmf", "counter_body.h5",
+          "counter_body.xdmf",  "counter_body-phases.xdmf"};
 }
 
 template <int dim>
@@ -212,15 +212,13 @@ void write_complex_tables(const ComplexCases<dim> &cases,
 }
 
 template <int dim>
-ShownComplexShapes write_complex_shapes(Hdf5File &file,
-                                        const ComplexCases<dim> &cases,
-                                        const ElasticBody<dim> &body,
-                                        const ContactParameters &parameters,
-                                        const Shape &extents)
+ComplexShapes write_complex_modes(Hdf5File &file,
+                                  const ComplexCases<dim> &cases,
+                                  const ElasticBody<dim> &body,
+                                  const ContactParameters &parameters)
 {
   const std::string group = "/complex_modes";
   std::vector<double> frequency, growth, shares;
-  std::array<std::vector<double>, 2> shapes;
   std::array<std::vector<double>, dim> place;
   for (const NodeIndex &node : cases.state.contact.nodes)
     for (unsigned int c = 0; c < dim; ++c)
@@ -229,11 +227,11 @@ ShownComplexShapes write_complex_shapes(Hdf5File &file,
   const std::size_t n_nodes = place[0].size(),
                     n       = std::min<std::size_t>(cases.modes.modes.size(),
                                               parameters.complex_modes.n_shapes);
-  ShownComplexShapes shown;
+  ComplexShapes shapes;
   for (std::size_t k = 0; k < n; ++k)
     {
       const ComplexMode &mode = cases.modes.modes[k];
-      shown.numbers.push_back(static_cast<double>(k) + 1.);
+      shapes.numbers.push_back(static_cast<double>(k) + 1.);
       frequency.push_back(mode.frequency());
       growth.push_back(mode.s.real());
       for (std::size_t i = 0; i < n_nodes; ++i)
@@ -242,10 +240,7 @@ ShownComplexShapes write_complex_shapes(Hdf5File &file,
                            : 0.);
       const auto parts = parts_of(mode, dofs, body);
       for (unsigned int part = 0; part < 2; ++part)
-        {
-          const std::vector<double> values = interleaved(parts[part]);
-          shapes[part].insert(shapes[part].end(), values.begin(), values.end());
-        }
+        shapes.parts[part].push_back(parts[part]);
     }
   std::vector<Series> series = {{"frequency", "Hz", &frequency},
                                 {"growth_rate", "1/s", &growth}};
@@ -266,27 +261,18 @@ ShownComplexShapes write_complex_shapes(Hdf5File &file,
       contact.push_back({"coefficient_slope_by_state", "s/m", &by_state});
     }
   write_series(file, group + "/contact", contact);
-  if (n == 0)
-    return shown;
-  write_dataset(file, group + "/contact/growth_by_friction", {n, n_nodes}, shares, "1/s");
-  Shape all = {n};
-  all.insert(all.end(), extents.begin(), extents.end());
-  const char *const names[] = {"shape_real", "shape_imaginary"};
-  for (unsigned int part = 0; part < 2; ++part)
-    {
-      const std::string dataset = group + "/" + names[part];
-      write_dataset(file, dataset, all, shapes[part]);
-      shown.fields.push_back({names[part], dataset, XdmfField::Values::nodes, {dim}});
-    }
-  return shown;
+  if (n > 0)
+    write_dataset(file, group + "/contact/growth_by_friction", {n, n_nodes}, shares,
+                  "1/s");
+  return shapes;
 }
 
-#define MESOSLIP_INSTANTIATE(dim)                                              \
-  template void write_complex_tables(const ComplexCases<dim> &,                \
-                                     const ContactParameters &, RunContext &); \
-  template ShownComplexShapes write_complex_shapes(                            \
-    Hdf5File &, const ComplexCases<dim> &, const ElasticBody<dim> &,           \
-    const ContactParameters &, const Shape &);
+#define MESOSLIP_INSTANTIATE(dim)                                                   \
+  template void write_complex_tables(const ComplexCases<dim> &,                     \
+                                     const ContactParameters &, RunContext &);      \
+  template ComplexShapes write_complex_modes(Hdf5File &, const ComplexCases<dim> &, \
+                                             const ElasticBody<dim> &,              \
+                                             const ContactParameters &);
 MESOSLIP_INSTANTIATE(2)
 MESOSLIP_INSTANTIATE(3)
 #undef MESOSLIP_INSTANTIATE

@@ -1,10 +1,10 @@
 #ifndef mesoslip_sliding_complex_complex_output_h
 #define mesoslip_sliding_complex_complex_output_h
 
-#include "exchange/xdmf.h"
 #include "io/hdf5_file.h"
 #include "sliding/complex/complex_cases.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -29,21 +29,19 @@ void write_complex_tables(const ComplexCases<dim> &cases,
                           const ContactParameters &parameters,
                           RunContext &context);
 
-/** Shapes that ParaView is to show; the time of a frame is the number of its mode. */
-struct ShownComplexShapes
+/** Shapes that files have and ParaView shows; the time of a frame is the number of its mode. */
+struct ComplexShapes
 {
-  std::vector<XdmfField> fields; ///< real and imaginary parts
-  std::vector<double> numbers;   ///< 1, 2, ...
+  std::array<std::vector<NodalField<double>>, 2> parts; ///< real and imaginary ones
+  std::vector<double> numbers;                          ///< 1, 2, ...
 };
 
-/** On rank 0: writes /complex_modes; @p extents are those of one shape in the file,
- * components last. */
+/** On rank 0: writes /complex_modes but for the shapes, which it returns. */
 template <int dim>
-ShownComplexShapes write_complex_shapes(Hdf5File &file,
-                                        const ComplexCases<dim> &cases,
-                                        const ElasticBody<dim> &body,
-                                        const ContactParameters &parameters,
-                                        const Shape &extents);
+ComplexShapes write_complex_modes(Hdf5File &file,
+                                  const ComplexCases<dim> &cases,
+                                  const ElasticBody<dim> &body,
+                                  const ContactParameters &parameters);
 } // namespace mesoslip
 
 #endif

@@ -23,7 +23,7 @@ void turn_over(BodyDescription &body)
 /** y (m) of a row of nodes. */
 double GivenGrid::place_of_row(const double row) const
 {
-  return (parameters.is_counter ? -row : row) * body.grid.spacing[1];
+  return (parameters.is_turned_over() ? -row : row) * body.grid.spacing[1];
 }
 
 CounterMotion<2> GivenGrid::start_below(const SlidingSetup &given,
@@ -58,7 +58,7 @@ CounterMotion<2> GivenGrid::start_below(const SlidingSetup &given,
 BodyDescription GivenGrid::described() const
 {
   BodyDescription upright = body;
-  if (!parameters.is_counter)
+  if (!parameters.is_turned_over())
     return upright;
   turn_over(upright);
   upright.grid.origin[1] = -body.grid.extent(1);

@@ -45,7 +45,7 @@ void ContactParameters::bind_supports_below(Keys &keys, ContactParameters &other
 {
   const auto section             = keys.section("Supports");
   const unsigned int dim         = mesh.mesh.dim;
-  const bool turned              = other.mesh.is_plane_grid();
+  const bool turned              = other.is_turned_over();
   const SideSupport bottom       = bind_side(keys, "Bottom", dim, "held");
   std::vector<std::string> names = sides_of_grid;
   for (const std::string &name : keys.typed_sections())
@@ -83,6 +83,7 @@ void ContactParameters::bind_counter(Keys &keys)
   const unsigned int dim   = mesh.mesh.dim;
   auto other               = std::make_shared<ContactParameters>();
   other->is_counter        = true;
+  other->analysis          = analysis;
   other->body.section      = "Counter body";
   other->mesh.section      = "Counter body/";
   other->mesh.mesh.dim     = dim;
@@ -120,12 +121,11 @@ void ContactParameters::bind_counter(Keys &keys)
     if (!mesh.periodic[axis].empty())
       other->mesh.periodic[axis] = {sides_of_grid[2 * axis], sides_of_grid[2 * axis + 1]};
   check_counter(keys, *other);
-  other->analysis          = analysis;
   other->time              = time;
   other->sweep             = sweep;
   other->energy_interval   = energy_interval;
   other->step.acceleration = step.acceleration;
-  if (other->mesh.is_plane_grid()) // it is computed upside down
+  if (other->is_turned_over())
     {
       other->step.acceleration[1] *= -1.;
       other->body.initial_velocity[1] *= -1.;
@@ -141,10 +141,15 @@ void ContactParameters::check_counter(const Keys &keys,
                                       const ContactParameters &other) const
 {
   const std::string size = other.mesh.is_given() ? "Mesh/File" : "Size";
-  keys.require(analysis == ContactAnalysis::transient, size,
-               "a counter body is known in transient runs only; leave it empty, or set "
-               "Analysis = transient");
-  keys.require(mesh.is_plane_grid() == other.mesh.is_plane_grid(), size,
+  keys.require(analysis == ContactAnalysis::transient ||
+                 analysis == ContactAnalysis::static_contact ||
+                 analysis == ContactAnalysis::complex_modes,
+               size,
+               "a counter body is known in transient runs, static contact and complex "
+               "modes; leave it empty, or set Analysis = transient");
+  keys.require(analysis != ContactAnalysis::transient ||
+                 mesh.is_plane_grid() == other.mesh.is_plane_grid(),
+               size,
                mesh.is_plane_grid()
                  ? "the body is a plane grid, and so has to be the counter body; give "
                    "Counter body/Size and Cells, or set Mesh/File"

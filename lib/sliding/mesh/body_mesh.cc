@@ -10,6 +10,7 @@
 #include "exchange/mesh_datasets.h"
 #include "mesh/cell_quality.h"
 #include "mesh/periodic_points.h"
+#include "program/output_folder.h"
 
 #include <algorithm>
 #include <numeric>

@@ -42,8 +42,9 @@ CellReader reader_of_box(const BodyParameters &parameters,
     return [](const CellBlock<3> &block) {
       return std::vector<std::uint16_t>(block.n_cells());
     };
-  return
-    [rve, grid](const CellBlock<3> &block) { return constituents_in(*rve, grid, block); };
+  return [section = parameters.section, rve, grid](const CellBlock<3> &block) {
+    return constituents_in(section, *rve, grid, block);
+  };
 }
 
 /** Sets the materials of the cells of the mesh, ascending in the box. Returns the number of cells

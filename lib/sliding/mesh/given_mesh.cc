@@ -3,6 +3,7 @@
 #include "base/errors.h"
 #include "base/exchange.h"
 #include "base/object_exchange.h"
+#include "eigenvalues/complex/sliding_pencil.h"
 #include "exchange/datasets.h"
 #include "material/plausibility.h"
 #include "program/machine.h"
@@ -173,7 +174,7 @@ void GivenMesh<dim>::make_elastic(const MPI_Comm communicator, const bool whole)
                 parameters.mesh, has_contact ? parameters.mesh.contact_boundary : "",
     has_top ? parameters.mesh.top_boundary : "", phases, communicator, whole);
   of_statics->stand_on(this->foundation());
-  if (body.contact.points.empty())
+  if (body.contact.points.empty() || parameters.is_counter)
     return;
   order_contact(body, *of_statics);
   describe_contact();
@@ -186,13 +187,13 @@ const ElasticBody<dim> &GivenMesh<dim>::elastic() const
 }
 
 template <int dim>
-std::unique_ptr<ElasticBody<dim>>
-GivenMesh<dim>::make_damping(const StepParameters &step,
-                             const MPI_Comm communicator) const
+DampingByPhase GivenMesh<dim>::make_damping(const StepParameters &step,
+                                            const MPI_Comm communicator) const
 {
-  return mesh->make_elastic(
+  const auto damped = mesh->make_elastic(
     parameters.mesh, parameters.mesh.contact_boundary, parameters.mesh.top_boundary,
     phases_of_damping(phases, mesh->of_materials(step)), communicator, true);
+  return {whole_stiffness(*damped, communicator), damped->lumped_mass()};
 }
 
 template <int dim>
@@ -220,6 +221,16 @@ std::vector<SupportNodes> GivenMesh<dim>::side_nodes() const
   for (const MeshSide &side : body.sides)
     sides.push_back(nodes_of(side, *of_statics));
   return sides;
+}
+
+template <int dim>
+std::vector<NodeIndex> GivenMesh<dim>::contact_of_elastic() const
+{
+  std::vector<NodeIndex> nodes;
+  for (const unsigned int point : body.contact.points)
+    if (const auto node = of_statics->find(point))
+      nodes.push_back(*node);
+  return nodes;
 }
 
 template <int dim>

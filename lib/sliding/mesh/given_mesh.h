@@ -35,12 +35,13 @@ public:
 
   void make_elastic(const MPI_Comm communicator, const bool whole) override;
   const ElasticBody<dim> &elastic() const override;
-  std::unique_ptr<ElasticBody<dim>>
-  make_damping(const StepParameters &step, const MPI_Comm communicator) const override;
+  DampingByPhase make_damping(const StepParameters &step,
+                              const MPI_Comm communicator) const override;
   DofMask held(const TopSetup &top, const bool contact_held) const override;
   std::size_t n_free(const TopSetup &top, const bool contact_held) const override;
   SupportNodes top_nodes() const override;
   std::vector<SupportNodes> side_nodes() const override;
+  std::vector<NodeIndex> contact_of_elastic() const override;
   NodalField<double> compressed(const double strain) const override;
   std::vector<ContactCell> contact_cells(const NodalField<double> &u) const override;
   std::vector<std::vector<double>> contact_places() const override;
@@ -57,9 +58,16 @@ public:
             const std::vector<XdmfField> &fields,
             const std::vector<double> &times) const override;
 
+  /** The body that elastic() is. */
+  const PointBody<dim> &points() const
+  {
+    return *of_statics;
+  }
+
+  using GivenBody<dim>::parameters;
+
 private:
   using GivenBody<dim>::known;
-  using GivenBody<dim>::parameters;
 
   std::unique_ptr<BodyMesh<dim>> mesh;   ///< on rank 0, see BodyMesh::share()
   MeshBodyDescription body;              ///< the same on all ranks

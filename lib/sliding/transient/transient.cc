@@ -8,6 +8,7 @@
 #include "material/plausibility.h"
 #include "parameters/keys.h"
 #include "program/run_context.h"
+#include "sliding/counter/counter_text.h"
 #include "sliding/counter/partners.h"
 #include "sliding/transient/run_draft.h"
 #include "sliding/transient/transient_run.h"
@@ -29,13 +30,6 @@ std::unique_ptr<GivenBody<dim>> counter_of(const GivenBody<dim> &body)
                                  : nullptr;
 }
 
-/** What is told of it. */
-std::string of_counter(const std::string &line)
-{
-  const std::string start = "Body: ";
-  return "Counter body: " +
-         (line.rfind(start, 0) == 0 ? line.substr(start.size()) : line);
-}
 } // namespace
 
 template <int dim>
@@ -91,9 +85,9 @@ void TransientAnalysis<dim>::describe(std::ostream &out) const
   if (counter)
     {
       for (const std::string &line : counter->told())
-        out << of_counter(line) << '\n';
+        out << text_of_counter(line) << '\n';
       for (const std::string &warning : counter->facts().warnings)
-        out << "warning: " << of_counter(warning) << '\n';
+        out << "warning: " << text_of_counter(warning) << '\n';
     }
   out << time.text() << "\nTimes: " << crossing_text(parameters, facts.scales) << '\n'
       << needs.text() << bytes_text(needs.disk.bytes) << " on the disk\n";
@@ -139,9 +133,9 @@ void TransientAnalysis<dim>::run(RunContext &context)
   if (counter)
     {
       for (const std::string &line : counter->told())
-        context.log(of_counter(line));
+        context.log(text_of_counter(line));
       for (const std::string &warning : counter->facts().warnings)
-        context.warn(of_counter(warning));
+        context.warn(text_of_counter(warning));
     }
   TransientCheckpoint checkpoint(context, parameters.checkpoints,
                                  identity + "Time step in s = " + to_text(time.step.dt) +

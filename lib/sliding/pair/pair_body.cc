@@ -1,0 +1,262 @@
+#include "sliding/pair/pair_body.h"
+
+#include "sliding/pair/factorized_solver.h"
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+#include <stdexcept>
+
+namespace mesoslip
+{
+namespace
+{
+using Triplet = Eigen::Triplet<double, std::int64_t>;
+
+template <int dim>
+std::vector<ElasticPhase<dim>> phases_of(const ElasticBody<dim> &above,
+                                         const ElasticBody<dim> &below)
+{
+  std::vector<ElasticPhase<dim>> all = above.phases();
+  all.insert(all.end(), below.phases().begin(), below.phases().end());
+  return all;
+}
+
+/** Degree of freedom of component @p c of a node, see MatrixEntry. */
+template <int dim>
+std::int64_t dof_of(const unsigned int node, const unsigned int c)
+{
+  return static_cast<std::int64_t>(dim) * node + c;
+}
+
+/** The components of a node one after the other, as degrees of freedom are numbered. */
+template <int dim>
+Eigen::VectorXd vector_of(const NodalField<double> &field)
+{
+  Eigen::VectorXd x(static_cast<Eigen::Index>(dim) * field.n_columns());
+  for (unsigned int c = 0; c < dim; ++c)
+    for (unsigned int i = 0; i < field.n_columns(); ++i)
+      x[dof_of<dim>(i, c)] = field.row(c, 0)[i];
+  return x;
+}
+
+template <int dim>
+void take(NodalField<double> &field, const Eigen::VectorXd &x, const unsigned int first)
+{
+  for (unsigned int c = 0; c < dim; ++c)
+    for (unsigned int i = 0; i < field.n_columns(); ++i)
+      field.row(c, 0)[i] = x[dof_of<dim>(first + i, c)];
+}
+} // namespace
+
+RealMatrix blocks_of(const std::array<RealMatrix, 2> &matrices)
+{
+  std::vector<Triplet> entries;
+  Eigen::Index first = 0;
+  for (const RealMatrix &matrix : matrices)
+    {
+      for (Eigen::Index column = 0; column < matrix.outerSize(); ++column)
+        for (RealMatrix::InnerIterator entry(matrix, column); entry; ++entry)
+          entries.emplace_back(first + entry.row(), first + entry.col(), entry.value());
+      first += matrix.rows();
+    }
+  RealMatrix all(first, first);
+  all.setFromTriplets(entries.begin(), entries.end());
+  return all;
+}
+
+template <int dim>
+PairBody<dim>::PairBody(const PointBody<dim> &above,
+                        const PointBody<dim> &below,
+                        const std::vector<NodeIndex> &below_contact,
+                        const std::array<RealMatrix, 2> &stiffness,
+                        const Motion motion)
+  : ElasticBody<dim>(above.n_columns() + below.n_columns(),
+                     1,
+                     phases_of(above, below),
+                     above.periodicity())
+  , above(above)
+  , below(below)
+  , n_above(above.n_columns())
+  , motion(motion)
+  , follows(this->n_columns())
+{
+  for (const NodeIndex &node : below_contact)
+    partners.push_back(below_node(node));
+  for (unsigned int d = 0; d < dim; ++d)
+    this->extents[d] = above.extent(d);
+  this->total_volume    = above.volume() + below.volume();
+  this->mass            = above.total_mass() + below.total_mass();
+  this->number_of_cells = above.n_cells() + below.n_cells();
+  for (const unsigned int id : {ElasticBody<dim>::bottom, ElasticBody<dim>::top})
+    this->sides[id] = above.surface(id);
+  this->duplicates = above.duplicate_nodes();
+  for (const auto &[duplicate, original] : below.duplicate_nodes())
+    this->duplicates.push_back({{below_node(duplicate), below_node(original)}});
+  std::iota(follows.begin(), follows.end(), 0U);
+  for (const auto &[duplicate, original] : this->duplicates)
+    follows[duplicate.i] = follows[original.i];
+  if (motion == Motion::relative)
+    this->n_counted = n_above;
+  T                   = transformation();
+  RealMatrix of_cells = blocks_of(stiffness);
+  std::vector<Triplet> held;
+  for (const SpringEntry &spring : springs_at_contact())
+    held.emplace_back(dof_of<dim>(spring.node.i, spring.c),
+                      dof_of<dim>(spring.node.i, spring.d), spring.stiffness);
+  RealMatrix of_springs(of_cells.rows(), of_cells.cols());
+  of_springs.setFromTriplets(held.begin(), held.end());
+  of_cells += of_springs;
+  K = T.transpose() * (of_cells * T).eval();
+  take_foundations();
+}
+
+/** Rows of duplicates are those of their originals. */
+template <int dim>
+RealMatrix PairBody<dim>::transformation() const
+{
+  std::vector<int> partner_of(this->n_columns(), -1);
+  const std::vector<NodeIndex> &contact = this->surface(ElasticBody<dim>::bottom).nodes;
+  for (std::size_t k = 0; k < contact.size() && motion == Motion::relative; ++k)
+    partner_of[contact[k].i] = static_cast<int>(partners[k].i);
+  std::vector<Triplet> entries;
+  for (unsigned int k = 0; k < follows.size(); ++k)
+    for (unsigned int c = 0; c < dim; ++c)
+      {
+        const unsigned int node = follows[k];
+        entries.emplace_back(dof_of<dim>(k, c), dof_of<dim>(node, c), 1.);
+        if (partner_of[node] >= 0)
+          entries.emplace_back(
+            dof_of<dim>(k, c),
+            dof_of<dim>(static_cast<unsigned int>(partner_of[node]), c), 1.);
+      }
+  const auto n = static_cast<Eigen::Index>(dim * follows.size());
+  RealMatrix matrix(n, n);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+/** Of supports of the upper body, which act on its absolute displacements; where these are relative ones. */
+template <int dim>
+std::vector<SpringEntry> PairBody<dim>::springs_at_contact() const
+{
+  std::vector<SpringEntry> found;
+  if (motion == Motion::absolute)
+    return found;
+  std::set<unsigned int> at_contact;
+  for (const NodeIndex &node : this->surface(ElasticBody<dim>::bottom).nodes)
+    at_contact.insert(node.i);
+  for (const SpringEntry &spring : above.foundation().springs)
+    if (at_contact.count(follows[spring.node.i]) > 0)
+      found.push_back(spring);
+  return found;
+}
+
+/** Those of both bodies, but for springs that are in K and for masses, which are in theirs. */
+template <int dim>
+void PairBody<dim>::take_foundations()
+{
+  const std::vector<SpringEntry> in_K = springs_at_contact();
+  std::set<unsigned int> nodes;
+  for (const SpringEntry &spring : in_K)
+    nodes.insert(spring.node.i);
+  Foundation both;
+  for (const SpringEntry &spring : above.foundation().springs)
+    if (nodes.count(spring.node.i) == 0)
+      both.springs.push_back(spring);
+  both.dashpots     = above.foundation().dashpots;
+  const auto append = [this](std::vector<SpringEntry> &to,
+                             const std::vector<SpringEntry> &from) {
+    for (SpringEntry entry : from)
+      {
+        entry.node = below_node(entry.node);
+        to.push_back(entry);
+      }
+  };
+  append(both.springs, below.foundation().springs);
+  append(both.dashpots, below.foundation().dashpots);
+  this->stand_on(both);
+}
+
+template <int dim>
+std::array<NodalField<double>, 2> PairBody<dim>::parts(const NodalField<double> &u) const
+{
+  const Eigen::VectorXd absolute         = T * vector_of<dim>(u);
+  std::array<NodalField<double>, 2> both = {{above.zero_field(), below.zero_field()}};
+  take<dim>(both[0], absolute, 0);
+  take<dim>(both[1], absolute, n_above);
+  return both;
+}
+
+template <int dim>
+std::array<double, dim> PairBody<dim>::point(const NodeIndex &node) const
+{
+  return node.i < n_above ? above.point(node) : below.point({node.i - n_above, 0});
+}
+
+template <int dim>
+std::size_t PairBody<dim>::n_cell_groups() const
+{
+  return above.n_cell_groups() + below.n_cell_groups();
+}
+
+template <int dim>
+void PairBody<dim>::evaluate(const NodalField<double> &u,
+                             const std::size_t group,
+                             Cells &cells) const
+{
+  const auto both = parts(u);
+  if (group < above.n_cell_groups())
+    return above.evaluate(both[0], group, cells);
+  below.evaluate(both[1], group - above.n_cell_groups(), cells);
+  for (unsigned int &phase : cells.phase)
+    phase += static_cast<unsigned int>(above.phases().size());
+}
+
+template <int dim>
+void PairBody<dim>::multiply(NodalField<double> &Ku, const NodalField<double> &u) const
+{
+  take<dim>(Ku, K * vector_of<dim>(u), 0);
+  this->copy_duplicates(Ku);
+}
+
+template <int dim>
+std::vector<double> PairBody<dim>::mass_of_cells() const
+{
+  std::vector<double> all         = above.lumped_mass();
+  const std::vector<double> other = below.lumped_mass();
+  all.insert(all.end(), other.begin(), other.end());
+  const std::vector<NodeIndex> &contact = this->surface(ElasticBody<dim>::bottom).nodes;
+  for (std::size_t k = 0; k < contact.size() && motion == Motion::relative; ++k)
+    all[partners[k].i] += all[contact[k].i];
+  for (std::size_t k = n_above; k < all.size(); ++k)
+    all[k] = all[follows[k]];
+  return all;
+}
+
+template <int dim>
+std::vector<MatrixEntry> PairBody<dim>::stiffness_entries() const
+{
+  std::vector<MatrixEntry> entries;
+  for (Eigen::Index column = 0; column < K.outerSize(); ++column)
+    for (RealMatrix::InnerIterator entry(K, column); entry; ++entry)
+      entries.push_back({static_cast<std::uint64_t>(entry.row()),
+                         static_cast<std::uint64_t>(entry.col()), entry.value()});
+  return entries;
+}
+
+template <int dim>
+std::unique_ptr<StaticSolver> PairBody<dim>::make_solver() const
+{
+  return std::make_unique<FactorizedSolver<dim>>(*this);
+}
+
+template <int dim>
+std::unique_ptr<ElasticBody<dim>> PairBody<dim>::make_periodic() const
+{
+  throw std::invalid_argument("a pair of bodies is not periodic along all axes");
+}
+
+template class PairBody<2>;
+template class PairBody<3>;
+} // namespace mesoslip
