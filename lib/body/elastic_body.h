@@ -204,6 +204,11 @@ public:
     return std::nullopt;
   }
 
+  /** Makes of the @p force on nodes that on the displacements of fields; not the same where some of these are relative. */
+  virtual void act_on_displacements(NodalField<double> & /*force*/) const
+  {
+  }
+
   /** Place of a node, from the lower corner of the bounding box (m). */
   virtual std::array<double, dim> point(const NodeIndex &node) const = 0;
 

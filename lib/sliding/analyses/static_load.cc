@@ -99,6 +99,7 @@ StaticLoad<dim>::StaticLoad(const GivenBody<dim> &body,
             pressure * of_sides[s].carried.push_of(k, c);
       pull(of_sides[s], sides[s].suspension);
     }
+  elastic.act_on_displacements(whole_load);
   add_platens(body);
 }
 

@@ -190,6 +190,25 @@ const ElasticBody<dim> &GivenPair<dim>::vibrating() const
   return *moving;
 }
 
+namespace
+{
+/** A common alpha acts on masses of supports as well. */
+template <int dim>
+DampingByPhase damping_of(const GivenMesh<dim> &body,
+                          const StepParameters &step,
+                          const MPI_Comm communicator)
+{
+  DampingByPhase damping    = body.make_damping(step, communicator);
+  const StepParameters &own = body.parameters.step;
+  if (!own.alpha_of_phases.empty())
+    return damping;
+  damping.drags = body.points().lumped_mass();
+  for (double &drag : damping.drags)
+    drag *= own.alpha;
+  return damping;
+}
+} // namespace
+
 template <int dim>
 DampingByPhase GivenPair<dim>::make_damping(const StepParameters &step,
                                             const MPI_Comm communicator) const
@@ -202,8 +221,8 @@ DampingByPhase GivenPair<dim>::make_damping(const StepParameters &step,
       (of_bodies[0].*values).assign(all.begin(), all.begin() + n);
       (of_bodies[1].*values).assign(all.begin() + n, all.end());
     }
-  const DampingByPhase own   = above->make_damping(of_bodies[0], communicator),
-                       other = below->make_damping(of_bodies[1], communicator);
+  const DampingByPhase own   = damping_of(*above, of_bodies[0], communicator),
+                       other = damping_of(*below, of_bodies[1], communicator);
   DampingByPhase both{blocks_of({{own.stiffness, other.stiffness}}), own.drags};
   both.drags.insert(both.drags.end(), other.drags.begin(), other.drags.end());
   return both;

@@ -98,6 +98,9 @@ PairBody<dim>::PairBody(const PointBody<dim> &above,
     follows[duplicate.i] = follows[original.i];
   if (motion == Motion::relative)
     this->n_counted = n_above;
+  masses                          = above.lumped_mass();
+  const std::vector<double> other = below.lumped_mass();
+  masses.insert(masses.end(), other.begin(), other.end());
   T                   = transformation();
   RealMatrix of_cells = blocks_of(stiffness);
   std::vector<Triplet> held;
@@ -189,6 +192,15 @@ std::array<NodalField<double>, 2> PairBody<dim>::parts(const NodalField<double> 
 }
 
 template <int dim>
+void PairBody<dim>::act_on_displacements(NodalField<double> &force) const
+{
+  const std::vector<NodeIndex> &contact = this->surface(ElasticBody<dim>::bottom).nodes;
+  for (std::size_t k = 0; k < contact.size() && motion == Motion::relative; ++k)
+    for (unsigned int c = 0; c < dim; ++c)
+      force(c, partners[k]) += force(c, contact[k]);
+}
+
+template <int dim>
 std::array<double, dim> PairBody<dim>::point(const NodeIndex &node) const
 {
   return node.i < n_above ? above.point(node) : below.point({node.i - n_above, 0});
@@ -218,20 +230,6 @@ void PairBody<dim>::multiply(NodalField<double> &Ku, const NodalField<double> &u
 {
   take<dim>(Ku, K * vector_of<dim>(u), 0);
   this->copy_duplicates(Ku);
-}
-
-template <int dim>
-std::vector<double> PairBody<dim>::mass_of_cells() const
-{
-  std::vector<double> all         = above.lumped_mass();
-  const std::vector<double> other = below.lumped_mass();
-  all.insert(all.end(), other.begin(), other.end());
-  const std::vector<NodeIndex> &contact = this->surface(ElasticBody<dim>::bottom).nodes;
-  for (std::size_t k = 0; k < contact.size() && motion == Motion::relative; ++k)
-    all[partners[k].i] += all[contact[k].i];
-  for (std::size_t k = n_above; k < all.size(); ++k)
-    all[k] = all[follows[k]];
-  return all;
 }
 
 template <int dim>

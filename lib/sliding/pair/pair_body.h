@@ -17,7 +17,7 @@ RealMatrix blocks_of(const std::array<RealMatrix, 2> &matrices);
  * Two bodies that meet node by node, as one for statics and modes, with whole fields: in one row the nodes of the upper body,
  * behind them those of the lower one. Its contact is that of the upper body. The displacements u are absolute, or those of the
  * nodes of its contact are relative to their partners: u_1 = u + u_2. Then the conditions of the contact are those on a rigid
- * flat, forces on these nodes act on both bodies, and the stiffness is T^T K T with the matrix T that makes displacements
+ * flat, forces on these displacements act on both bodies, and the stiffness is T^T K T with the matrix T that makes them
  * absolute; nodes of the lower body, which has to be held by itself, do not count in sums.
  */
 template <int dim>
@@ -34,7 +34,7 @@ public:
   };
 
   /** @p stiffness of the cells of both bodies, of which @p partners are the nodes below those of the contact. The bodies must
-   * outlive it. */
+   * outlive it. Collective. */
   PairBody(const PointBody<dim> &above,
            const PointBody<dim> &below,
            const std::vector<NodeIndex> &partners,
@@ -55,6 +55,7 @@ public:
     return partners[k];
   }
 
+  void act_on_displacements(NodalField<double> &force) const override;
   std::array<double, dim> point(const NodeIndex &node) const override;
   std::size_t n_cell_groups() const override;
   void evaluate(const NodalField<double> &u,
@@ -68,7 +69,11 @@ public:
 
 private:
   void multiply(NodalField<double> &Ku, const NodalField<double> &u) const override;
-  std::vector<double> mass_of_cells() const override;
+  std::vector<double> mass_of_cells() const override
+  {
+    return masses;
+  }
+
   RealMatrix transformation() const;
   std::vector<SpringEntry> springs_at_contact() const;
   void take_foundations();
@@ -79,9 +84,10 @@ private:
   const Motion motion;
   std::vector<NodeIndex> partners; ///< of the nodes of the contact
   std::vector<unsigned int>
-    follows;    ///< of each node the one that it duplicates, or itself
-  RealMatrix T; ///< makes displacements absolute
-  RealMatrix K; ///< of cells, and of springs that hold the contact
+    follows;                  ///< of each node the one that it duplicates, or itself
+  std::vector<double> masses; ///< of the nodes (kg, in 2D kg/m)
+  RealMatrix T;               ///< makes displacements absolute
+  RealMatrix K;               ///< of cells, and of springs that hold the contact
 };
 } // namespace mesoslip
 

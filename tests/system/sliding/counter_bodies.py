@@ -160,6 +160,39 @@ def check_ranks(folder, friction):
         check_equal([points_and_motion(folder, "run", "counter_body.h5")], [one], (name, "3 ranks"))
 
 
+def numbers_at_rest(folder, text):
+    """Growth and frequency of the first modes, and normal force, friction and largest displacement of both bodies at rest."""
+    folder.write("rest.prm", "set Analysis = static contact\n" + text)
+    folder.run(0, "contact_dynamics", "rest.prm", "--output", "rest", "--quiet")
+    summary = folder.summary("rest")
+    with h5py.File(folder("rest", "dynamics.h5")) as file, h5py.File(folder("rest", "counter_body.h5")) as below:
+        largest = [np.abs(one["snapshots/displacement"][()]).max() for one in (file, below)]
+    folder.write("modes.prm", "set Analysis = complex modes\n" + text)
+    folder.run(0, "contact_dynamics", "modes.prm", "--output", "modes", "--quiet")
+    modes = [[mode["growth_rate"], mode["frequency"]] for mode in folder.summary("modes")["complex_modes"]]
+    return np.array([summary["normal_force"], summary["tangential_force"]]), np.array(largest), modes
+
+
+def check_at_rest(folder):
+    """Static contact and complex modes of the same pair as grids, as meshes of their cells, and as boxes one cell deep."""
+    size, cells, deep = ([6, 4], [9, 6]), ([6, HEIGHT], [9, 4]), 0.5
+    thick = lambda body: ([body[0][0], deep, body[0][1]], [body[1][0], 1, body[1][1]])
+    rest = {"Flat/Velocity": 2, "Friction/Coefficient": 0.3, "Supports/Top/Kind": "pressure", "Supports/Top/Pressure": 5e6, "Supports/Top/Held": "u_x",
+            "Supports/Left/Kind": "springs", "Counter body/Supports/Bottom/Kind": "springs"}
+    found = []
+    for dim, above, below in ((2, "grid", "grid"), (2, "mesh", "grid"), (2, "mesh", "mesh"), (3, "grid", "grid"), (3, "mesh", "grid")):
+        pair = {**upper(folder, above, *(thick(size) if dim == 3 else size)), **lower(folder, below, *(thick(cells) if dim == 3 else cells))}
+        springs = {"Supports/Left/Spring stiffness": "1e12, 2e12", "Counter body/Supports/Bottom/Spring stiffness": "1e13, 2e13"}
+        keys = {**rest, **pair, **({key: in_3d(value) for key, value in springs.items()} if dim == 3 else springs)}
+        if dim == 3:
+            keys |= {f"{body}Supports/{side}/Held": "u_y" for body in ("", "Counter body/") for side in ("Front", "Back")}
+        force, largest, modes = numbers_at_rest(folder, ("set Dimension = 3\n" if dim == 3 else "") + prm(keys))
+        found.append((force / (1e-3 * deep) if dim == 3 else force, largest, modes))
+    for number, (force, largest, modes) in enumerate(found):
+        assert np.abs(force / found[0][0] - 1).max() < 1e-7 and np.abs(largest / found[0][1] - 1).max() < 1e-7, (number, force, largest, found[0])
+        assert len(modes) == len(found[0][2]) > 0 and np.abs(np.divide(modes, found[0][2]) - 1).max() < 1e-7, (number, modes, found[0][2])
+
+
 def check_sentences(folder):
     """What does not fit together is refused, and what the sentences advise works."""
     folder.write("run.prm", scene({**upper(folder, "mesh", [6, 4], [9, 6]), **lower(folder, "mesh", [6, HEIGHT], [9, 4])}, FRICTION[0]))
@@ -193,4 +226,5 @@ with tempfile.TemporaryDirectory() as place:
         check_kinds(here, law)
     for law in FRICTION[1:]:
         check_ranks(here, law)
+    check_at_rest(here)
     check_sentences(here)

@@ -82,7 +82,7 @@ def check_runs(folder):
 def check_sentences(folder):
     folder.write("run.prm", prm({**SOLID, **STEEL}))
     refused = lambda words, *settings: refuses(folder, words, *settings)
-    assert refused("known in transient runs only", "Analysis=modal")
+    assert refused("known in transient runs, static contact and complex modes", "Analysis=modal")
     assert refused("Flat/Profile; leave one of the two out", "Flat/Profile=1e-7*sin(x)")
     assert refused("give it the same width and cells along x", "Counter body/Cells=10, 5")
     assert refused("give it the same width and cells along x", "Counter body/Size=5e-3, 3e-3")

@@ -1,0 +1,150 @@
+"""Random pairs of bodies of random phases, pressed on each other on random supports, in static contact and in complex modes, on one rank and on two.
+
+The static solution is checked by what makes it one, with matrices written apart: no node of either body has a force left but those of the contact, which are
+opposite on partners; these press and slide with mu times their pressure, or are apart. Complex eigenvalues are those of a descriptor system with the normal reactions
+as multipliers, s M v = -K u - C v + B_n N + B_t q, B_n^T u = 0, (1 + s delta) q = mu N, by the QZ algorithm; on springs between the bodies N is k times their depth."""
+
+import csv
+import tempfile
+
+import numpy as np
+import scipy.linalg
+
+from random_pairs import ROWS, field, random_side, write_volume
+from random_supports import HX, NX, Body, supports_of
+from scenes import Folder, prm
+
+SEED, N_PAIRS = 4, 10
+HIGHEST, FASTEST = 4e5, 4e5
+
+
+class Half:
+    """One of the two bodies at rest."""
+
+    def __init__(self, random, is_counter):
+        self.is_counter = is_counter
+        self.body = Body(random, ROWS[is_counter], -ROWS[is_counter] * 0.6e-3 if is_counter else 0.0)
+        self.supports = [random_side(name, random, ["free", "pressure", "springs", "absorbing"]) for name in ("Left", "Right")]
+        name, kinds = ("Bottom", ["held", "springs"]) if is_counter else ("Top", ["pressure", "springs"])
+        self.supports.append(random_side(name, random, kinds))
+        for support in self.supports:
+            support.held = [0, 1] if support.kind == "held" else [0] if support.name == "Top" and support.kind == "pressure" else []
+            if support.kind == "springs":
+                support.k = 10 ** random.uniform(12, 13.5, 2)
+            if support.held == [0]:
+                for values in (support.k, support.z, support.shear, support.rate):
+                    values[0] = 0.0
+        self.springs, self.dashpots, self.added, self.held, self.load = supports_of(self.body, self.supports)
+        self.K = self.body.K + np.diag(self.springs)
+        self.mass = self.body.mass + self.added
+        self.C = self.body.K_beta + np.diag(self.body.drags(self.added))
+        for dofs, of_side, _, _ in self.dashpots:
+            self.C[dofs, dofs] += of_side
+        self.contact = np.flatnonzero(self.body.j == (ROWS[1] if is_counter else 0))
+
+    def keys(self, analysis):
+        start = "Counter body/" if self.is_counter else ""
+        keys = {start + key: value for support in self.supports for key, value in support.keys(analysis).items()}
+        if analysis == "complex modes":
+            keys |= {start + (key.partition("/")[2] if start else key): value for key, value in self.body.damping_keys().items()}
+        return keys | ({start + "RVE file": "counter/rve.h5", start + "Material": "heterogeneous"} if start else {"Body/RVE file": "body/rve.h5", "Body/Material": "heterogeneous"})
+
+    def left(self, u, weight):
+        """Forces that u leaves."""
+        force = self.load(0.0) + self.mass * np.tile(weight, len(u) // 2) - self.K @ u
+        return np.where(self.held, 0, force)
+
+
+def check_statics(first, second, u, v, mu, weight, stiffness):
+    """Returns which contact nodes touch."""
+    a, b = first.left(u, weight), second.left(v, weight)
+    scale = np.abs(np.where(first.held, first.K @ u, 0)).max() + np.abs(first.load(0.0)).max()
+    x, z = 2 * first.contact, 2 * second.contact
+    pressed, tangential, gap = -a[x + 1], -a[x], u[x + 1] - v[z + 1]
+    for force, dofs in ((a, (x, x + 1)), (b, (z, z + 1))):
+        inner = np.delete(force, np.concatenate(dofs))
+        assert np.abs(inner).max() < 1e-7 * scale, np.abs(inner).max() / scale
+    free = ~second.held[z + 1]
+    assert np.abs((a + 0)[x + 1] + b[z + 1])[free].max(initial=0) < 1e-7 * scale and np.abs(a[x] + b[z])[~second.held[z]].max(initial=0) < 1e-7 * scale
+    touching = pressed > 1e-6 * scale
+    wanted = -pressed / stiffness if stiffness is not None else 0 * gap
+    assert (pressed > -1e-7 * scale).all() and (gap > wanted - 1e-7 * np.abs(u).max()).all(), (pressed, gap)
+    assert np.abs(gap - wanted)[touching].max() < 1e-7 * np.abs(u).max() and np.abs(tangential - mu * pressed).max() < 1e-6 * scale
+    return touching
+
+
+def eigenvalues(first, second, touching, mu, delta, stiffness):
+    free = [np.flatnonzero(~half.held) for half in (first, second)]
+    n1, n = len(free[0]), len(free[0]) + len(free[1])
+    K, C, M = (scipy.linalg.block_diag(*[matrix[np.ix_(some, some)] for matrix, some in zip(pair, free)])
+               for pair in ((first.K, second.K), (first.C, second.C), (np.diag(first.mass), np.diag(second.mass))))
+    nodes = np.flatnonzero(touching)
+    m = len(nodes)
+    normal, along = np.zeros((n, m)), np.zeros((n, m))
+    for k, node in enumerate(nodes):
+        for matrix, c in ((along, 0), (normal, 1)):
+            matrix[np.flatnonzero(free[0] == 2 * first.contact[node] + c), k] = 1
+            matrix[n1 + np.flatnonzero(free[1] == 2 * second.contact[node] + c), k] = -1
+    # u, v, N, q
+    eye, no = np.eye, np.zeros
+    A = np.block([[no((n, n)), eye(n), no((n, 2 * m))], [-K, -C, normal, along],
+                  [normal.T, no((m, n)), np.diag(1 / stiffness[nodes]) if stiffness is not None else no((m, m)), no((m, m))], [no((m, 2 * n)), mu * eye(m), -eye(m)]])
+    B = scipy.linalg.block_diag(eye(n), M, no((m, m)), delta * eye(m))
+    scale = 1e6  # 1/s: balances u and v
+    rows = np.concatenate([np.ones(n), 1 / np.full(n, np.abs(M).max() * scale), np.full(m, scale), np.ones(m)])
+    A, B = rows[:, None] * A, rows[:, None] * B * scale
+    columns = np.concatenate([np.full(n, 1 / scale), np.ones(n), np.full(2 * m, np.abs(M).max() * scale)])
+    alpha, beta = scipy.linalg.eig(A * columns, B * columns, right=False, homogeneous_eigvals=True)
+    finite = np.abs(beta) > 1e-9 * np.abs(alpha)
+    s = scale * alpha[finite] / beta[finite]
+    return s[(s.imag > 1e-3 * np.abs(s)) & (np.abs(s) < 1e9)]
+
+
+def check(folder, random, number):
+    first, second = Half(random, False), Half(random, True)
+    weight = random.uniform(-1, 1, 2) * 1e6
+    mu, delta = random.choice([0.0, 0.3]), random.choice([0.0, 2e-6])
+    stiffness = random.choice([0, 1]) * np.where((np.arange(NX + 1) % NX) == 0, 0.5, 1) * HX * 2e13
+    stiffness = stiffness if stiffness.any() else None
+    for half, name in ((first, "body"), (second, "counter")):
+        write_volume(folder, name, half)
+    common = {"Flat/Velocity": 2, "Friction/Coefficient": mu, "Body/Acceleration": "%.17g, %.17g" % tuple(weight), "Static contact/Tolerance": 1e-10,
+              **({} if stiffness is None else {"Flat/Normal stiffness": 2e13})}
+    errors = []
+    for ranks in (1, 2):
+        folder.write("run.prm", prm({"Analysis": "static contact", **first.keys("static contact"), **second.keys("static contact"), **common}))
+        try:
+            folder.run(0, "contact_dynamics", "run.prm", "--output", "run", "--quiet", ranks=ranks)
+        except AssertionError as refusal:
+            if ranks > 1 or not any(words in str(refusal) for words in ("lifts off or tips", "there is no equilibrium", "has to be positive (pressing)")):
+                raise
+            return 0
+        u, v = (field(folder, name)[0] for name in ("dynamics.h5", "counter_body.h5"))
+        touching = check_statics(first, second, u, v, mu, weight, stiffness)
+        folder.write("run.prm", prm({"Analysis": "complex modes", **first.keys("complex modes"), **second.keys("complex modes"), **common,
+                                     **({"Friction/Regularization time": delta} if delta else {"Friction/Law": "coulomb"}), "Complex modes/Highest frequency": HIGHEST, "Complex modes/Fastest decay": FASTEST}))
+        folder.run(0, "contact_dynamics", "run.prm", "--output", "modes", "--quiet", ranks=ranks)
+        rows = list(csv.DictReader(folder.read("modes", "complex_modes.csv").decode().splitlines()))
+        found = np.array([float(row["growth_rate [1/s]"]) + 2j * np.pi * float(row["frequency [Hz]"]) for row in rows])
+        expected = eigenvalues(first, second, touching, mu, delta, stiffness)
+        wanted = expected[(expected.imag < 2 * np.pi * HIGHEST * 0.999) & (expected.real > -0.999 * FASTEST) & (expected.imag > 1.001 * -expected.real)]
+        errors.append(max([0.0] + [np.abs(found / s - 1).min() for s in wanted] + [np.abs(expected / s - 1).min() for s in found]))
+        n_modes = len(found)
+        what = (number, ranks, mu, delta, stiffness is not None, [(s.name, s.kind) for s in first.supports + second.supports])
+        assert errors[-1] < 1e-6, (*what, errors, np.sort_complex(found), np.sort_complex(wanted))
+        assert folder.summary("modes")["separated_nodes"] == len(touching) - touching.sum()
+    print(number, f"mu {mu}, delta {delta}, {'springs, ' if stiffness is not None else ''}{touching.sum()} of {len(touching)} touch, {n_modes} modes, {max(errors):.1e}",
+          [s.kind for s in first.supports + second.supports])
+    return n_modes
+
+
+def main():
+    print("seed", SEED)
+    random = np.random.default_rng(SEED)
+    with tempfile.TemporaryDirectory() as path:
+        n_modes = [check(Folder(path), random, number) for number in range(N_PAIRS)]
+    assert sum(n_modes) > N_PAIRS, n_modes
+
+
+if __name__ == "__main__":
+    main()
