@@ -113,8 +113,8 @@ def write_volume(folder, name, half):
     folder.run(0, "rve_homogenization", "rve.prm", "--output", name, "--quiet")
 
 
-def field(folder, name):
-    with h5py.File(folder("run", name)) as file:
+def field(folder, name, of_run="run"):
+    with h5py.File(folder(of_run, name)) as file:
         values = file["snapshots/displacement"][()]
         assert name == "dynamics.h5" or abs(file["grid"].attrs["origin"][1] + ROWS[1] * HY) < 1e-15
     return values.reshape(len(values), -1)

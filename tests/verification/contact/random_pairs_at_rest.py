@@ -55,8 +55,8 @@ class Half:
         return np.where(self.held, 0, force)
 
 
-def check_statics(first, second, u, v, mu, weight, stiffness):
-    """Returns which contact nodes touch."""
+def check_statics(first, second, u, v, mu, weight, stiffness, sliding=True):
+    """Returns which contact nodes touch. Without `sliding` these stick or slip against their relative displacement."""
     a, b = first.left(u, weight), second.left(v, weight)
     scale = np.abs(np.where(first.held, first.K @ u, 0)).max() + np.abs(first.load(0.0)).max()
     x, z = 2 * first.contact, 2 * second.contact
@@ -69,7 +69,13 @@ def check_statics(first, second, u, v, mu, weight, stiffness):
     touching = pressed > 1e-6 * scale
     wanted = -pressed / stiffness if stiffness is not None else 0 * gap
     assert (pressed > -1e-7 * scale).all() and (gap > wanted - 1e-7 * np.abs(u).max()).all(), (pressed, gap)
-    assert np.abs(gap - wanted)[touching].max() < 1e-7 * np.abs(u).max() and np.abs(tangential - mu * pressed).max() < 1e-6 * scale
+    assert np.abs(gap - wanted)[touching].max() < 1e-7 * np.abs(u).max()
+    if sliding:
+        assert np.abs(tangential - mu * pressed).max() < 1e-6 * scale
+    else:
+        slip, sticks = u[x] - v[z], np.abs(tangential) < mu * pressed - 1e-6 * scale
+        assert (np.abs(tangential) < mu * pressed + 1e-6 * scale).all() and np.abs(slip[sticks]).max(initial=0) < 1e-7 * np.abs(u).max()
+        assert (tangential * slip)[touching & ~sticks].max(initial=0) < 1e-7 * scale * np.abs(u).max(), (tangential, slip)
     return touching
 
 
@@ -121,6 +127,9 @@ def check(folder, random, number):
             return 0
         u, v = (field(folder, name)[0] for name in ("dynamics.h5", "counter_body.h5"))
         touching = check_statics(first, second, u, v, mu, weight, stiffness)
+        folder.run(0, "contact_dynamics", "run.prm", "--output", "still", "--quiet", "--set", "Flat/Velocity=0", ranks=ranks)
+        still = [field(folder, name, "still")[0] for name in ("dynamics.h5", "counter_body.h5")]
+        check_statics(first, second, *still, mu, weight, stiffness, False)
         folder.write("run.prm", prm({"Analysis": "complex modes", **first.keys("complex modes"), **second.keys("complex modes"), **common,
                                      **({"Friction/Regularization time": delta} if delta else {"Friction/Law": "coulomb"}), "Complex modes/Highest frequency": HIGHEST, "Complex modes/Fastest decay": FASTEST}))
         folder.run(0, "contact_dynamics", "run.prm", "--output", "modes", "--quiet", ranks=ranks)

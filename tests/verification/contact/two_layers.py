@@ -26,40 +26,41 @@ def moduli(layer):
     return lame, shear
 
 
-def compliance(layer, s, side):
-    """u_y at the contact y = 0 by sigma_yy = 1 and by sigma_xy = 1; the far side is at y = side * height."""
+def compliance(layer, s, side, k, held):
+    """u_y at the contact y = 0 by sigma_yy = 1 and by sigma_xy = 1; the far side at y = side * height is under a constant pressure, or held along y, too."""
     lame, shear = moduli(layer)
     rho, far = layer["density"], side * layer["height"]
-    p, q = np.sqrt(K * K + rho * s * s / (lame + 2 * shear) + 0j), np.sqrt(K * K + rho * s * s / shear + 0j)
+    p, q = np.sqrt(k * k + rho * s * s / (lame + 2 * shear) + 0j), np.sqrt(k * k + rho * s * s / shear + 0j)
 
     def fields(y):
         """u_x, u_y, sigma_yy, sigma_xy of the four partial waves: phi = exp(+-p y), psi = exp(+-q y), u_x = i k phi + psi', u_y = phi' - i k psi."""
         columns = []
         for sign in (1, -1):
             e = np.exp(sign * p * y)
-            ux, uy, uy_y, ux_y = 1j * K * e, sign * p * e, p * p * e, 1j * K * sign * p * e
-            columns.append([ux, uy, (lame + 2 * shear) * uy_y + lame * 1j * K * ux, shear * (ux_y + 1j * K * uy)])
+            ux, uy, uy_y, ux_y = 1j * k * e, sign * p * e, p * p * e, 1j * k * sign * p * e
+            columns.append([ux, uy, (lame + 2 * shear) * uy_y + lame * 1j * k * ux, shear * (ux_y + 1j * k * uy)])
         for sign in (1, -1):
             e = np.exp(sign * q * y)
-            ux, uy, uy_y, ux_y = sign * q * e, -1j * K * e, -1j * K * sign * q * e, q * q * e
-            columns.append([ux, uy, (lame + 2 * shear) * uy_y + lame * 1j * K * ux, shear * (ux_y + 1j * K * uy)])
+            ux, uy, uy_y, ux_y = sign * q * e, -1j * k * e, -1j * k * sign * q * e, q * q * e
+            columns.append([ux, uy, (lame + 2 * shear) * uy_y + lame * 1j * k * ux, shear * (ux_y + 1j * k * uy)])
         return np.array(columns).T
 
     near, at_far = fields(0.0), fields(far)
-    system = np.array([at_far[0], at_far[2], near[2], near[3]])
+    system = np.array([at_far[0], at_far[1 if held else 2], near[2], near[3]])
     return [(near[1] @ np.linalg.solve(system, np.array(load, complex))) for load in ([0, 0, 1, 0], [0, 0, 0, 1])]
 
 
-def mismatch(s, counter):
-    of_first, of_second = compliance(LAYER, s, 1), compliance(counter, s, -1)
+def mismatch(s, counter, k, held):
+    of_first, of_second = compliance(LAYER, s, 1, k, False), compliance(counter, s, -1, k, held)
     return of_first[0] + MU * of_first[1] - of_second[0] - MU * of_second[1]
 
 
-def root(guess, counter):
+def root(guess, counter, k=K, held=False):
+    """The wave next to the guess, by secants; `held`: the far side of the counter body does not move."""
     s, before = guess, guess * (1 + 1e-4)
-    value = mismatch(before, counter)
+    value = mismatch(before, counter, k, held)
     for _ in range(60):
-        now = mismatch(s, counter)
+        now = mismatch(s, counter, k, held)
         if now == value:
             break
         s, before, value = s - now * (s - before) / (now - value), s, now
@@ -73,20 +74,27 @@ def stiffness(layer):
     return f"{lame + 2 * shear:.17g}, {lame:.17g}, {lame + 2 * shear:.17g}, {shear:.17g}"
 
 
+def bodies(rows, counter):
+    """Keys of two layers one wave long."""
+    length = 2 * np.pi / K
+    cells = round(length / HEIGHT * rows)
+    return {"Body/Stiffness": stiffness(LAYER), "Body/Density": LAYER["density"], "Body/Size": f"{length:.17g}, {HEIGHT}", "Body/Cells": f"{cells}, {rows}",
+            "Counter body/Stiffness": stiffness(counter), "Counter body/Density": counter["density"], "Counter body/Size": f"{length:.17g}, {counter['height']}",
+            "Counter body/Cells": f"{cells}, {round(rows * counter['height'] / HEIGHT)}", "Sides/Periodic": "true",
+            "Supports/Top/Kind": "pressure", "Supports/Top/Held": "u_x", "Supports/Top/Pressure": PRESSURE, "Flat/Velocity": 10, "Friction/Coefficient": MU,
+            "Friction/Law": "coulomb", "Time/Rayleigh beta": 0}
+
+
 def growth(folder, rows, counter, guesses):
     """The fastest waves of a run: of the Fourier coefficient of the pressure, which is a sum of exponentials (the matrix pencil of its samples)."""
     length = 2 * np.pi / K
     cells = round(length / HEIGHT * rows)
     wave = f"sin({K:.17g}*x)*exp(-((t-2e-5)/6e-6)^2)"
-    keys = {"Body/Stiffness": stiffness(LAYER), "Body/Density": LAYER["density"], "Body/Size": f"{length:.17g}, {HEIGHT}", "Body/Cells": f"{cells}, {rows}",
-            "Counter body/Stiffness": stiffness(counter), "Counter body/Density": counter["density"], "Counter body/Size": f"{length:.17g}, {counter['height']}",
-            "Counter body/Cells": f"{cells}, {round(rows * counter['height'] / HEIGHT)}", "Sides/Periodic": "true",
-            "Supports/Top/Kind": "pressure", "Supports/Top/Held": "u_x", "Supports/Top/Pressure": PRESSURE, "Supports/Top/Ramp": "smooth", "Supports/Top/Ramp time": 1e-5,
+    keys = {**bodies(rows, counter), "Supports/Top/Ramp": "smooth", "Supports/Top/Ramp time": 1e-5,
             "Counter body/Supports/Bottom/Kind": "pressure", "Counter body/Supports/Bottom/Held": "u_x", "Counter body/Supports/Bottom/Pressure": PRESSURE,
             "Counter body/Supports/Bottom/Ramp": "smooth", "Counter body/Supports/Bottom/Ramp time": 1e-5,
-            "Counter body/Supports/Bottom/Traction": f"0; 100*{wave}", "Flat/Velocity": 10, "Friction/Coefficient": MU, "Friction/Law": "coulomb",
-            "Time/Rayleigh beta": 0, "Time/End time": 2.6e-4, "Time/Safety factor": 0.5, "Contact map/Interval": 1e-6, "Contact map/Fields": "pressure",
-            "Observation/Energy interval": 0}
+            "Counter body/Supports/Bottom/Traction": f"0; 100*{wave}", "Time/End time": 2.6e-4, "Time/Safety factor": 0.5, "Contact map/Interval": 1e-6,
+            "Contact map/Fields": "pressure", "Observation/Energy interval": 0}
     folder.write("run.prm", prm(keys))
     folder.run(0, "contact_dynamics", "run.prm", "--output", "run", "--quiet")
     with h5py.File(folder("run", "dynamics.h5")) as file:
@@ -117,6 +125,31 @@ def check_layers(folder):
     assert max(errors[1]) < 1.2e-3 and (abs(orders - 2) < 0.15).all(), (errors, orders)
 
 
+def check_complex_modes(folder):
+    """The fastest complex modes above a counter body whose bottom is held, of which each is a wave one, two or three times in the length; identical layers of
+    which both far sides are held alike do not grow."""
+    errors = []
+    for rows in (8, 16, 32):
+        folder.write("modes.prm", prm({"Analysis": "complex modes", **bodies(rows, STEEL), "Complex modes/Highest frequency": 1e5}))
+        folder.run(0, "contact_dynamics", "modes.prm", "--output", "modes", "--quiet")
+        found = [complex(mode["growth_rate"], 2 * np.pi * mode["frequency"]) for mode in folder.summary("modes")["complex_modes"]]
+        assert len(found) == 4, found
+        errors.append([])
+        for s in found:  # waves along x and against it
+            with np.errstate(all="ignore"):  # of guesses that lead nowhere
+                waves = [root(guess, STEEL, number * K, True) for number in (1, 2, 3) for guess in (s, s.conjugate())]
+            errors[-1].append(min(min(abs(wave - s), abs(wave.conjugate() - s)) for wave in waves if np.isfinite(wave)) / abs(s))
+        print(f"{rows} rows: " + ", ".join(f"{s.real:.0f} 1/s at {s.imag / 2e3 / np.pi:.3f} kHz" for s in found) + ", errors " + ", ".join(f"{e:.1e}" for e in errors[-1]))
+    orders = np.log2(np.divide(*errors[1:]))
+    assert max(errors[-1]) < 6e-4 and (abs(orders - 2) < 0.1).all(), (errors, orders)
+    keys = {**bodies(12, LAYER), "Supports/Top/Kind": "held", "Complex modes/Highest frequency": 1e5}
+    del keys["Supports/Top/Held"], keys["Supports/Top/Pressure"]
+    folder.write("modes.prm", prm({"Analysis": "complex modes", **keys}))
+    folder.run(0, "contact_dynamics", "modes.prm", "--output", "modes", "--quiet")
+    assert all(mode["growth_rate"] < 1e-3 * mode["frequency"] for mode in folder.summary("modes")["complex_modes"]), folder.summary("modes")["complex_modes"]
+
+
 if __name__ == "__main__":
     with tempfile.TemporaryDirectory() as path:
+        check_complex_modes(Folder(path))
         check_layers(Folder(path))
