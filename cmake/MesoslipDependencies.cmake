@@ -33,9 +33,10 @@ find_package(Boost 1.74 QUIET CONFIG COMPONENTS program_options serialization)
 mesoslip_need(Boost_FOUND "Boost 1.74 or newer with program_options and serialization" "libboost-program-options-dev libboost-serialization-dev")
 
 # Libraries without files for CMake: <NAME>_INCLUDE_DIR and <NAME>_LIBRARY. Gmsh reads its meshes, muParser the expressions of .prm files, UMFPACK
-# factorizes complex matrices; the functions of xxHash are inlined where they are used, so that nothing is linked.
+# factorizes complex matrices and CHOLMOD symmetric ones; the functions of xxHash are inlined where they are used, so that nothing is linked.
 foreach(library "GMSH;gmsh.h;gmsh;Gmsh with its library;libgmsh-dev" "MUPARSER;muParser.h;muparser;muParser with its headers;libmuparser-dev"
-                "UMFPACK;umfpack.h;umfpack;UMFPACK with its headers;libsuitesparse-dev" "XXHASH;xxhash.h;;xxHash;libxxhash-dev")
+                "UMFPACK;umfpack.h;umfpack;UMFPACK with its headers;libsuitesparse-dev"
+                "CHOLMOD;cholmod.h;cholmod;CHOLMOD with its headers;libsuitesparse-dev" "XXHASH;xxhash.h;;xxHash;libxxhash-dev")
   list(GET library 0 name)
   list(GET library 1 header)
   list(GET library 2 file)

@@ -1,6 +1,5 @@
 #include "sliding/pair/pair_body.h"
 
-#include "sliding/pair/factorized_solver.h"
 
 #include <algorithm>
 #include <numeric>
@@ -246,7 +245,7 @@ std::vector<MatrixEntry> PairBody<dim>::stiffness_entries() const
 template <int dim>
 std::unique_ptr<StaticSolver> PairBody<dim>::make_solver() const
 {
-  return std::make_unique<FactorizedSolver<dim>>(*this);
+  return std::make_unique<CondensedSolver<dim>>(*this, condensed);
 }
 
 template <int dim>

@@ -3,6 +3,7 @@
 
 #include "body/point_body.h"
 #include "eigenvalues/complex/complex_factorization.h"
+#include "sliding/pair/condensed_solver.h"
 
 #include <array>
 #include <optional>
@@ -84,7 +85,8 @@ private:
   const Motion motion;
   std::vector<NodeIndex> partners; ///< of the nodes of the contact
   std::vector<unsigned int>
-    follows;                  ///< of each node the one that it duplicates, or itself
+    follows; ///< of each node the one that it duplicates, or itself
+  mutable std::unique_ptr<CondensedStiffness<dim>> condensed; ///< of its solvers
   std::vector<double> masses; ///< of the nodes (kg, in 2D kg/m)
   RealMatrix T;               ///< makes displacements absolute
   RealMatrix K;               ///< of cells, and of springs that hold the contact

@@ -1,0 +1,74 @@
+"""Hertz for two bodies: a cylinder and a sphere of steel pressed on a block of aluminium, without friction: radius and pressure of the contact, with the modulus
+1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2, on meshes of a half or a quarter of both. Both follow from pressures inside the contact, as in hertz.py."""
+
+import csv
+import math
+import tempfile
+
+import numpy as np
+
+from mesh_files import Box
+from round_bodies import HALF_WIDTH, RADIUS, WIDTH, graded, round_body
+from scenes import Folder, prm
+
+STEEL, ALUMINIUM = (210e9, 0.3, 7800), (70e9, 0.33, 2700)
+MODULUS = 1 / sum((1 - nu**2) / young for young, nu, _ in (STEEL, ALUMINIUM))
+
+
+def block(dim, size, growth):
+    """A block below the round body, with nodes where that has them."""
+    axes = [graded(WIDTH, size, 1.3 * HALF_WIDTH, growth)] * (dim - 1) + [-graded(WIDTH, size, 0.5 * HALF_WIDTH, growth)[::-1]]
+    box = Box([1.0] * dim, [len(axis) - 1 for axis in axes], lambda middle: "block")
+    for name, axis, upper in [("x low", 0, False), ("y low", 1, False), ("z low", 2, False), ("Contact", dim - 1, True)]:
+        if axis < dim:
+            box.name_side(name, axis, upper)
+    places = np.rint(box.points * [len(axis) - 1 for axis in axes]).astype(int)
+    box.points = np.column_stack([axis[places[:, d]] for d, axis in enumerate(axes)])
+    return box
+
+
+def stiffness(dim):
+    young, nu, _ = ALUMINIUM
+    lame, shear = young * nu / ((1 + nu) * (1 - 2 * nu)), young / (2 * (1 + nu))
+    a, b = lame + 2 * shear, lame
+    return ", ".join(map(str, [a, b, a, shear] if dim == 2 else [a, b, b, a, b, a, shear, shear, shear]))
+
+
+def contact(folder, dim, cells, growth):
+    """Largest pressure and radius of the contact, relative to Hertz's for the force, less 1."""
+    round_body(dim, HALF_WIDTH / cells, growth).write(folder("body.msh"))
+    block(dim, HALF_WIDTH / cells, growth).write(folder("block.msh"))
+    force = math.pi * MODULUS * HALF_WIDTH**2 / (4 * RADIUS) if dim == 2 else 4 * MODULUS * HALF_WIDTH**3 / (3 * RADIUS)
+    quarter = force / 2 ** (dim - 1)
+    normal = "yz"[dim - 2]
+    sides = {f"{body}Supports/{name} low/Held": f"u_{name}" for name in "xy"[: dim - 1] for body in ("", "Counter body/")}
+    folder.write("hertz.prm", f"set Dimension = {dim}\n" + prm({
+        "Analysis": "static contact", "Mesh/File": "body.msh", "Mesh/Contact boundary": f"{normal} low", **sides,
+        "Phases/Names": "steel", "Phases/steel/Young modulus": STEEL[0], "Phases/steel/Poisson ratio": STEEL[1], "Phases/steel/Density": STEEL[2],
+        "Counter body/Mesh/File": "block.msh", "Counter body/Stiffness": stiffness(dim), "Counter body/Density": ALUMINIUM[2], "Counter body/Supports/Bottom/Kind": "free",
+        f"Counter body/Supports/{normal} low/Kind": "held",
+        "Supports/Top/Kind": "pressure", "Supports/Top/Held": "", "Supports/Top/Pressure": quarter / WIDTH ** (dim - 1), "Friction/Coefficient": 0,
+        "Flat/Velocity": 0}))
+    folder.run(0, "contact_dynamics", "hertz.prm", "--output", "out")
+    with open(folder("out", "static_contact.csv"), encoding="ascii") as file:
+        rows = list(csv.DictReader(file))
+    r2 = np.array([sum(float(row[f"{name} [m]"]) ** 2 for name in "xy"[: dim - 1]) for row in rows])
+    pressure = np.array([float(row["pressure [Pa]"]) for row in rows])
+    inside = r2 < (0.9 * HALF_WIDTH) ** 2
+    # p^2 = p0^2 (1 - r^2 / a^2)
+    slope, squared = np.polyfit(r2[inside], pressure[inside] ** 2, 1)
+    exact = (2 if dim == 2 else 1.5) * force / (math.pi * HALF_WIDTH ** (dim - 1))
+    return math.sqrt(squared) / exact - 1, math.sqrt(-squared / slope) / HALF_WIDTH - 1
+
+
+def check(dim, sizes, growth, limit, least_order):
+    with tempfile.TemporaryDirectory() as path:
+        errors = np.abs([contact(Folder(path), dim, cells, growth) for cells in sizes])
+    order = math.log(errors[0, 1] / errors[-1, 1]) / math.log(sizes[-1] / sizes[0])
+    print(f"{dim}D, {sizes} cells across half of the contact: errors of pressure and radius {errors.tolist()}, order of the radius {order:.2f}")
+    assert errors[-1].max() < limit and order > least_order, (errors, order)
+
+
+if __name__ == "__main__":
+    check(2, (8, 16, 32), 1.2, 0.002, 1.5)
+    check(3, (3, 7), 1.6, 0.01, 1.0)
