@@ -36,7 +36,7 @@ missing_packages() {
 
 install_packages() {
   command -v dpkg-query >/dev/null || {
-    say "Neither Debian nor Ubuntu: expecting deal.II 9.4 or newer with MPI, Trilinos, HDF5, ARPACK, METIS, muParser and UMFPACK; Gmsh, Eigen, Boost, nlohmann-json, libpng, libtiff and xxHash; CMake 3.25 and Ninja; numpy, scipy, h5py and matplotlib for python3 or \$MESOSLIP_PYTHON; for the tests GoogleTest. cmake says what it does not find"
+    say "Neither Debian nor Ubuntu: expecting deal.II 9.4 or newer with MPI, Trilinos, HDF5, ARPACK, METIS, muParser and UMFPACK; CHOLMOD, Gmsh, Eigen, Boost, nlohmann-json, libpng, libtiff and xxHash; CMake 3.25 and Ninja; numpy, scipy, h5py and matplotlib for python3 or \$MESOSLIP_PYTHON; for the tests GoogleTest. cmake says what it does not find"
     return
   }
   local missing as_root=()

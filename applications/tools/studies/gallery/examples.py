@@ -3,6 +3,7 @@
 import dataclasses
 import typing
 
+import disc
 import laws
 import tribometer
 
@@ -61,6 +62,10 @@ EXAMPLES = (
             "nothing comes back ([theory](theory.md), section 4).", ("half_space.prm",), "Map of the contact", CONTACT),
     Example("A pin on a wavy flat", "The flat has waves of 4 mm and 1.1 mm; the contact is on their crests, which move through the pin "
             "([theory](theory.md), section 3).", ("rough_pin.prm",), "Map of the contact", CONTACT),
+    Example("A pin on a deformable disc", "The pin that squeals, on discs in the place of the rigid flat: one of steel, 10 mm thick, lowers the frequency and lets nodes leave "
+            "it more often, thicker or softer ones keep the pin quiet ([a pin on a disc](guide/disc.md)).", ("disc.prm",), "", CONTACT, draw=disc.draw, changes=disc.CHANGES),
+    Example("Which vibrations grow on a disc", "Complex modes of the pin on the disc of steel: one grows, where six grow on the rigid flat.", ("disc_modes.prm",),
+            "Modes of steady sliding", CONTACT),
     Example("A step of velocity under rate-and-state friction", "The friction of a block in 3D jumps and falls as the velocity of the flat rises tenfold.",
             ("friction_laws/rate_and_state.prm",), "Apparent friction", CONTACT),
     Example("Five more laws of friction",
