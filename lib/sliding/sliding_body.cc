@@ -158,7 +158,9 @@ SlidingGrid::SlidingGrid(const UniformMaterial &material,
       make_platen_columns(platens, setup, material, pointer_to(damping), rows, u, w))
   , columns(make_columns(sides, setup, material, pointer_to(damping), rows, u, w))
   , stepper({material, given.step, u, w,
-             &contact_condition(bottom, counter, nodes_of_contact(setup), MPI_COMM_SELF),
+             bottom != nullptr
+               ? bottom
+               : &contact_condition(counter, nodes_of_contact(setup), MPI_COMM_SELF),
              profile.timed<TimedSurface<2>>(top, "Top and its histories"), rows,
              rows.end - rows.begin < rows.n_global
                ? profile.timed<TimedHalo>(halo, "Exchange between ranks")

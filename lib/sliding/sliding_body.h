@@ -128,10 +128,9 @@ protected:
    * times of the parts of a step. */
   SlidingBody(const SlidingSetup &setup, const unsigned int n_top_nodes, Timer *timer);
 
-  /** What moves the @p nodes of the contact that this rank has: @p given, if it is not null, or the contact, which is that with
-   * @p counter where there is one. Collective over the @p communicator. */
-  SurfaceCondition<dim> &contact_condition(SurfaceCondition<dim> *given,
-                                           CounterMotion<dim> *counter,
+  /** What moves the @p nodes of the contact that this rank has: the contact, which is that with @p counter where there is one.
+   * Collective over the @p communicator. */
+  SurfaceCondition<dim> &contact_condition(CounterMotion<dim> *counter,
                                            const NodesOfContact &nodes,
                                            const MPI_Comm communicator);
 

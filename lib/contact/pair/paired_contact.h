@@ -64,7 +64,7 @@ public:
   void advance(const SurfaceView<dim> &surface) override;
 
   /** Partners that press on each other from the start get their common acceleration. Collective. */
-  void start_as_one(NormalStart &own, NormalStart &of_partner);
+  void start_as_one(NormalStart &own, NormalStart &other);
 
 private:
   void meet(const SurfaceView<dim> &below);

@@ -10,7 +10,7 @@ void MeshBodyParameters::bind(Keys &keys)
   mesh.has_grids_in_3d = true;
   mesh.bind(keys);
   {
-    const auto section = keys.section("Mesh");
+    const auto in_mesh = keys.section("Mesh");
     keys.bind(
       "Contact boundary", contact_boundary,
       "Physical group of the curves (2D) or surfaces (3D) that lie on the flat or "

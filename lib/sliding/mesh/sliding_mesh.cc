@@ -123,10 +123,11 @@ SlidingMesh<dim>::SlidingMesh(const DistributedBody<dim> &body,
     return this->profile.template timed<TimedSurface<dim>>(surface, name);
   };
   std::vector<MeshSurface<dim> *> hosts = {
-    &stepper.add_surface(shared.contact,
-                         this->contact_condition(partner, counter,
-                                                 nodes_of_contact(shared.contact),
-                                                 body.communicator())),
+    &stepper.add_surface(
+      shared.contact, partner != nullptr ? static_cast<SurfaceCondition<dim> &>(*partner)
+                                         : this->contact_condition(
+                                             counter, nodes_of_contact(shared.contact),
+                                             body.communicator())),
     top.points.empty()
       ? nullptr
       : &stepper.add_surface(shared.top, *timed(this->top, "Top and its histories"))};

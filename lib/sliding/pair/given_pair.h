@@ -63,8 +63,8 @@ private:
   using GivenBody<dim>::parameters;
 
   GivenPair(const ContactParameters &given,
-            std::unique_ptr<GivenMesh<dim>> above,
-            std::unique_ptr<GivenMesh<dim>> below);
+            std::unique_ptr<GivenMesh<dim>> upper,
+            std::unique_ptr<GivenMesh<dim>> lower);
 
   std::vector<NodeIndex> partners() const;
   std::vector<NodalField<double>>

@@ -34,11 +34,11 @@ public:
     relative
   };
 
-  /** @p stiffness of the cells of both bodies, of which @p partners are the nodes below those of the contact. The bodies must
+  /** @p stiffness of the cells of both bodies, of which @p below_contact are the nodes below those of the contact. The bodies must
    * outlive it. Collective. */
   PairBody(const PointBody<dim> &above,
            const PointBody<dim> &below,
-           const std::vector<NodeIndex> &partners,
+           const std::vector<NodeIndex> &below_contact,
            const std::array<RealMatrix, 2> &stiffness,
            const Motion motion);
 

@@ -5,13 +5,10 @@
 namespace mesoslip
 {
 template <int dim>
-SurfaceCondition<dim> &SlidingBody<dim>::contact_condition(SurfaceCondition<dim> *given,
-                                                           CounterMotion<dim> *counter,
+SurfaceCondition<dim> &SlidingBody<dim>::contact_condition(CounterMotion<dim> *counter,
                                                            const NodesOfContact &nodes,
                                                            const MPI_Comm communicator)
 {
-  if (given != nullptr)
-    return *given;
   if (counter == nullptr || !counter->body)
     return *profile.timed<TimedSurface<dim>>(contact, "Contact and its histories");
   below = counter->body.get();
@@ -32,10 +29,9 @@ void SlidingBody<dim>::start_together()
   below->start_contact();
 }
 
-#define MESOSLIP_INSTANTIATE(dim)                                          \
-  template SurfaceCondition<dim> &SlidingBody<dim>::contact_condition(     \
-    SurfaceCondition<dim> *, CounterMotion<dim> *, const NodesOfContact &, \
-    const MPI_Comm);                                                       \
+#define MESOSLIP_INSTANTIATE(dim)                                      \
+  template SurfaceCondition<dim> &SlidingBody<dim>::contact_condition( \
+    CounterMotion<dim> *, const NodesOfContact &, const MPI_Comm);     \
   template void SlidingBody<dim>::start_together();
 MESOSLIP_INSTANTIATE(2)
 MESOSLIP_INSTANTIATE(3)
