@@ -19,7 +19,8 @@ import parameters  # noqa: E402
 PROGRAMS = ("rve_homogenization", "contact_dynamics", "stress_localization")
 # Heading of the menu: pages, in the order of a first reading.
 MENU = {
-    "Start": ("doc/gallery", "doc/guide", "doc/first_steps", "doc/guide/tomogram", "doc/guide/squeal", "doc/glossary"),
+    "Start": ("doc/gallery", "doc/guide", "doc/first_steps", "doc/guide/tomogram", "doc/guide/squeal", "doc/guide/disc",
+              "doc/glossary"),
     "Use": ("doc/voxels", "doc/meshes", "doc/loads", "doc/complex_modes/README", "doc/contact_maps", "doc/chains", "doc/python",
             "doc/platforms"),
     "Reference": ("doc/parameters/README", *(f"doc/parameters/{name}" for name in PROGRAMS), "doc/file_formats", "doc/theory", "doc/limits"),

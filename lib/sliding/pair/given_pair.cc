@@ -1,6 +1,7 @@
 #include "sliding/pair/given_pair.h"
 
 #include "base/errors.h"
+#include "base/exchange.h"
 #include "body/rigid_motions.h"
 #include "eigenvalues/complex/sliding_pencil.h"
 #include "program/run_context.h"
@@ -73,11 +74,12 @@ ContactParameters with_damping_of(ContactParameters parameters,
   return parameters;
 }
 
-/** Of sparse factors of the stiffness, about as those of complex modes. */
+/** Of sparse factors, of the stiffness about half as many as of complex modes. */
 template <int dim>
-double bytes_of_factors(const std::uint64_t n_points)
+double bytes_of_factors(const ContactAnalysis analysis, const std::uint64_t n_points)
 {
-  return 0.5 * complex_modes_memory(static_cast<double>(dim * n_points), dim);
+  return (analysis == ContactAnalysis::complex_modes ? 1. : 0.5) *
+         complex_modes_memory(static_cast<double>(dim * n_points), dim);
 }
 
 void take_larger(CellExtreme &extreme, const CellExtreme &other)
@@ -106,10 +108,15 @@ GivenPair<dim>::GivenPair(const ContactParameters &given,
     known.lines.push_back(text_of_counter(line));
   for (const std::string &warning : below->facts().warnings)
     known.warnings.push_back(text_of_counter(warning));
+  if (mpi::n_mpi_processes(MPI_COMM_WORLD) > 1 &&
+      parameters.analysis == ContactAnalysis::static_contact)
+    known.lines.emplace_back(
+      "Static contact with a counter body runs on one process, all "
+      "others repeat it; start it without mpirun");
   known.n_points += below->facts().n_points;
   known.size.n_cells += below->facts().size.n_cells;
-  if (parameters.analysis == ContactAnalysis::static_contact)
-    known.memory.on_each += bytes_of_factors<dim>(known.n_points);
+  known.memory.on_rank_0 += below->facts().memory.on_rank_0;
+  known.memory.on_each = bytes_of_factors<dim>(parameters.analysis, known.n_points);
   for (const SideSupport &side : below->parameters.loaded_sides())
     if (side.is_platen)
       throw UserError(side.key("Kind") +
@@ -156,7 +163,8 @@ void GivenPair<dim>::make_elastic(const MPI_Comm communicator, const bool /*whol
 {
   above->make_elastic(communicator, true);
   below->make_elastic(communicator, true);
-  known.size                    = above->facts().size;
+  known.size = above->facts().size;
+  known.size.n_cells += below->facts().size.n_cells;
   known.contact_height          = above->facts().contact_height;
   known.contact_place           = above->facts().contact_place;
   known.contact_points          = above->facts().contact_points;
