@@ -145,6 +145,32 @@ def check_kinds(folder, friction):
         assert folder.summary("mixed")["energy_balance_residual"] < 1e-12
 
 
+def check_periodic(folder, friction):
+    """Along x, below a top whose load differs from place to place: a grid and a mesh of its quadrilaterals; and along x and y: a box on a box, also over
+    ranks that share its periodic sides, and on a mesh."""
+    top = {"Supports/Top/Kind": "springs", "Supports/Left/Kind": "free", "Sides/Periodic": "true", "Counter body/Supports/Left/Kind": "free"}
+    load = lambda parts: {"Supports/Top/Spring stiffness": "1e12", "Supports/Top/Traction": "; ".join(parts)}
+    keys = {key: value for key, value in RUN.items() if not key.startswith("Supports/")} | {"Supports/Top/Pressure": 5e6} | friction | top
+    bottom = lambda spatial: sides_of("Counter body/Supports/Bottom", BELOW, spatial)
+    plane = {**keys, **bottom(False), **load(("1e6*sin(2*pi*x/0.006)", "0"))}
+    grid = run(folder, "grid", prm({**plane, **upper(folder, "grid", [6, 4], [9, 6]), **lower(folder, "grid", [6, HEIGHT], [9, 4])}))
+    del plane["Sides/Periodic"]
+    of_mesh = run(folder, "plane", prm({**plane, **upper(folder, "mesh", [6, 4], [9, 6]), **lower(folder, "mesh", [6, HEIGHT], [9, 4]), "Mesh/Periodic in x": "Left, Right",
+                                        "Counter body/Mesh/Periodic in x": "Left, Right"}))
+    check_equal(of_mesh, grid, ("periodic mesh", friction))
+    spatial = {**keys, **bottom(True), **load(("1e6*sin(2*pi*x/0.003)", "1e6*cos(2*pi*y/0.002)", "0")), "Sides/Periodic in y": "true"}
+    for key in ("Body/Initial velocity", "Body/Acceleration", "Counter body/Initial velocity"):
+        spatial[key] = in_3d(spatial[key])
+    body = upper(folder, "grid", [3, 2, 4], [5, 8, 6])
+    box = run(folder, "box", "set Dimension = 3\n" + prm({**spatial, **body, **lower(folder, "grid", [3, 2, HEIGHT], [5, 8, 4])}))
+    for ranks in (2, 3):
+        folder.run(0, "contact_dynamics", "box.prm", "--output", "ranks", "--quiet", ranks=ranks)
+        check_equal([points_and_motion(folder, "ranks", name) for name in ("dynamics.h5", "counter_body.h5")], box, ("periodic box", ranks))
+    on_mesh = run(folder, "mixed", "set Dimension = 3\n" + prm({**spatial, **body, **lower(folder, "mesh", [3, 2, HEIGHT], [5, 8, 4]),
+                                                                "Counter body/Mesh/Periodic in x": "Left, Right", "Counter body/Mesh/Periodic in y": "Front, Back"}))
+    check_equal(on_mesh, box, ("periodic box on a mesh", friction))
+
+
 def check_ranks(folder, friction):
     """On more ranks and after a restart; both bodies are divided."""
     for name, spatial, bodies in (("box", True, {**upper(folder, "grid", [3, 2, 4], [5, 8, 6]), **lower(folder, "grid", [3, 2, HEIGHT], [5, 8, 4])}),
@@ -226,5 +252,6 @@ with tempfile.TemporaryDirectory() as place:
         check_kinds(here, law)
     for law in FRICTION[1:]:
         check_ranks(here, law)
+    check_periodic(here, FRICTION[1])
     check_at_rest(here)
     check_sentences(here)
