@@ -203,6 +203,7 @@ void BrickStepper::advance(const std::uint64_t n_steps)
     side->load(u, w);
   const kernels::BrickStep step = brick_step();
   const std::size_t n           = op.slab().n_nodes[0];
+  const bool has_more           = parameters.acts_on_mass() || by_phase;
   for (std::uint64_t k = 0; k < n_steps; ++k, ++n_done)
     {
       const double time = static_cast<double>(n_done) * parameters.dt;
@@ -215,9 +216,9 @@ void BrickStepper::advance(const std::uint64_t n_steps)
         if (side.surface)
           side.surface->start(
             n_done, time, [&](const std::size_t i, const unsigned int c) {
-              const std::size_t place  = side.force_place[i];
-              const unsigned int point = side.surface->points()[i];
-              return side.force[place + n * in_sweep(c)] + nodal_force(point, c);
+              const double of_cells = side.force[side.force_place[i] + n * in_sweep(c)];
+              return has_more ? of_cells + nodal_force(side.surface->points()[i], c)
+                              : of_cells;
             });
       for (const Side &side : sides)
         if (side.surface)
