@@ -40,7 +40,7 @@ enum class ContactAnalysis
 /** Section Body or Counter body: geometry and material. */
 struct BodyParameters
 {
-  std::string section = "Body"; ///< of its keys
+  std::string section = "Body"; ///< section of the .prm that has its keys
   bool heterogeneous =
     false;              ///< every phase with its own stiffness, else the effective one
   std::string rve_file; ///< empty: the material in stiffness and density

@@ -118,6 +118,26 @@ void GivenBody<dim>::summarize(const std::string &analysis, RunContext &context)
 }
 
 template <int dim>
+void GivenBody<dim>::write_and_show(std::optional<Hdf5File> &file,
+                                    const std::string &path,
+                                    const std::vector<ShownFields> &shown,
+                                    const std::vector<double> &numbers) const
+{
+  std::vector<XdmfField> of_file;
+  for (const ShownFields &fields : shown)
+    {
+      write_fields(file, path, fields.dataset, fields.fields);
+      if (file && !fields.unit.empty())
+        file->write_unit(fields.dataset, fields.unit);
+      of_file.push_back({fields.name, fields.dataset, XdmfField::Values::nodes, {dim}});
+    }
+  if (!file)
+    return;
+  file->close();
+  show(path, of_file, numbers);
+}
+
+template <int dim>
 void GivenBody<dim>::add_implausible(std::vector<std::string> &sentences,
                                      std::vector<PlausibleRange> ranges,
                                      const BodyScales &scales) const

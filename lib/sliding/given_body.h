@@ -252,6 +252,12 @@ public:
                const std::string &name,
                const std::vector<const NodalField<double> *> &fields) const = 0;
 
+  /** Writes @p shown into @p file at @p path, which rank 0 has, closes it and shows it, with @p numbers as times. */
+  void write_and_show(std::optional<Hdf5File> &file,
+                      const std::string &path,
+                      const std::vector<ShownFields> &shown,
+                      const std::vector<double> &numbers) const;
+
   /** On rank 0: writes what a counter body has of fields into the file at @p path, of this @p format and shows it, with @p numbers as
    * times; nothing without one. */
   virtual void write_below(const std::string & /*path*/,

@@ -1,6 +1,8 @@
 """Bodies of steel with a round lower side on blocks, for contact with the rigid flat: fine cells as wide as the contact and more, then
 growing ones."""
 
+import csv
+import math
 
 import numpy as np
 
@@ -19,6 +21,26 @@ def graded(length, size, fine, growth):
     return length / points[-1] * np.array(points)
 
 
+def box_on(axes, group):
+    """A box with points where these axes have them."""
+    box = Box([1.0] * len(axes), [len(axis) - 1 for axis in axes], lambda middle: group)
+    places = np.rint(box.points * [len(axis) - 1 for axis in axes]).astype(int)
+    return box, np.column_stack([axis[places[:, d]] for d, axis in enumerate(axes)])
+
+
+def errors_of_hertz(folder, dim, force):
+    """Largest pressure and radius of the static contact in out, relative to Hertz's for the force on the whole body, less 1."""
+    with open(folder("out", "static_contact.csv"), encoding="ascii") as file:
+        rows = list(csv.DictReader(file))
+    r2 = np.array([sum(float(row[f"{name} [m]"]) ** 2 for name in "xy"[: dim - 1]) for row in rows])
+    pressure = np.array([float(row["pressure [Pa]"]) for row in rows])
+    inside = r2 < (0.9 * HALF_WIDTH) ** 2
+    # p^2 = p0^2 (1 - r^2 / a^2)
+    slope, squared = np.polyfit(r2[inside], pressure[inside] ** 2, 1)
+    exact = (2 if dim == 2 else 1.5) * force / (math.pi * HALF_WIDTH ** (dim - 1))
+    return math.sqrt(squared) / exact - 1, math.sqrt(-squared / slope) / HALF_WIDTH - 1
+
+
 def round_body(dim, size, growth, both_sides=False):
     """A quarter of the body; with `both_sides` that and its mirror image in x."""
     along = [graded(WIDTH, size, 1.3 * HALF_WIDTH, growth)] * (dim - 1)
@@ -26,14 +48,12 @@ def round_body(dim, size, growth, both_sides=False):
     if both_sides:
         along[0] = np.concatenate([-along[0][:0:-1], along[0]])
     axes = [*along, up]
-    box = Box([1.0] * dim, [len(axis) - 1 for axis in axes], lambda middle: "steel")
+    box, points = box_on(axes, "steel")
     for axis in range(dim):
         box.name_side(("x", "y", "z")[axis] + " low", axis, False)
     if both_sides:
         box.name_side("x high", 0, True)
     box.name_side("Top", dim - 1, True)
-    places = np.rint(box.points * [len(axis) - 1 for axis in axes]).astype(int)
-    points = np.column_stack([axis[places[:, d]] for d, axis in enumerate(axes)])
     bottom = RADIUS - np.sqrt(RADIUS**2 - np.sum(points[:, :-1] ** 2, axis=1))
     points[:, -1] = bottom + (WIDTH - bottom) * points[:, -1] / WIDTH
     box.points = points

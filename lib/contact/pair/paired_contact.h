@@ -34,7 +34,7 @@ struct NormalStart
 {
   std::vector<double> inverse_inertia; ///< 1/kg, in 2D m/kg; 0: held
   std::vector<double> acceleration;    ///< without contact (m/s^2)
-  double velocity = 0.;                ///< of the body (m/s)
+  double velocity = 0.;                ///< of the whole body along the normal (m/s)
 };
 
 /**

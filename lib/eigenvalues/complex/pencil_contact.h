@@ -33,7 +33,7 @@ relative(const ElasticBody<dim> &body,
 struct Share
 {
   std::int64_t node = -1; ///< the contact node; -1: none
-  double weight     = 0.; ///< of the row
+  double weight     = 0.; ///< with which the row counts (-)
 };
 
 /** Of all rows, of which @p number has the free degrees of freedom. Of partners that move as one along the normal, each reacts

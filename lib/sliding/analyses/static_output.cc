@@ -182,14 +182,11 @@ void StaticContactAnalysis<dim>::write_static_file(const RunContext &context) co
     write_dataset(*file, "/snapshots/time", {1}, std::vector<double>{0.}, "s");
     write_contact_group(*file);
   });
-  body->write_fields(file, path, u, {&result.solution.displacement});
-  if (!context.root())
-    return;
-  file->write_unit(u, "m");
-  file->close();
-  body->show(path, {{"displacement", u, XdmfField::Values::nodes, {dim}}}, {0.});
-  body->write_below(context.file("counter_body.h5"), dynamics_format,
-                    {{"displacement", u, {&result.solution.displacement}, "m"}}, {0.});
+  const std::vector<ShownFields> shown = {
+    {"displacement", u, {&result.solution.displacement}, "m"}};
+  body->write_and_show(file, path, shown, {0.});
+  if (context.root())
+    body->write_below(context.file("counter_body.h5"), dynamics_format, shown, {0.});
 }
 
 template <int dim>

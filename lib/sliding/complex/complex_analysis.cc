@@ -123,14 +123,7 @@ void ComplexModesAnalysis<dim>::write_shapes(std::optional<Hdf5File> &file,
       for (const NodalField<double> &shape : shapes.parts[part])
         fields.fields.push_back(&shape);
     }
-  std::vector<XdmfField> of_file;
-  for (const ShownFields &fields : shown)
-    {
-      body->write_fields(file, path, fields.dataset, fields.fields);
-      of_file.push_back({fields.name, fields.dataset, XdmfField::Values::nodes, {dim}});
-    }
-  file->close();
-  body->show(path, of_file, shapes.numbers);
+  body->write_and_show(file, path, shown, shapes.numbers);
   body->write_below(context.file("counter_body.h5"), "mesoslip-complex-modes", shown,
                     shapes.numbers);
 }

@@ -29,7 +29,7 @@ public:
   /** Completes the file. */
   void end();
 
-  Snapshots<dim> snapshots; ///< of the second body
+  Snapshots<dim> snapshots; ///< displacements of the second body
 
 private:
   const std::string path;

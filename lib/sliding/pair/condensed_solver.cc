@@ -1,5 +1,7 @@
 #include "sliding/pair/condensed_solver.h"
 
+#include "sliding/pair/dof_vector.h"
+
 #include <algorithm>
 
 namespace mesoslip
@@ -7,12 +9,6 @@ namespace mesoslip
 namespace
 {
 using Triplet = Eigen::Triplet<double, std::int64_t>;
-
-template <int dim>
-std::int64_t dof_of(const NodeIndex &node, const unsigned int c)
-{
-  return static_cast<std::int64_t>(dim) * node.i + c;
-}
 
 /** Number of each degree of freedom in a list, or -1. */
 std::vector<std::int64_t> numbers_in(const std::vector<std::int64_t> &list,
@@ -65,7 +61,7 @@ CondensedStiffness<dim>::CondensedStiffness(const ElasticBody<dim> &body,
   for (const NodeIndex &node : body.surface(ElasticBody<dim>::bottom).nodes)
     for (unsigned int c = 0; c < dim; ++c)
       {
-        at_contact.push_back(dof_of<dim>(node, c));
+        at_contact.push_back(dof_of<dim>(node.i, c));
         is_contact[static_cast<std::size_t>(at_contact.back())] = true;
       }
   std::vector<bool> is_duplicate(body.n_columns());
@@ -83,8 +79,8 @@ CondensedStiffness<dim>::CondensedStiffness(const ElasticBody<dim> &body,
   for (const MatrixEntry &entry : body.stiffness_entries())
     entries.emplace_back(entry.row, entry.column, entry.value);
   for (const SpringEntry &spring : body.foundation().springs)
-    entries.emplace_back(dof_of<dim>(spring.node, spring.c),
-                         dof_of<dim>(spring.node, spring.d), spring.stiffness);
+    entries.emplace_back(dof_of<dim>(spring.node.i, spring.c),
+                         dof_of<dim>(spring.node.i, spring.d), spring.stiffness);
   whole.resize(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(n));
   whole.setFromTriplets(entries.begin(), entries.end());
   condense();
@@ -154,8 +150,8 @@ void CondensedSolver<dim>::set_constrained_on_springs(const DofMask &mask,
   const auto number =
     numbers_in(stiffness->at_contact, static_cast<std::size_t>(stiffness->whole.rows()));
   for (const SpringEntry &spring : springs)
-    S(number[static_cast<std::size_t>(dof_of<dim>(spring.node, spring.c))],
-      number[static_cast<std::size_t>(dof_of<dim>(spring.node, spring.d))]) +=
+    S(number[static_cast<std::size_t>(dof_of<dim>(spring.node.i, spring.c))],
+      number[static_cast<std::size_t>(dof_of<dim>(spring.node.i, spring.d))]) +=
       spring.stiffness;
   factors.compute(S(free, free));
   // Of a motion as a whole a pivot is left by round-off.
@@ -170,18 +166,11 @@ SolverReport CondensedSolver<dim>::solve(NodalField<double> &u,
 {
   if (moves)
     throw NotConverged("the body can move as a whole", NotConverged::Reason::broke_down);
-  const auto n = static_cast<Eigen::Index>(dim) * body.n_columns();
-  Eigen::VectorXd x(n), left(n);
-  for (unsigned int i = 0; i < body.n_columns(); ++i)
-    for (unsigned int c = 0; c < dim; ++c)
-      {
-        x[dof_of<dim>({i, 0}, c)]    = u.row(c, 0)[i];
-        left[dof_of<dim>({i, 0}, c)] = force.row(c, 0)[i];
-      }
+  Eigen::VectorXd x = vector_of<dim>(u), left = vector_of<dim>(force);
   left -= stiffness->whole * x;
   for (const SpringEntry &spring : springs)
-    left[dof_of<dim>(spring.node, spring.c)] -=
-      spring.stiffness * x[dof_of<dim>(spring.node, spring.d)];
+    left[dof_of<dim>(spring.node.i, spring.c)] -=
+      spring.stiffness * x[dof_of<dim>(spring.node.i, spring.d)];
   // What is missing of inner degrees of freedom as if the contact was held, then of the contact.
   const Eigen::VectorXd of_inner   = stiffness->solve(entries_of(left, stiffness->inner)),
                         of_contact = entries_of(left, stiffness->at_contact) -
@@ -198,9 +187,7 @@ SolverReport CondensedSolver<dim>::solve(NodalField<double> &u,
     x[stiffness->inner[k]] += inner[static_cast<Eigen::Index>(k)];
   for (std::size_t k = 0; k < stiffness->at_contact.size(); ++k)
     x[stiffness->at_contact[k]] += at_contact[static_cast<Eigen::Index>(k)];
-  for (unsigned int i = 0; i < body.n_columns(); ++i)
-    for (unsigned int c = 0; c < dim; ++c)
-      u.row(c, 0)[i] = x[dof_of<dim>({i, 0}, c)];
+  take<dim>(u, x);
   body.copy_duplicates(u);
   return {1, 0.};
 }

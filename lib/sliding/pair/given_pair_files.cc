@@ -57,18 +57,15 @@ void GivenPair<dim>::write_below(const std::string &path,
                                  const std::vector<ShownFields> &shown,
                                  const std::vector<double> &numbers) const
 {
-  std::optional<Hdf5File> file = below->create_file(path, format);
-  std::vector<XdmfField> of_file;
-  for (const ShownFields &fields : shown)
+  std::vector<ShownFields> own = shown;
+  std::vector<std::vector<NodalField<double>>> parts;
+  for (ShownFields &fields : own)
     {
-      const std::vector<NodalField<double>> own = fields_of(1, fields.fields);
-      below->write_fields(file, path, fields.dataset, pointers_to(own));
-      if (!fields.unit.empty())
-        file->write_unit(fields.dataset, fields.unit);
-      of_file.push_back({fields.name, fields.dataset, XdmfField::Values::nodes, {dim}});
+      parts.push_back(fields_of(1, fields.fields));
+      fields.fields = pointers_to(parts.back());
     }
-  file->close();
-  below->show(path, of_file, numbers);
+  std::optional<Hdf5File> file = below->create_file(path, format);
+  below->write_and_show(file, path, own, numbers);
 }
 
 template <int dim>

@@ -1,5 +1,6 @@
 #include "sliding/pair/pair_body.h"
 
+#include "sliding/pair/dof_vector.h"
 
 #include <algorithm>
 #include <numeric>
@@ -21,31 +22,6 @@ std::vector<ElasticPhase<dim>> phases_of(const ElasticBody<dim> &above,
   return all;
 }
 
-/** Degree of freedom of component @p c of a node, see MatrixEntry. */
-template <int dim>
-std::int64_t dof_of(const unsigned int node, const unsigned int c)
-{
-  return static_cast<std::int64_t>(dim) * node + c;
-}
-
-/** The components of a node one after the other, as degrees of freedom are numbered. */
-template <int dim>
-Eigen::VectorXd vector_of(const NodalField<double> &field)
-{
-  Eigen::VectorXd x(static_cast<Eigen::Index>(dim) * field.n_columns());
-  for (unsigned int c = 0; c < dim; ++c)
-    for (unsigned int i = 0; i < field.n_columns(); ++i)
-      x[dof_of<dim>(i, c)] = field.row(c, 0)[i];
-  return x;
-}
-
-template <int dim>
-void take(NodalField<double> &field, const Eigen::VectorXd &x, const unsigned int first)
-{
-  for (unsigned int c = 0; c < dim; ++c)
-    for (unsigned int i = 0; i < field.n_columns(); ++i)
-      field.row(c, 0)[i] = x[dof_of<dim>(first + i, c)];
-}
 } // namespace
 
 RealMatrix blocks_of(const std::array<RealMatrix, 2> &matrices)
@@ -103,7 +79,7 @@ PairBody<dim>::PairBody(const PointBody<dim> &above,
   T                   = transformation();
   RealMatrix of_cells = blocks_of(stiffness);
   std::vector<Triplet> held;
-  for (const SpringEntry &spring : springs_at_contact())
+  for (const SpringEntry &spring : springs_of_above(true))
     held.emplace_back(dof_of<dim>(spring.node.i, spring.c),
                       dof_of<dim>(spring.node.i, spring.d), spring.stiffness);
   RealMatrix of_springs(of_cells.rows(), of_cells.cols());
@@ -138,18 +114,17 @@ RealMatrix PairBody<dim>::transformation() const
   return matrix;
 }
 
-/** Of supports of the upper body, which act on its absolute displacements; where these are relative ones. */
+/** Of supports of the upper body those at nodes with relative displacements, or all others. */
 template <int dim>
-std::vector<SpringEntry> PairBody<dim>::springs_at_contact() const
+std::vector<SpringEntry> PairBody<dim>::springs_of_above(const bool at_relative) const
 {
-  std::vector<SpringEntry> found;
-  if (motion == Motion::absolute)
-    return found;
-  std::set<unsigned int> at_contact;
+  std::set<unsigned int> relative;
   for (const NodeIndex &node : this->surface(ElasticBody<dim>::bottom).nodes)
-    at_contact.insert(node.i);
+    if (motion == Motion::relative)
+      relative.insert(node.i);
+  std::vector<SpringEntry> found;
   for (const SpringEntry &spring : above.foundation().springs)
-    if (at_contact.count(follows[spring.node.i]) > 0)
+    if ((relative.count(follows[spring.node.i]) > 0) == at_relative)
       found.push_back(spring);
   return found;
 }
@@ -158,14 +133,8 @@ std::vector<SpringEntry> PairBody<dim>::springs_at_contact() const
 template <int dim>
 void PairBody<dim>::take_foundations()
 {
-  const std::vector<SpringEntry> in_K = springs_at_contact();
-  std::set<unsigned int> nodes;
-  for (const SpringEntry &spring : in_K)
-    nodes.insert(spring.node.i);
   Foundation both;
-  for (const SpringEntry &spring : above.foundation().springs)
-    if (nodes.count(spring.node.i) == 0)
-      both.springs.push_back(spring);
+  both.springs      = springs_of_above(false);
   both.dashpots     = above.foundation().dashpots;
   const auto append = [this](std::vector<SpringEntry> &to,
                              const std::vector<SpringEntry> &from) {

@@ -76,7 +76,7 @@ private:
   }
 
   RealMatrix transformation() const;
-  std::vector<SpringEntry> springs_at_contact() const;
+  std::vector<SpringEntry> springs_of_above(const bool at_relative) const;
   void take_foundations();
 
   const PointBody<dim> &above;
@@ -86,7 +86,8 @@ private:
   std::vector<NodeIndex> partners; ///< of the nodes of the contact
   std::vector<unsigned int>
     follows; ///< of each node the one that it duplicates, or itself
-  mutable std::unique_ptr<CondensedStiffness<dim>> condensed; ///< of its solvers
+  mutable std::unique_ptr<CondensedStiffness<dim>>
+    condensed; ///< stiffness that its solvers share; empty before the first solve
   std::vector<double> masses; ///< of the nodes (kg, in 2D kg/m)
   RealMatrix T;               ///< makes displacements absolute
   RealMatrix K;               ///< of cells, and of springs that hold the contact

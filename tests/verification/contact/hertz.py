@@ -1,13 +1,12 @@
 """Hertz: a cylinder (plane strain) pressed on the rigid flat without friction: width and pressure of the contact on meshes of a half of the
 body. Both follow from pressures inside the contact, as its edge falls between two nodes. hertz_sphere.py has the sphere."""
 
-import csv
 import math
 import tempfile
 
 import numpy as np
 
-from round_bodies import HALF_WIDTH, RADIUS, WIDTH, round_body
+from round_bodies import HALF_WIDTH, RADIUS, WIDTH, errors_of_hertz, round_body
 from scenes import Folder, prm
 
 YOUNG, POISSON = 210e9, 0.3
@@ -26,15 +25,7 @@ def contact(folder, dim, cells, growth):
         "Supports/Top/Kind": "pressure", "Supports/Top/Held": "", "Supports/Top/Pressure": quarter / WIDTH ** (dim - 1), "Friction/Coefficient": 0,
         "Flat/Velocity": 0}))
     folder.run(0, "contact_dynamics", "hertz.prm", "--output", "out")
-    with open(folder("out", "static_contact.csv"), encoding="ascii") as file:
-        rows = list(csv.DictReader(file))
-    r2 = np.array([sum(float(row[f"{name} [m]"]) ** 2 for name in "xy"[: dim - 1]) for row in rows])
-    pressure = np.array([float(row["pressure [Pa]"]) for row in rows])
-    inside = r2 < (0.9 * HALF_WIDTH) ** 2
-    # p^2 = p0^2 (1 - r^2 / a^2)
-    slope, squared = np.polyfit(r2[inside], pressure[inside] ** 2, 1)
-    exact = (2 if dim == 2 else 1.5) * force / (math.pi * HALF_WIDTH ** (dim - 1))
-    return math.sqrt(squared) / exact - 1, math.sqrt(-squared / slope) / HALF_WIDTH - 1
+    return errors_of_hertz(folder, dim, force)
 
 
 def check(dim, sizes, growth, limit):

@@ -1,14 +1,12 @@
 """Hertz for two bodies: a cylinder and a sphere of steel pressed on a block of aluminium, without friction: radius and pressure of the contact, with the modulus
 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2, on meshes of a half or a quarter of both. Both follow from pressures inside the contact, as in hertz.py."""
 
-import csv
 import math
 import tempfile
 
 import numpy as np
 
-from mesh_files import Box
-from round_bodies import HALF_WIDTH, RADIUS, WIDTH, graded, round_body
+from round_bodies import HALF_WIDTH, RADIUS, WIDTH, box_on, errors_of_hertz, graded, round_body
 from scenes import Folder, prm
 
 STEEL, ALUMINIUM = (210e9, 0.3, 7800), (70e9, 0.33, 2700)
@@ -18,12 +16,11 @@ MODULUS = 1 / sum((1 - nu**2) / young for young, nu, _ in (STEEL, ALUMINIUM))
 def block(dim, size, growth):
     """A block below the round body, with nodes where that has them."""
     axes = [graded(WIDTH, size, 1.3 * HALF_WIDTH, growth)] * (dim - 1) + [-graded(WIDTH, size, 0.5 * HALF_WIDTH, growth)[::-1]]
-    box = Box([1.0] * dim, [len(axis) - 1 for axis in axes], lambda middle: "block")
+    box, points = box_on(axes, "block")
     for name, axis, upper in [("x low", 0, False), ("y low", 1, False), ("z low", 2, False), ("Contact", dim - 1, True)]:
         if axis < dim:
             box.name_side(name, axis, upper)
-    places = np.rint(box.points * [len(axis) - 1 for axis in axes]).astype(int)
-    box.points = np.column_stack([axis[places[:, d]] for d, axis in enumerate(axes)])
+    box.points = points
     return box
 
 
@@ -50,15 +47,7 @@ def contact(folder, dim, cells, growth):
         "Supports/Top/Kind": "pressure", "Supports/Top/Held": "", "Supports/Top/Pressure": quarter / WIDTH ** (dim - 1), "Friction/Coefficient": 0,
         "Flat/Velocity": 0}))
     folder.run(0, "contact_dynamics", "hertz.prm", "--output", "out")
-    with open(folder("out", "static_contact.csv"), encoding="ascii") as file:
-        rows = list(csv.DictReader(file))
-    r2 = np.array([sum(float(row[f"{name} [m]"]) ** 2 for name in "xy"[: dim - 1]) for row in rows])
-    pressure = np.array([float(row["pressure [Pa]"]) for row in rows])
-    inside = r2 < (0.9 * HALF_WIDTH) ** 2
-    # p^2 = p0^2 (1 - r^2 / a^2)
-    slope, squared = np.polyfit(r2[inside], pressure[inside] ** 2, 1)
-    exact = (2 if dim == 2 else 1.5) * force / (math.pi * HALF_WIDTH ** (dim - 1))
-    return math.sqrt(squared) / exact - 1, math.sqrt(-squared / slope) / HALF_WIDTH - 1
+    return errors_of_hertz(folder, dim, force)
 
 
 def check(dim, sizes, growth, limit, least_order):
