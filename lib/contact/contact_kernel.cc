@@ -60,8 +60,8 @@ MESOSLIP_INLINE bool any(const vint64 mask)
 #include "contact/laws/friction_impl.h"
 #include "contact/laws/stretch_impl.h"
 
-/** The nodes i, i + 1, ... of one vector; in @p full with a profile of the flat and springs along it. */
-template <int dim, bool full>
+/** The nodes i, i + 1, ... of one vector; in @p full with a profile of the flat and springs along it. Of a @p trial forces are all. */
+template <int dim, bool full, bool trial>
 MESOSLIP_INLINE void advance_vector(const ContactArrays &a,
                                     const ContactStep &step,
                                     const std::size_t i,
@@ -127,11 +127,20 @@ MESOSLIP_INLINE void advance_vector(const ContactArrays &a,
   const Friction<dim> f = friction(a, step, i, limit, sliding);
   const vint64 sticks   = touches & f.sticks;
 
+  vdouble force[dim];
+  for (int k = 0; k < dim; ++k)
+    force[k] = k == 1 ? normal : touches ? f.force[k / 2] : zero;
+  if constexpr (trial)
+    {
+      for (int k = 0; k < dim; ++k)
+        store(a.trial[k] + i, force[k]);
+      return;
+    }
+
   // Time step.
-  vdouble force[dim], du[dim], central[dim];
+  vdouble du[dim], central[dim];
   for (int k = 0; k < dim; ++k)
     {
-      force[k]                   = k == 1 ? normal : touches ? f.force[k / 2] : zero;
       const vdouble acceleration = a_free[k] + force[k] * minv[k];
       const vdouble w_new        = w[k] + dt * acceleration;
       du[k]                      = dt * w_new + d * acceleration;
@@ -194,9 +203,9 @@ MESOSLIP_INLINE void advance_vector(const ContactArrays &a,
     s.tangential += force[0];
 }
 
-template <int dim, bool full = false>
+template <int dim, bool full, bool trial>
 static void
-advance_nodes(const ContactArrays &arrays, const ContactStep &step, ContactSums &sums)
+step_nodes(const ContactArrays &arrays, const ContactStep &step, ContactSums &sums)
 {
   // Eight partial sums whatever the vectors: the same order everywhere.
   constexpr std::size_t length = Simd<double>::length;
@@ -205,7 +214,9 @@ advance_nodes(const ContactArrays &arrays, const ContactStep &step, ContactSums 
   for (std::size_t i = 0; i < arrays.n; i += contact_lanes)
 #pragma GCC unroll 4
     for (std::size_t p = 0; p < n; ++p)
-      advance_vector<dim, full>(arrays, step, i + p * length, parts[p]);
+      advance_vector<dim, full, trial>(arrays, step, i + p * length, parts[p]);
+  if constexpr (trial)
+    return;
 
   const auto sum = [&](vdouble LaneSums::*quantity) {
     double total = 0.;
@@ -221,6 +232,16 @@ advance_nodes(const ContactArrays &arrays, const ContactStep &step, ContactSums 
   sums.impact_energy    = sum(&LaneSums::impact_energy);
   sums.stored_energy    = sum(&LaneSums::stored_energy);
   sums.lifting_work     = sum(&LaneSums::lifting_work);
+}
+
+template <int dim, bool full = false>
+static void
+advance_nodes(const ContactArrays &arrays, const ContactStep &step, ContactSums &sums)
+{
+  if (arrays.trial[0] != nullptr)
+    step_nodes<dim, full, true>(arrays, step, sums);
+  else
+    step_nodes<dim, full, false>(arrays, step, sums);
 }
 
 void advance(const ContactArrays &arrays, const ContactStep &step, ContactSums &sums)

@@ -70,6 +70,8 @@ struct ContactArrays
   double *u[3];                  ///< displacement (m), in and out
   double *w[3];                  ///< velocity of the scheme (m/s), in and out
   double *column[n_columns];     ///< see Column
+  double *trial
+    [3]; ///< gets the forces of the step (N, in 2D N/m), which is not made then; null: it is made
 };
 
 /** The time step's constants as the kernels use them. */

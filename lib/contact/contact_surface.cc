@@ -86,65 +86,117 @@ ContactArrays ContactSurface<dim>::arrays(const SurfaceView<dim> &surface,
   return a;
 }
 
+template <int dim>
+ContactStep ContactSurface<dim>::constants(const FlatVelocity &flat) const
+{
+  const std::array<double, 2> &along = setup.flat_direction,
+                              moved  = flat_increment_at(flat.now),
+                              before = flat_increment_at(flat.before);
+  return {step.dt,
+          step.beta2,
+          {moved[0], moved[1]},
+          {before[0], before[1]},
+          {along[0], along[1]}};
+}
+
 // What copies of nodes of other ranks contribute is counted there.
 template <int dim>
 void ContactSurface<dim>::advance_all(const SurfaceView<dim> &surface,
-                                      const double flat_velocity,
-                                      const double velocity_before)
+                                      const FlatVelocity &flat)
 {
-  const std::array<double, 2> &along = setup.flat_direction,
-                              moved  = flat_increment_at(flat_velocity),
-                              before = flat_increment_at(velocity_before);
-  const ContactStep constants        = {step.dt,
-                                        step.beta2,
-                                        {moved[0], moved[1]},
-                                        {before[0], before[1]},
-                                        {along[0], along[1]}};
-  const unsigned int n_own           = setup.n_owned.value_or(n_nodes),
-                     copies          = whole_vectors<double>(n_own);
-  advance_nodes(arrays(surface, 0, n_own), constants, last);
+  const ContactStep values  = constants(flat);
+  const unsigned int n_own  = setup.n_owned.value_or(n_nodes),
+                     copies = whole_vectors<double>(n_own);
+  advance_nodes(arrays(surface, 0, n_own), values, last);
   ContactSums elsewhere;
   if (copies < n_nodes)
-    advance_nodes(arrays(surface, copies, n_nodes), constants, elsewhere);
+    advance_nodes(arrays(surface, copies, n_nodes), values, elsewhere);
+}
+
+template <int dim>
+void ContactSurface<dim>::begin(const SurfaceView<dim> &surface)
+{
+  const bool first = !started;
+  if (first)
+    initialize_increments(surface);
+  if (profile)
+    profile->advance(surface, flat_increment(surface.time), arrays(surface, 0, n_nodes));
+  if (first && setup.slips_on_springs())
+    relax_along_flat(surface);
+}
+
+// What springs and laws make of the step; the same again if it is asked for again, but for what laws remember.
+template <int dim>
+void ContactSurface<dim>::prepare(const SurfaceView<dim> &surface,
+                                  const FlatVelocity &flat)
+{
+  const auto along = [&](const double velocity) {
+    return std::array<double, 2>{
+      {velocity * setup.flat_direction[0], velocity * setup.flat_direction[1]}};
+  };
+  if (springs)
+    springs->press(surface, arrays(surface, 0, n_nodes));
+  if (setup.law.node_law)
+    setup.law.node_law->update(
+      {n_nodes, surface.w[0], along(flat.now)[0], dim == 3 ? surface.w[1] : nullptr,
+       along(flat.now)[1]},
+      step.dt,
+      {column(Column::friction_coefficient), column(Column::decay), column(Column::lag)});
+  if (variable)
+    variable->update(surface, {along(flat.before), along(flat.now)},
+                     arrays(surface, 0, n_nodes));
+}
+
+template <int dim>
+void ContactSurface<dim>::try_forces(const SurfaceView<dim> &surface,
+                                     const std::array<double *, dim> &trial)
+{
+  Assert(!profile, dealii::ExcInternalError());
+  const FlatVelocity flat = flat_at(surface.time);
+  if (!started)
+    begin(surface);
+  using Memory        = typename VariableFriction<dim>::Memory;
+  const Memory before = variable ? variable->memory() : Memory();
+  prepare(surface, flat);
+  ContactArrays all = arrays(surface, 0, setup.n_owned.value_or(n_nodes));
+  all.trial[0]      = trial[0];
+  all.trial[1]      = trial[dim - 1];
+  all.trial[2]      = dim == 3 ? trial[1] : nullptr;
+  ContactSums none;
+  advance_nodes(all, constants(flat), none);
+  if (variable)
+    variable->recall(before);
+}
+
+template <int dim>
+void ContactSurface<dim>::ride(const double *rise,
+                               const std::array<const double *, dim> &moved)
+{
+  const std::array<Column, 3> increments = {
+    {Column::increment_x, dim == 3 ? Column::lateral_increment : Column::increment_y,
+     Column::increment_y}};
+  for (unsigned int i = 0; i < n_nodes; ++i)
+    {
+      // The heights of the step before stay, whatever is said to have moved.
+      column(Column::rise_before)[i] = column(Column::rise)[i] + moved[dim - 1][i];
+      column(Column::rise)[i]        = rise[i];
+      for (unsigned int c = 0; c < dim; ++c)
+        column(increments[c])[i] += moved[c][i];
+    }
 }
 
 template <int dim>
 void ContactSurface<dim>::advance(const SurfaceView<dim> &surface)
 {
   AssertDimension(surface.n, n_nodes);
-  const double flat_velocity = setup.flat_velocity(surface.time),
-               before        = setup.flat_velocity(std::max(0., surface.time - step.dt));
-  const bool first           = !started;
-  if (first)
-    initialize_increments(surface);
-  if (profile)
-    profile->advance(surface, flat_increment_at(flat_velocity),
-                     arrays(surface, 0, n_nodes));
-  if (first && setup.slips_on_springs())
-    relax_along_flat(surface);
-  if (springs)
-    springs->press(surface, arrays(surface, 0, n_nodes));
-  if (setup.law.node_law)
-    setup.law.node_law->update(
-      {n_nodes, surface.w[0], flat_velocity * setup.flat_direction[0],
-       dim == 3 ? surface.w[1] : nullptr, flat_velocity * setup.flat_direction[1]},
-      step.dt,
-      {column(Column::friction_coefficient), column(Column::decay), column(Column::lag)});
-  if (variable)
-    {
-      const auto along = [&](const double velocity) {
-        return std::array<double, 2>{
-          {velocity * setup.flat_direction[0], velocity * setup.flat_direction[1]}};
-      };
-      variable->update(surface, {along(before), along(flat_velocity)},
-                       arrays(surface, 0, n_nodes));
-    }
-
+  const FlatVelocity flat = flat_at(surface.time);
+  begin(surface);
+  prepare(surface, flat);
   for (ContactObserver<dim> *observer : observers)
     if (observer->wants(surface.step))
       observer->before(surface);
 
-  advance_all(surface, flat_velocity, before);
+  advance_all(surface, flat);
   if (springs)
     springs->add_energies(surface, arrays(surface, 0, n_nodes), last);
 
@@ -158,9 +210,9 @@ void ContactSurface<dim>::advance(const SurfaceView<dim> &surface)
   total.friction += last.friction_energy;
   total.impact += last.impact_energy;
   total.stored = last.stored_energy;
-  total.load += last.normal_force * std::fabs(flat_velocity) * step.dt;
+  total.load += last.normal_force * std::fabs(flat.now) * step.dt;
   total.external +=
-    last.tangential_force * 0.5 * (before + flat_velocity) * step.dt + last.lifting_work;
+    last.tangential_force * 0.5 * (flat.before + flat.now) * step.dt + last.lifting_work;
   for (ContactObserver<dim> *observer : observers)
     if (observer->wants(surface.step))
       observer->after(surface, *this);

@@ -87,9 +87,12 @@ struct ContactSetup
   /** Whether nodes take part in more than linear springs along the normal of an even flat. */
   bool is_full() const
   {
-    return profile || slips_on_springs() ||
+    return profile || flat_rises || slips_on_springs() ||
            (is_compliant() && !normal_spring.is_linear());
   }
+
+  /** The surface below rises and falls under the nodes, see ContactSurface::rise(). */
+  bool flat_rises = false;
 
   /** Whether there are springs along the flat. */
   bool slips_on_springs() const
@@ -147,6 +150,15 @@ public:
 
   /** Contact forces by forward increment Lagrange multipliers, then the step. */
   void advance(const SurfaceView<dim> &surface) override;
+
+  /** What the forces of that step would be (N, in 2D N/m): into rows of @p trial, padded to whole vectors, in the order of the axes.
+   * Flats have no profile then. */
+  void try_forces(const SurfaceView<dim> &surface,
+                  const std::array<double *, dim> &trial);
+
+  /** Before the step in which the surface below rises by @p rise (m) under each node as it slides, and with it what nodes @p moved
+   * relative to it in the step before changes (m, a row for each axis); for ContactSetup::flat_rises. */
+  void ride(const double *rise, const std::array<const double *, dim> &moved);
 
   /** Energies since the start, and that in the springs, of the nodes of this rank; external is the
    * work of the moving flat. */
@@ -282,9 +294,23 @@ private:
   ContactArrays arrays(const SurfaceView<dim> &surface,
                        const unsigned int first,
                        const unsigned int end);
-  void advance_all(const SurfaceView<dim> &surface,
-                   const double flat_velocity,
-                   const double velocity_before);
+
+  /** Velocity of the flat along its direction (m/s). */
+  struct FlatVelocity
+  {
+    double before; ///< in the step that ends
+    double now;    ///< in that which begins
+  };
+
+  FlatVelocity flat_at(const double time) const
+  {
+    return {setup.flat_velocity(std::max(0., time - step.dt)), setup.flat_velocity(time)};
+  }
+
+  ContactStep constants(const FlatVelocity &flat) const;
+  void begin(const SurfaceView<dim> &surface);
+  void prepare(const SurfaceView<dim> &surface, const FlatVelocity &flat);
+  void advance_all(const SurfaceView<dim> &surface, const FlatVelocity &flat);
 
   std::array<double, 2> flat_increment_at(const double flat_velocity) const
   {

@@ -118,6 +118,7 @@ UniformGrid<dim> make_grid(const BodyParameters &body, const RveFile<dim> *rve)
       "Cells, each three numbers along x, y, z; or name a mesh in Mesh/File");
   for (unsigned int d = 0; d < dim; ++d)
     grid.spacing[d] = size[d] / grid.cells[d];
+  std::copy_n(body.position.begin(), dim - 1, grid.origin.begin());
   return grid;
 }
 

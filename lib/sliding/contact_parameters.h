@@ -51,6 +51,7 @@ struct BodyParameters
   std::array<double, 3> size             = {};         ///< m; 0: as the RVE
   std::array<unsigned int, 3> cells      = {};         ///< 0: as the RVE
   std::array<double, 3> initial_velocity = {};         ///< m/s; z in 3D only
+  std::array<double, 2> position         = {}; ///< x and y of the lowest corner (m)
 };
 
 /** Section Time, besides the StepParameters. */
@@ -161,6 +162,9 @@ struct ContactParameters : SlidingSetup
 
   bool is_counter =
     false; ///< whether it is a second body, whose contact is its upper side
+
+  bool slides_on =
+    false; ///< whether it moves on below the other body by more than its cells
 
   /** Whether it is one that is computed upside down. */
   bool is_turned_over() const

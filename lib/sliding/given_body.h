@@ -64,6 +64,9 @@ struct BodyFacts
   /** x and, in 3D, y of the contact nodes (m). */
   std::array<std::vector<double>, 2> contact_place;
 
+  /** Between the contact nodes, where there is a second body. */
+  std::vector<SurfaceFacet> contact_facets;
+
   std::vector<unsigned int>
     contact_points; ///< their numbers in the mesh; empty: it is a grid
 
@@ -156,10 +159,8 @@ public:
                                   RunContext &context,
                                   CounterMotion<dim> *counter) const = 0;
 
-  /** A counter body in its initial state, whose contact nodes have these @p partners in the contact of the body above; of a plane
-   * grid on rank 0 alone. */
+  /** A counter body in its initial state; of a plane grid on rank 0 alone. */
   virtual CounterMotion<dim> start_below(const SlidingSetup &setup,
-                                         const std::vector<unsigned int> &partners,
                                          RunContext &context) const = 0;
 
   /** On rank 0: writes into the group /contact of a run where the nodes of the contact are. */

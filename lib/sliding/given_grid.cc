@@ -127,7 +127,9 @@ GivenGrid::GivenGrid(const ContactParameters &given, const BodyDescription &desc
   known.place            = cell_text(body.grid);
   known.size             = size();
   for (unsigned int i = 0; i < material.n_columns(); ++i)
-    known.contact_place[0].push_back(i * body.grid.spacing[0]);
+    known.contact_place[0].push_back(body.grid.origin[0] + i * body.grid.spacing[0]);
+  if (parameters.is_counter || parameters.counter)
+    known.contact_facets = facets();
   known.shortest_side = std::min(body.grid.extent(0), body.grid.extent(1));
   known.contents      = "Content of Body/RVE file = " + body.rve_content + "\n";
   known.probes        = parameters.observation.probes;
@@ -135,6 +137,20 @@ GivenGrid::GivenGrid(const ContactParameters &given, const BodyDescription &desc
     probe.position = place_of_probe(probe, body.grid);
   known.long_run   = 6e8;
   known.most_ranks = std::max(1U, body.grid.cells[1] / 40); // which hide what ranks tell
+}
+
+/** Of the contact, whose last node is the first one again on a periodic grid. */
+std::vector<SurfaceFacet> GivenGrid::facets() const
+{
+  const unsigned int n         = body.grid.cells[0];
+  const std::vector<double> &x = known.contact_place[0];
+  std::vector<SurfaceFacet> facets;
+  for (unsigned int i = 0; i < n; ++i)
+    {
+      const unsigned int next = parameters.periodic && i + 1 == n ? 0 : i + 1;
+      facets.push_back({2, {{i, next}}, {{{{x[i], 0.}}, {{x[i + 1], 0.}}}}});
+    }
+  return facets;
 }
 
 std::vector<std::string> GivenGrid::lines() const

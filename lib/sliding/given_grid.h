@@ -51,7 +51,6 @@ public:
                         RunContext &context,
                         CounterMotion<2> *counter) const override;
   CounterMotion<2> start_below(const SlidingSetup &given,
-                               const std::vector<unsigned int> &partners,
                                RunContext &context) const override;
   void write_contact(Hdf5File &file) const override;
 
@@ -86,6 +85,7 @@ protected:
 private:
   std::vector<std::string> lines() const;
   std::vector<std::string> warnings() const;
+  std::vector<SurfaceFacet> facets() const;
   BodyScales scales() const;
   double mass_for_area(const SideSupport &platen, const double density) const;
   BodySize size() const;

@@ -52,7 +52,7 @@ SupportNodes GivenGrid::top_nodes() const
     {
       top.nodes.push_back({i, body.grid.cells[1]});
       top.carried.area.push_back(tributary_width(body.grid, i, parameters.periodic));
-      top.carried.position[0].push_back(i * body.grid.spacing[0]);
+      top.carried.position[0].push_back(body.grid.origin[0] + i * body.grid.spacing[0]);
       top.carried.position[1].push_back(place_of_row(body.grid.cells[1]));
     }
   if (parameters.top.suspension.absorbing)
@@ -97,7 +97,8 @@ SideNodes GivenGrid::column_of(const SideSupport &side) const
       const double below = j > 0 ? half : 0., above = j < n ? half : 0.,
                    area = below + above;
       nodes.area.push_back(area);
-      nodes.position[0].push_back(left ? 0. : body.grid.extent(0));
+      nodes.position[0].push_back(body.grid.origin[0] +
+                                  (left ? 0. : body.grid.extent(0)));
       nodes.position[1].push_back(place_of_row(j));
       nodes.push[0].push_back(left ? area : -area);
       const auto behind = [&](const unsigned int row) {

@@ -108,6 +108,8 @@ public:
       archive &node_loads;
     if (energy)
       archive &*energy;
+    if (pair)
+      archive &*pair;
   }
 
   const SlidingSetup setup;              ///< completed: widths, periodicity

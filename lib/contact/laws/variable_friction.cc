@@ -31,9 +31,9 @@ VariableFriction<dim>::VariableFriction(
     for (double &f : factor)
       f = f == law.reference ? 1. : f / law.reference;
   if (law.slip_law && law.slip_law->state())
-    states.assign(factor.size(), law.slip_law->state()->initial);
+    kept.states.assign(factor.size(), law.slip_law->state()->initial);
   if (law.normal_stress.is_given())
-    remembered.assign(factor.size(), 0.);
+    kept.remembered.assign(factor.size(), 0.);
 }
 
 // As the contact kernel does it; see the class.
@@ -109,7 +109,7 @@ void VariableFriction<dim>::note_weakening(const double soft, const double share
                by_slip = share > 0. ? soft / (share * step.beta2) * step.dt *
                                         law.slip_law->steepest_fall_in_slip()
                                     : 0.;
-  weakening            = std::max({weakening, by_rate, by_slip});
+  kept.weakening       = std::max({kept.weakening, by_rate, by_slip});
 }
 
 template <int dim>
@@ -126,13 +126,13 @@ void VariableFriction<dim>::update(const SurfaceView<dim> &surface,
       const Node node = predict(surface, flat, contact, i);
       normal[i]       = node.normal;
       double pressing = node.normal; // to friction
-      if (!remembered.empty())
+      if (!kept.remembered.empty())
         {
           const Relaxation r = law.normal_stress.step(step.dt, before[i].slip_rate);
-          pressing = node.normal + r.decay * (remembered[i] - before_normal[i]) -
+          pressing = node.normal + r.decay * (kept.remembered[i] - before_normal[i]) -
                      r.lag * (node.normal - before_normal[i]);
-          remembered[i] = node.normal > 0. ? std::max(0., pressing) : 0.;
-          pressing      = remembered[i];
+          kept.remembered[i] = node.normal > 0. ? std::max(0., pressing) : 0.;
+          pressing           = kept.remembered[i];
         }
       free_rate[i] = node.free_rate;
       softness[i]  = node.normal > 0. ? node.softness * pressing * factor[i] : -1.;
@@ -154,14 +154,14 @@ void VariableFriction<dim>::update(const SurfaceView<dim> &surface,
       nodes.pressure    = or_null(pressure);
       nodes.position    = {{or_null(position[0]), or_null(position[1])}};
       nodes.time        = surface.time;
-      nodes.state       = states.empty() ? nullptr : states.data();
+      nodes.state       = kept.states.empty() ? nullptr : kept.states.data();
       nodes.coefficient = coefficient.data();
       law.slip_law->update(nodes);
     }
   for (std::size_t i = 0; i < n; ++i)
     if (normal[i] > 0.)
       result[i] = (law.slip_law ? coefficient[i] : 1.) * factor[i] *
-                  (remembered.empty() ? 1. : remembered[i] / normal[i]);
+                  (kept.remembered.empty() ? 1. : kept.remembered[i] / normal[i]);
 }
 
 template class VariableFriction<2>;

@@ -48,17 +48,37 @@ public:
               const FlatMotion &flat,
               const ContactArrays &contact);
 
+  /** What lasts from step to step. */
+  struct Memory
+  {
+    std::vector<double> states;     ///< of the law, one a node
+    std::vector<double> remembered; ///< normal force as friction knows it (N, in 2D N/m)
+    double weakening = 0.;          ///< see largest_weakening()
+  };
+
+  /** Where it is, to come back to by recall(). */
+  const Memory &memory() const
+  {
+    return kept;
+  }
+
+  /** Forgets the updates since @p memory. */
+  void recall(const Memory &memory)
+  {
+    kept = memory;
+  }
+
   /** The state of the law, one value a node; null if it has none. */
   const double *state() const
   {
-    return states.empty() ? nullptr : states.data();
+    return kept.states.empty() ? nullptr : kept.states.data();
   }
 
   /** What the normal force is to friction (N, in 2D N/m), one value a node; null without a
    * memory of the normal stress. */
   const double *remembered_normal_force() const
   {
-    return remembered.empty() ? nullptr : remembered.data();
+    return kept.remembered.empty() ? nullptr : kept.remembered.data();
   }
 
   /**
@@ -68,14 +88,14 @@ public:
    */
   double largest_weakening() const
   {
-    return weakening;
+    return kept.weakening;
   }
 
   /** Saves or restores the state between two steps (Boost.Serialization). */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    archive &states &remembered &weakening;
+    archive &kept.states &kept.remembered &kept.weakening;
   }
 
 private:
@@ -99,8 +119,7 @@ private:
   const std::vector<double> area;
   const std::array<std::vector<double>, 2> position;
 
-  std::vector<double> states, remembered;
-  double weakening = 0.;
+  Memory kept;
 
   std::vector<SlipStep> before; ///< of one step, as all below
   std::vector<double> normal, free_rate, softness, pressure, coefficient;

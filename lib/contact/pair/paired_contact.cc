@@ -2,52 +2,49 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace mesoslip
 {
-namespace
-{
-/** Rows of what the second body tells of a component. */
-enum Row : unsigned int
-{
-  displacement,
-  velocity,
-  force_without_contact,
-  one_over_mass,
-  n_rows
-};
-
-/** Calls what (i, number in the whole contact) for the nodes that are some. */
-template <typename Function>
-void for_each_node(const NodesOfContact &nodes, const Function &what)
-{
-  for (std::size_t i = 0; i < nodes.number.size(); ++i)
-    if (nodes.number[i] != NodesOfContact::none)
-      what(i, nodes.number[i]);
-}
-} // namespace
-
 template <int dim>
 PairedContact<dim>::PairedContact(ContactSurface<dim> &contact,
                                   const NodesOfContact &nodes,
                                   PartnerSurface<dim> &partner,
+                                  const SurfaceMeeting &given,
                                   const std::function<void()> &advance_partner,
                                   const StepParameters &step,
                                   const MPI_Comm communicator)
   : contact(contact)
   , nodes(nodes)
   , partner(partner)
+  , meeting(given)
   , advance_partner(advance_partner)
   , step(step)
   , of_partner(partner.nodes, n_rows * dim, communicator)
-  , forces(nodes, dim, communicator)
+  , forces(nodes, dim + 2, communicator)
+  , taken(dim, std::vector<double>(of_partner.n_nodes()))
+  , moved_before(dim * partner.nodes.number.size())
   , u(NodalField<double>::of_points(nodes.number.size(), dim))
   , w(u)
   , force(u)
   , inverse_mass(u)
+  , apart(u)
+  , trial(u)
 {
+  AssertDimension(meeting.weights.n_rows(), forces.n_nodes());
+  set_weights(meeting.weights);
   partner.meet = [this](const SurfaceView<dim> &below) { meet(below); };
+}
+
+template <int dim>
+void PairedContact<dim>::set_weights(SurfaceWeights weights)
+{
+  meeting.weights = std::move(weights);
+  reach.assign(of_partner.n_nodes(), 0.);
+  for (std::size_t e = 0; e < meeting.weights.node.size(); ++e)
+    reach[meeting.weights.node[e]] += std::fabs(meeting.weights.weight[e]);
 }
 
 /** Of components of the second body in the frame of the first one. */
@@ -70,7 +67,10 @@ void PairedContact<dim>::meet(const SurfaceView<dim> &below)
 {
   AssertDimension(above->n, nodes.number.size());
   AssertDimension(below.n, partner.nodes.number.size());
-  take_relative(below);
+  share_partner(below);
+  if (meeting.sliding)
+    slide();
+  take_relative();
   SurfaceView<dim> relative = *above;
   for (unsigned int c = 0; c < dim; ++c)
     {
@@ -79,41 +79,90 @@ void PairedContact<dim>::meet(const SurfaceView<dim> &below)
       relative.force[c]        = force.row(c, 0);
       relative.inverse_mass[c] = inverse_mass.row(c, 0);
     }
+  if (!meeting.weights.are_partners())
+    settle(relative);
   contact.advance(relative);
   share_forces();
   for (unsigned int c = 0; c < dim; ++c)
     {
-      move(*above, nodes, c, 1.);
-      move(below, partner.nodes, c, -sign(c));
+      meeting.weights.spread(forces.row(c), taken[c]);
+      move(*above, nodes, c, forces.row(c), 1.);
+      double *const moved = moved_before.data() + c * below.n;
+      if (meeting.sliding)
+        std::copy_n(below.u[c], below.n, moved);
+      move(below, partner.nodes, c, taken[c].data(), -sign(c));
+      for (std::size_t i = 0; meeting.sliding && i < below.n; ++i)
+        moved[i] = below.u[c][i] - moved[i];
     }
 }
 
-/** The motion of the first body seen from the second one, and the force that makes it in the step without contact. */
 template <int dim>
-void PairedContact<dim>::take_relative(const SurfaceView<dim> &below)
+void PairedContact<dim>::share_partner(const SurfaceView<dim> &below)
 {
+  std::vector<double> acceleration(below.n);
   for (unsigned int c = 0; c < dim; ++c)
     {
+      for (std::size_t i = 0; i < below.n; ++i)
+        acceleration[i] = below.inverse_mass[c][i] * below.force[c][i];
       of_partner.set(n_rows * c + displacement, below.u[c]);
       of_partner.set(n_rows * c + velocity, below.w[c]);
-      of_partner.set(n_rows * c + force_without_contact, below.force[c]);
+      of_partner.set(n_rows * c + braking, acceleration.data());
       of_partner.set(n_rows * c + one_over_mass, below.inverse_mass[c]);
+      of_partner.set(n_rows * c + increment, moved_before.data() + c * below.n);
     }
   of_partner.share();
+}
+
+/** What is below the nodes after the step: how it rises, and what it did in the step before. */
+template <int dim>
+void PairedContact<dim>::slide()
+{
+  const std::array<double, 2> moved = contact.flat_increment(above->time);
+  for (unsigned int d = 0; d < 2; ++d)
+    way[d] += moved[d];
+  const SurfaceWeights before = meeting.weights;
+  set_weights(meeting.sliding->at(way));
+  const auto change = [&](const Row r, const unsigned int c, const unsigned int k) {
+    const double *const values = of_partner.row(n_rows * c + r);
+    return sign(c) * (meeting.weights.of(values, k) - before.of(values, k));
+  };
+  std::array<const double *, dim> change_of_moved;
+  for (unsigned int c = 0; c < dim; ++c)
+    {
+      nodes.for_each([&](const std::size_t i, const unsigned int k) {
+        u.row(c, 0)[i] = -change(increment, c, k);
+        if (c + 1 == dim)
+          w.row(c, 0)[i] = change(displacement, c, k);
+      });
+      change_of_moved[c] = u.row(c, 0);
+    }
+  contact.ride(w.row(dim - 1, 0), change_of_moved);
+}
+
+/** The motion of the first body seen from the second one, and what makes it in the step without contact. */
+template <int dim>
+void PairedContact<dim>::take_relative()
+{
+  const SurfaceWeights &weights = meeting.weights;
+  const bool partners           = weights.are_partners();
+  std::vector<double> yields(of_partner.n_nodes());
   for (unsigned int c = 0; c < dim; ++c)
     {
       const double s = sign(c);
       const auto row = [&](const Row r) { return of_partner.row(n_rows * c + r); };
-      const double *u_partner = row(displacement), *w_partner = row(velocity),
-                   *force_partner = row(force_without_contact),
-                   *of_mass       = row(one_over_mass);
-      for_each_node(nodes, [&](const std::size_t i, const unsigned int k) {
-        const double own = above->inverse_mass[c][i], inverse = own + of_mass[k],
-                     apart = own * above->force[c][i] - s * of_mass[k] * force_partner[k];
-        u.row(c, 0)[i]     = above->u[c][i] - s * u_partner[k];
-        w.row(c, 0)[i]     = above->w[c][i] - s * w_partner[k];
+      for (std::size_t j = 0; j < yields.size(); ++j)
+        yields[j] = (partners ? 1. : 0.5 * reach[j]) * row(one_over_mass)[j];
+      nodes.for_each([&](const std::size_t i, const unsigned int k) {
+        const double own = above->inverse_mass[c][i];
+        double inverse   = own;
+        for (std::size_t e = weights.start[k]; e < weights.start[k + 1]; ++e)
+          inverse += std::fabs(weights.weight[e]) * yields[weights.node[e]];
+        const double off = own * above->force[c][i] - s * weights.of(row(braking), k);
+        u.row(c, 0)[i]   = above->u[c][i] - s * weights.of(row(displacement), k);
+        w.row(c, 0)[i]   = above->w[c][i] - s * weights.of(row(velocity), k);
         inverse_mass.row(c, 0)[i] = inverse;
-        force.row(c, 0)[i]        = inverse > 0. ? apart / inverse : 0.;
+        apart.row(c, 0)[i]        = off;
+        force.row(c, 0)[i]        = inverse > 0. ? off / inverse : 0.;
       });
     }
 }
@@ -128,54 +177,20 @@ void PairedContact<dim>::share_forces()
   forces.share();
 }
 
-/** One step of component @p c of the nodes under the contact forces times @p sign. */
+/** One step of component @p c of the nodes under @p f times @p sign. */
 template <int dim>
 void PairedContact<dim>::move(const SurfaceView<dim> &surface,
                               const NodesOfContact &of_surface,
                               const unsigned int c,
+                              const double *f,
                               const double sign) const
 {
-  const double *const f = forces.row(c);
-  for_each_node(of_surface, [&](const std::size_t i, const unsigned int k) {
+  of_surface.for_each([&](const std::size_t i, const unsigned int k) {
     const double a = surface.inverse_mass[c][i] * (sign * f[k] - surface.force[c][i]);
     double &w_now  = surface.w[c][i];
     w_now += step.dt * a;
     surface.u[c][i] += step.dt * w_now + (step.beta2 - 0.5) * step.dt * step.dt * a;
   });
-}
-
-template <int dim>
-void PairedContact<dim>::start_as_one(NormalStart &own, NormalStart &other)
-{
-  const double s              = partner.normal;
-  const MPI_Comm communicator = of_partner.ranks();
-  SurfaceValues of_other(partner.nodes, 2, communicator),
-    together(nodes, 2, communicator);
-  of_other.set(0, other.inverse_inertia.data());
-  of_other.set(1, other.acceleration.data());
-  of_other.share();
-  std::vector<double> rest(nodes.number.size()), common(rest);
-  for_each_node(nodes, [&](const std::size_t i, const unsigned int k) {
-    const double up = own.acceleration[i], down = s * of_other.row(1)[k],
-                 inverse = own.inverse_inertia[i], below = of_other.row(0)[k];
-    if (own.velocity == s * other.velocity && inverse > 0. && below > 0. &&
-        contact.rests(static_cast<unsigned int>(i), up - down))
-      {
-        rest[i]   = 1.;
-        common[i] = (below * up + inverse * down) / (inverse + below);
-      }
-  });
-  together.set(0, rest.data());
-  together.set(1, common.data());
-  together.share();
-  const auto take = [&](NormalStart &start, const NodesOfContact &of, const double sign) {
-    for_each_node(of, [&](const std::size_t i, const unsigned int k) {
-      if (together.row(0)[k] > 0.)
-        start.acceleration[i] = sign * together.row(1)[k];
-    });
-  };
-  take(own, nodes, 1.);
-  take(other, partner.nodes, s);
 }
 
 template class PairedContact<2>;

@@ -2,9 +2,13 @@
 #define mesoslip_contact_pair_paired_contact_h
 
 #include "contact/contact_surface.h"
+#include "contact/pair/mortar_weights.h"
 #include "contact/pair/surface_values.h"
+#include "contact/pair/surface_weights.h"
 
+#include <cstdint>
 #include <functional>
+#include <memory>
 #include <vector>
 
 namespace mesoslip
@@ -13,8 +17,7 @@ namespace mesoslip
 template <int dim>
 struct PartnerSurface : SurfaceCondition<dim>
 {
-  /** Nodes with the numbers that their partners have in the contact of the first body. */
-  NodesOfContact nodes;
+  NodesOfContact nodes; ///< with their numbers in the contact of this body
 
   /** 1, or -1 for a body that is computed upside down: its own normal points away from the first one. */
   double normal = 1.;
@@ -29,6 +32,15 @@ struct PartnerSurface : SurfaceCondition<dim>
   }
 };
 
+/** What the nodes of a contact meet of a second body. */
+struct SurfaceMeeting
+{
+  SurfaceWeights weights; ///< at the start
+
+  /** What makes the weights as the second body slides on; null: displacements are small, and weights stay. */
+  std::shared_ptr<const MortarWeights> sliding;
+};
+
 /** How the nodes of a contact that a rank has start along the normal. */
 struct NormalStart
 {
@@ -38,21 +50,35 @@ struct NormalStart
 };
 
 /**
- * Two bodies that meet node by node: the contact sees the motion of the first one relative to the second one, whose
- * nodes yield as well. A contact force f accelerates partners of the inertias m1 and m2 against each other by (1/m1 + 1/m2)
- * f, so that the forward-increment Lagrange multipliers of the rigid flat are those of the pair with this compliance. Partners
- * stay what they are, as displacements are small; the velocity of the flat is that of the second body along the first one.
- * Partners may be on different ranks, which tell each other the nodes of both contacts in each step.
+ * Two bodies that meet: the contact sees the motion of the nodes of the first one relative to what is below them of the second one,
+ * W u_2 with SurfaceWeights W, whose nodes yield as well. Contact forces f accelerate them against each other by
+ *
+ *     G f,   G = M_1^-1 + W M_2^-1 W^T,
+ *
+ * so that the forward-increment Lagrange multipliers of the rigid flat are those of the pair with this compliance. Where each node has
+ * one partner, G is diagonal. Else forces of neighbours are found together: each node answers the forces of the others as if its own
+ * compliance were
+ *
+ *     d_i = 1/m_i + r_i / 2,   r_i = sum over j of |W_ij| (sum over k of |W_kj|) / m_j,
+ *
+ * again and again until nothing changes. As 1/m_i and 1/m_i + r_i enclose all of G, what is left shrinks on nodes that touch and slide,
+ * or stick, at least by r_i / (2 d_i) each time, with Chebyshev's acceleration faster (Golub and Varga 1961).
+ *
+ * The velocity of the flat is that of the second body along the first one. While that body slides on by more than its cells, weights
+ * follow its way; its surface then rises and falls under the nodes, and what drives it does the work of that.
+ *
+ * Nodes may be on different ranks, which tell each other those of both contacts in each step.
  */
 template <int dim>
 class PairedContact : public SurfaceCondition<dim>
 {
 public:
-  /** @p contact is of the @p nodes of the first body, @p partner of those of the second one, of which @p advance_partner makes
-   * one step. Both must outlive this. Collective over the @p communicator of ranks that have them. */
+  /** @p contact is of the @p nodes of the first body, which have @p meeting with those of @p partner, of whose body @p advance_partner
+   * makes one step. Both must outlive this. Collective over the @p communicator of ranks that have them. */
   PairedContact(ContactSurface<dim> &contact,
                 const NodesOfContact &nodes,
                 PartnerSurface<dim> &partner,
+                const SurfaceMeeting &meeting,
                 const std::function<void()> &advance_partner,
                 const StepParameters &step,
                 const MPI_Comm communicator);
@@ -63,32 +89,90 @@ public:
   /** One step of the nodes and of the second body. Collective. */
   void advance(const SurfaceView<dim> &surface) override;
 
-  /** Partners that press on each other from the start get their common acceleration. Collective. */
+  /** Nodes that press on the second body from the start get one acceleration with what is below them. Collective. */
   void start_as_one(NormalStart &own, NormalStart &other);
 
+  /** How forces of neighbours were found together. */
+  struct Settling
+  {
+    std::uint64_t trials    = 0;  ///< of all steps
+    std::uint64_t unsettled = 0;  ///< steps in which friction went on changing
+    double change           = 0.; ///< in these, by the largest force, at most
+  };
+
+  /** Since the start. */
+  const Settling &settling() const
+  {
+    return settled;
+  }
+
+  /** Saves or restores the state between two steps (Boost.Serialization). */
+  template <class Archive>
+  void serialize(Archive &archive, const unsigned int)
+  {
+    archive &way[0] & way[1] & moved_before;
+    archive &settled.trials &settled.unsettled &settled.change;
+    if (meeting.sliding)
+      set_weights(meeting.sliding->at(way));
+  }
+
 private:
+  /** What the second body tells of a component. */
+  enum Row : unsigned int
+  {
+    displacement,  ///< m
+    velocity,      ///< of the scheme (m/s)
+    braking,       ///< minus the acceleration without contact (m/s^2)
+    one_over_mass, ///< 1/kg, in 2D m/kg
+    increment,     ///< in the step before (m)
+    n_rows
+  };
+  using Forces =
+    std::vector<std::vector<double>>; ///< on all nodes of the contact, by component
+
   void meet(const SurfaceView<dim> &below);
-  void take_relative(const SurfaceView<dim> &below);
+  void set_weights(SurfaceWeights weights);
+  void share_partner(const SurfaceView<dim> &below);
+  void slide();
+  void take_relative();
+  void settle(const SurfaceView<dim> &relative);
+  void press_with(const Forces &guess);
+  void share_trial(const SurfaceView<dim> &relative, const Forces &guess);
+  double change_over_force() const;
+  double contraction() const;
+  Forces shared_forces() const;
   void share_forces();
   void move(const SurfaceView<dim> &surface,
             const NodesOfContact &of_surface,
             const unsigned int c,
+            const double *forces,
             const double sign) const;
   double sign(const unsigned int c) const;
+  std::vector<double> common_forces(const SurfaceValues &own,
+                                    const double *inverse_below) const;
 
   ContactSurface<dim> &contact;
   const NodesOfContact nodes;
   PartnerSurface<dim> &partner;
+  SurfaceMeeting meeting;
   const std::function<void()> advance_partner;
   const StepParameters step;
   const SurfaceView<dim> *above = nullptr; ///< in the step under way
   SurfaceValues
-    of_partner;         ///< u, w, force and inverse mass of the second body, by component
-  SurfaceValues forces; ///< on the first body (N, in 2D N/m), by component
+    of_partner; ///< u, w, acceleration without contact, inverse mass and, of a body that slides on, its last increment
+  SurfaceValues
+    forces; ///< on the first body (N, in 2D N/m), by component; behind them how far they are from settled
 
-  /** Of the relative motion: displacement (m), velocity of the scheme (m/s), force without contact (N, in 2D N/m) and one over
-   * the inertia (1/kg, in 2D m/kg), a column for each node. */
-  NodalField<double> u, w, force, inverse_mass;
+  std::vector<double> reach;      ///< sum of |W_kj| over k
+  Forces taken;                   ///< from the nodes below, W^T f (N, in 2D N/m)
+  std::array<double, 2> way = {}; ///< of the second body since the start (m)
+  std::vector<double>
+    moved_before; ///< increments of the nodes of the second body of this rank in the last step (m)
+  Settling settled;
+
+  /** Of the relative motion: displacement (m), velocity of the scheme (m/s), force without contact (N, in 2D N/m), one over
+   * the inertia (1/kg, in 2D m/kg) and acceleration without contact (m/s^2), a column for each node; and forces that are tried. */
+  NodalField<double> u, w, force, inverse_mass, apart, trial;
 };
 } // namespace mesoslip
 

@@ -17,6 +17,15 @@ struct NodesOfContact
 
   std::vector<unsigned int> number; ///< of each in the whole contact, or none
   unsigned int n_owned = 0;         ///< the first ones
+
+  /** Calls what (i, number in the whole contact) for the nodes that are some. */
+  template <typename Function>
+  void for_each(const Function &what) const
+  {
+    for (std::size_t i = 0; i < number.size(); ++i)
+      if (number[i] != none)
+        what(i, number[i]);
+  }
 };
 
 /** Some numbers for each node of a contact, which the ranks that own the nodes tell all others. */
@@ -38,6 +47,12 @@ public:
   MPI_Comm ranks() const
   {
     return communicator;
+  }
+
+  /** Number of nodes of the whole contact. */
+  std::size_t n_nodes() const
+  {
+    return of_ranks.size();
   }
 
   /** Number @p r of all nodes, in the order of the whole contact. */

@@ -27,7 +27,6 @@ double GivenGrid::place_of_row(const double row) const
 }
 
 CounterMotion<2> GivenGrid::start_below(const SlidingSetup &given,
-                                        const std::vector<unsigned int> & /*partners*/,
                                         RunContext &context) const
 {
   CounterMotion<2> below;

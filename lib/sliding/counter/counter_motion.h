@@ -11,13 +11,14 @@ namespace mesoslip
 {
 struct FieldRows;
 
-/** A second body that moves below the first one, which it meets node by node. */
+/** A second body that moves below the first one. */
 template <int dim>
 struct CounterMotion
 {
   std::unique_ptr<PartnerSurface<dim>> partner; ///< moves its contact nodes
   std::unique_ptr<SlidingBody<dim>> body;       ///< all of it that moves
   std::function<FieldRows()> displacement;      ///< as files have it, upright
+  SurfaceMeeting meeting;                       ///< of the contacts of both
   MPI_Comm communicator = MPI_COMM_SELF;        ///< of the ranks that have it
 };
 } // namespace mesoslip

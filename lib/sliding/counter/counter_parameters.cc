@@ -4,6 +4,7 @@
 #include "sliding/supports/side_keys.h"
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -96,6 +97,19 @@ void ContactParameters::bind_counter(Keys &keys)
   bind_vector(
     keys, "Initial velocity", other->body.initial_velocity, dim,
     "Velocity of all of the counter body at the start: x, y and, in 3D, z [m/s]");
+  std::vector<double> place = {0.};
+  keys.bind_list("Position", place, Range::any(),
+                 "x and, in 3D, y of the corner of a grid with the lowest ones; the body "
+                 "has it at 0 [m]",
+                 1, dim - 1);
+  std::copy(place.begin(), place.end(), other->body.position.begin());
+  keys.bind("Sliding", other->slides_on, {"small", "finite"},
+            "small: the body meets the same nodes all the time; finite: the counter body "
+            "moves on below it by what the flat moves [-]");
+  std::array<bool, 2> repeats = {};
+  keys.bind("Periodic", repeats[0],
+            "Periodic in x, also below a body that is not: an endless counter body");
+  keys.bind("Periodic in y", repeats[1], "The same along y, in 3D");
   other->step       = StepParameters();
   other->step.dt    = step.dt;
   other->step.beta2 = step.beta2;
@@ -109,18 +123,23 @@ void ContactParameters::bind_counter(Keys &keys)
   const bool is_there =
     other->body.size[0] > 0. || !other->body.rve_file.empty() || other->mesh.is_given();
   keys.only_if(is_there,
-               {"Material", "Stiffness from", "Stiffness", "Density", "Cells",
-                "Initial velocity", "Rayleigh alpha", "Rayleigh beta", "Supports/"},
+               {"Material", "Stiffness from", "Stiffness", "Density", "Cells", "Position",
+                "Sliding", "Periodic", "Periodic in y", "Initial velocity",
+                "Rayleigh alpha", "Rayleigh beta", "Supports/"},
                "Counter body/Size is empty, so that the flat is rigid", "give it");
-  keys.only_if(!other->mesh.is_given(), {"Size", "Cells"}, "the counter body is a mesh",
-               "remove Counter body/Mesh/File");
+  keys.only_if(!other->mesh.is_given(), {"Size", "Cells", "Position"},
+               "the counter body is a mesh", "remove Counter body/Mesh/File");
+  keys.only_if(!other->mesh.is_given(), {"Periodic", "Periodic in y"},
+               "the counter body is a mesh", "set Counter body/Mesh/Periodic in x or y");
+  keys.only_if(dim == 3, {"Periodic in y"}, "the body is plane", "set Dimension = 3");
   if (!keys.are_read() || !is_there)
     return;
-  other->periodic = periodic;
+  other->periodic = periodic || repeats[0];
   for (std::size_t axis = 0; axis < 2 && !other->mesh.is_given(); ++axis)
-    if (!mesh.periodic[axis].empty())
+    if (!mesh.periodic[axis].empty() || repeats[axis])
       other->mesh.periodic[axis] = {sides_of_grid[2 * axis], sides_of_grid[2 * axis + 1]};
   check_counter(keys, *other);
+  contact.flat_rises       = other->slides_on;
   other->time              = time;
   other->sweep             = sweep;
   other->energy_interval   = energy_interval;
@@ -155,6 +174,10 @@ void ContactParameters::check_counter(const Keys &keys,
                    "Counter body/Size and Cells, or set Mesh/File"
                  : "the body is a plane mesh, and so has to be the counter body; set "
                    "Counter body/Mesh/File, or remove Mesh/File");
+  keys.require(
+    !other.slides_on || analysis == ContactAnalysis::transient, "Sliding",
+    "a counter body that moves on is known in transient runs; set it to small, "
+    "or Analysis = transient");
   keys.require(profile.expression.empty() && profile.file.empty(), size,
                "a counter body has no Flat/Profile; leave one of the two out");
   for (const SideSupport &side : other.supports)

@@ -1,7 +1,9 @@
 #include "sliding/counter/partners.h"
 
 #include "base/errors.h"
+#include "base/text.h"
 #include "material/plausibility.h"
+#include "sliding/flat/flat_way.h"
 
 #include <algorithm>
 #include <cmath>
@@ -58,21 +60,27 @@ std::string extent_text(const std::array<std::vector<double>, 2> &place)
     }
   return text;
 }
-} // namespace
 
+/** That the contact of @p counter is a plane. */
 template <int dim>
-std::vector<unsigned int> partners_in(const GivenBody<dim> &body,
-                                      const GivenBody<dim> &counter)
+void require_even(const GivenBody<dim> &counter, const double tolerance)
 {
-  const auto &of_body             = body.facts().contact_place,
-             &place               = counter.facts().contact_place;
-  const double tolerance          = 1e-6 * body.contact_nodes().spacing;
   const std::vector<double> &rise = counter.facts().contact_height;
   if (!rise.empty() && *std::max_element(rise.begin(), rise.end()) > tolerance)
     throw UserError(
       "Counter body/Mesh/Contact boundary: it is not even, its nodes rise by " +
       quantity_text(*std::max_element(rise.begin(), rise.end()), "m") +
       "; name a plane group, or let the body above it be the one that is not even");
+}
+
+/** For each contact node of @p counter that of @p body at its place, where there is one that no other node has. */
+template <int dim>
+std::vector<unsigned int> found_partners(const GivenBody<dim> &body,
+                                         const GivenBody<dim> &counter,
+                                         const double tolerance)
+{
+  const auto &of_body = body.facts().contact_place,
+             &place   = counter.facts().contact_place;
   const PlacesByX nodes(of_body, tolerance);
   std::vector<unsigned int> partners;
   std::vector<bool> taken(of_body[0].size());
@@ -83,21 +91,155 @@ std::vector<unsigned int> partners_in(const GivenBody<dim> &body,
         partners.push_back(k);
         taken[k] = true;
       }
-  if (partners.size() < place[0].size() || partners.size() < taken.size())
+  return partners;
+}
+
+template <int dim>
+bool are_all(const std::vector<unsigned int> &partners,
+             const GivenBody<dim> &body,
+             const GivenBody<dim> &counter)
+{
+  return partners.size() == counter.facts().contact_place[0].size() &&
+         partners.size() == body.facts().contact_place[0].size();
+}
+
+/** From where to where a contact goes along an axis (m). */
+template <int dim>
+Interval extent_of(const GivenBody<dim> &body, const unsigned int axis)
+{
+  Interval extent = {1e300, -1e300};
+  for (const SurfaceFacet &facet : body.facts().contact_facets)
+    for (unsigned int k = 0; k < facet.n; ++k)
+      {
+        extent.from = std::min(extent.from, facet.place[k][axis]);
+        extent.to   = std::max(extent.to, facet.place[k][axis]);
+      }
+  return extent;
+}
+
+/** The length after which a body repeats itself along an axis (m), 0: it does not; its contact spans it. */
+template <int dim>
+double period_of(const GivenBody<dim> &body, const unsigned int axis)
+{
+  const ContactParameters &p = body.parameters;
+  const bool repeats =
+    p.mesh.is_plane_grid() ? axis == 0 && p.periodic : !p.mesh.periodic[axis].empty();
+  const Interval extent = extent_of(body, axis);
+  return repeats ? extent.to - extent.from : 0.;
+}
+
+/** The periods of the counter body, which has to be below all of the body on its way. */
+template <int dim>
+std::array<double, 2> periods_below(const GivenBody<dim> &body,
+                                    const GivenBody<dim> &counter)
+{
+  constexpr double rounding   = 1e-9;
+  std::array<double, 2> found = {};
+  const Interval way =
+    counter.parameters.slides_on ? way_of_flat(body.parameters) : Interval();
+  for (unsigned int axis = 0; axis + 1 < dim; ++axis)
+    {
+      const Interval own = extent_of(body, axis), below = extent_of(counter, axis);
+      const double along  = body.parameters.contact.flat_direction[axis],
+                   period = period_of(body, axis), length = own.to - own.from;
+      const auto [back, forth]  = std::minmax({along * way.from, along * way.to});
+      const std::string of_axis = std::string(" m along ") + "xy"[axis];
+      found[axis]               = period_of(counter, axis);
+      if (period > 0. && found[axis] > 0. &&
+          std::fabs(period - found[axis]) > rounding * period)
+        throw UserError("Counter body: it repeats itself after " + to_text(found[axis]) +
+                        of_axis + ", the body after " + to_text(period) +
+                        " m; give both the same length, or let the body not be periodic");
+      if (!(found[axis] > 0.) && (own.from - forth < below.from - rounding * length ||
+                                  own.to - back > below.to + rounding * length))
+        throw UserError(
+          "Counter body: it goes from " + brief_text(6, below.from, " to ", below.to) +
+          of_axis + ", but the body comes above " +
+          brief_text(6, own.from - forth, " to ", own.to - back) + " m" +
+          (counter.parameters.slides_on ? " of it on its way" : "") +
+          "; make it longer, or " +
+          (counter.parameters.slides_on ? "periodic, or reduce Time/End time"
+                                        : "let the smaller body be the one above"));
+    }
+  return found;
+}
+} // namespace
+
+template <int dim>
+std::vector<unsigned int> partners_in(const GivenBody<dim> &body,
+                                      const GivenBody<dim> &counter)
+{
+  const auto &of_body    = body.facts().contact_place,
+             &place      = counter.facts().contact_place;
+  const double tolerance = 1e-6 * body.contact_nodes().spacing;
+  require_even(counter, tolerance);
+  std::vector<unsigned int> partners = found_partners(body, counter, tolerance);
+  if (!are_all(partners, body, counter))
     throw UserError("Counter body: it has " + extent_text(place) +
                     " at the contact, which are to be where those of the body are, " +
                     extent_text(of_body) + ", and " +
-                    std::to_string(taken.size() - partners.size()) +
+                    std::to_string(of_body[0].size() - partners.size()) +
                     " of these have no partner; " +
                     (counter.parameters.mesh.is_given() || body.parameters.mesh.is_given()
                        ? "mesh both bodies with the same nodes there"
                        : std::string("give it the same width and cells along x") +
-                           (dim == 3 ? " and y" : "")));
+                           (dim == 3 ? " and y" : "")) +
+                    ", or set Analysis = transient, where they need not match");
   return partners;
+}
+
+std::string text_of(const SurfaceMeeting &meeting)
+{
+  const std::string start = "Contact of both bodies: ";
+  if (meeting.sliding)
+    return start + "the counter body slides on, weights of its nodes follow its way";
+  return start + (meeting.weights.are_partners()
+                    ? "nodes match, each has one partner"
+                    : "nodes do not match, those of the counter body have weights");
+}
+
+template <int dim>
+SurfaceMeeting meeting_of(const GivenBody<dim> &body, const GivenBody<dim> &counter)
+{
+  const double tolerance = 1e-6 * body.contact_nodes().spacing;
+  require_even(counter, tolerance);
+  const bool slides                        = counter.parameters.slides_on;
+  const std::vector<unsigned int> partners = found_partners(body, counter, tolerance);
+  SurfaceMeeting meeting;
+  if (!slides && are_all(partners, body, counter))
+    {
+      const std::size_t n = body.facts().size.n_contact_nodes;
+      std::vector<unsigned int> below(partners.size());
+      for (unsigned int j = 0; j < partners.size(); ++j)
+        below[partners[j]] = j;
+      for (std::size_t k = 0; k < n; ++k) // without the twin of a periodic grid
+        meeting.weights.add_partner(below[k]);
+      return meeting;
+    }
+  const auto moving = std::make_shared<const MortarWeights>(
+    ContactFacets{static_cast<unsigned int>(body.facts().size.n_contact_nodes),
+                  body.facts().contact_facets},
+    ContactFacets{static_cast<unsigned int>(counter.facts().size.n_contact_nodes),
+                  counter.facts().contact_facets},
+    periods_below(body, counter));
+  try
+    {
+      meeting.weights = moving->at({});
+    }
+  catch (const NumericalFailure &failure)
+    {
+      throw UserError(std::string("Counter body: ") + failure.what() +
+                      "; it has to be below all of the body");
+    }
+  if (slides)
+    meeting.sliding = moving;
+  return meeting;
 }
 
 template std::vector<unsigned int> partners_in(const GivenBody<2> &,
                                                const GivenBody<2> &);
 template std::vector<unsigned int> partners_in(const GivenBody<3> &,
                                                const GivenBody<3> &);
+template SurfaceMeeting meeting_of(const GivenBody<2> &, const GivenBody<2> &);
+template SurfaceMeeting meeting_of(const GivenBody<3> &, const GivenBody<3> &);
 } // namespace mesoslip

@@ -3,6 +3,7 @@
 #include "base/errors.h"
 #include "base/text.h"
 #include "material/plausibility.h"
+#include "sliding/flat/flat_way.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,30 +15,6 @@ namespace
 {
 constexpr double steepest = 0.1, steep = 0.02; // slopes
 constexpr unsigned int per_spacing = 4;        // samples between neighbouring nodes
-
-/** From one end to the other (m). */
-struct Interval
-{
-  double from = 0., to = 0.;
-};
-
-/** What the flat moves along its direction (m). */
-Interval way_of(const ContactParameters &p)
-{
-  Interval way;
-  if (p.analysis != ContactAnalysis::transient)
-    return way;
-  constexpr unsigned int n = 10000;
-  const double step        = p.time.end_time / n;
-  double now               = 0.;
-  for (unsigned int k = 0; k < n; ++k)
-    {
-      now += step * p.contact.flat_velocity((k + 0.5) * step);
-      way.from = std::min(way.from, now);
-      way.to   = std::max(way.to, now);
-    }
-  return way;
-}
 
 /** What the body moves along an axis on its own, with its velocity at the start and the far ends of its supports (m). */
 Interval own_way(const ContactParameters &p, const unsigned int axis)
@@ -234,13 +211,30 @@ void require_period(const ContactParameters &p,
 }
 } // namespace
 
+Interval way_of_flat(const ContactParameters &p)
+{
+  Interval way;
+  if (p.analysis != ContactAnalysis::transient)
+    return way;
+  constexpr unsigned int n = 10000;
+  const double step        = p.time.end_time / n;
+  double now               = 0.;
+  for (unsigned int k = 0; k < n; ++k)
+    {
+      now += step * p.contact.flat_velocity((k + 0.5) * step);
+      way.from = std::min(way.from, now);
+      way.to   = std::max(way.to, now);
+    }
+  return way;
+}
+
 std::vector<std::string> look_at_profile(const ContactParameters &p,
                                          const BodyScales &body,
                                          const ContactPlaces &nodes)
 {
   if (!p.contact.profile || nodes.place[0].empty())
     return {};
-  const Interval way                 = way_of(p);
+  const Interval way                 = way_of_flat(p);
   const std::array<Interval, 2> part = {
     {part_along(p, way, nodes.place[0], 0), part_along(p, way, nodes.place[1], 1)}};
   const Survey found(*p.contact.profile, part, nodes.spacing);

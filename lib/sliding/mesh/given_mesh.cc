@@ -86,6 +86,7 @@ void GivenMesh<dim>::describe_contact()
   known.contact_height = body.contact.height;
   known.contact_place  = body.contact.position;
   known.contact_points = body.contact.points;
+  known.contact_facets = body.contact.facets;
 }
 
 template <int dim>

@@ -42,7 +42,6 @@ BodyInMotion<dim> GivenMesh<dim>::start(const SlidingSetup &given,
 
 template <int dim>
 CounterMotion<dim> GivenMesh<dim>::start_below(const SlidingSetup &given,
-                                               const std::vector<unsigned int> &partners,
                                                RunContext & /*context*/) const
 {
   CounterMotion<dim> below;
@@ -51,7 +50,7 @@ CounterMotion<dim> GivenMesh<dim>::start_below(const SlidingSetup &given,
   auto sliding = std::make_unique<SlidingMesh<dim>>(*distributed, body.contact, body.top,
                                                     body.held, with_sides(given), nullptr,
                                                     nullptr, below.partner.get());
-  below.partner->nodes = nodes_of_contact(sliding->contact_nodes, partners);
+  below.partner->nodes = nodes_of_contact(sliding->contact_nodes);
   sliding->set_initial_velocity(parameters.body.initial_velocity, body.held, body.top);
   below.displacement = displacement_rows(*sliding);
   below.body         = std::move(sliding);
@@ -85,8 +84,8 @@ GivenMesh<dim>::displacement_rows(const SlidingMesh<dim> &moving) const
   template SlidingSetup GivenMesh<dim>::with_sides(SlidingSetup) const;                \
   template BodyInMotion<dim> GivenMesh<dim>::start(const SlidingSetup &, RunContext &, \
                                                    CounterMotion<dim> *) const;        \
-  template CounterMotion<dim> GivenMesh<dim>::start_below(                             \
-    const SlidingSetup &, const std::vector<unsigned int> &, RunContext &) const;      \
+  template CounterMotion<dim> GivenMesh<dim>::start_below(const SlidingSetup &,        \
+                                                          RunContext &) const;         \
   template std::function<FieldRows()> GivenMesh<dim>::displacement_rows(               \
     const SlidingMesh<dim> &) const;
 MESOSLIP_INSTANTIATE(2)

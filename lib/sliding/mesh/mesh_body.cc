@@ -265,6 +265,8 @@ MeshBodyDescription describe_body(const BodyMesh<dim> &morphology,
                  normal));
       body.friction =
         friction_of_points(morphology, bottom, body.contact, given.friction);
+      if (given.is_counter || given.counter)
+        body.contact.facets = facets_of(mesh, bottom, body.contact);
       body.shares = shares_of_phases(morphology, bottom, body.contact);
       body.reference =
         reference_node(morphology, body.contact, given.observation.reference_x);

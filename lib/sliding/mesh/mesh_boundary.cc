@@ -75,6 +75,34 @@ std::vector<double> mean_of_phases(const Mesh<dim> &mesh,
 }
 
 template <int dim>
+std::vector<SurfaceFacet> facets_of(const Mesh<dim> &mesh,
+                                    const std::vector<BoundaryFace<dim>> &faces,
+                                    const MeshBoundary &boundary)
+{
+  constexpr double standing = 1e-9;
+  std::unordered_map<unsigned int, unsigned int> number;
+  for (unsigned int k = 0; k < boundary.points.size(); ++k)
+    number.emplace(boundary.points[k], k);
+  std::vector<SurfaceFacet> facets;
+  for (const BoundaryFace<dim> &face : faces)
+    {
+      SurfaceFacet facet;
+      facet.n = face.n_points;
+      for (unsigned int v = 0; v < face.n_points; ++v)
+        {
+          const unsigned int at    = face.n_points == 4 && v > 1 ? 5 - v : v,
+                             point = face.points[v];
+          facet.node[at]           = number.at(mesh.original(point));
+          for (unsigned int d = 0; d + 1 < dim; ++d)
+            facet.place[at][d] = mesh.points[point][d];
+        }
+      if (facet.size() > standing * std::pow(shortest_edge(mesh, face), dim - 1))
+        facets.push_back(facet);
+    }
+  return facets;
+}
+
+template <int dim>
 std::vector<double> extreme_of_phases(const Mesh<dim> &mesh,
                                       const std::vector<BoundaryFace<dim>> &faces,
                                       const MeshBoundary &boundary,
@@ -97,14 +125,16 @@ std::vector<double> extreme_of_phases(const Mesh<dim> &mesh,
   return extremes;
 }
 
-#define MESOSLIP_INSTANTIATE(dim)                                                    \
-  template MeshBoundary mesh_boundary(const Mesh<dim> &,                             \
-                                      const std::vector<BoundaryFace<dim>> &);       \
-  template std::vector<double> mean_of_phases(                                       \
-    const Mesh<dim> &, const std::vector<BoundaryFace<dim>> &, const MeshBoundary &, \
-    const std::vector<double> &, const std::vector<double> &);                       \
-  template std::vector<double> extreme_of_phases(                                    \
-    const Mesh<dim> &, const std::vector<BoundaryFace<dim>> &, const MeshBoundary &, \
+#define MESOSLIP_INSTANTIATE(dim)                                                     \
+  template MeshBoundary mesh_boundary(const Mesh<dim> &,                              \
+                                      const std::vector<BoundaryFace<dim>> &);        \
+  template std::vector<double> mean_of_phases(                                        \
+    const Mesh<dim> &, const std::vector<BoundaryFace<dim>> &, const MeshBoundary &,  \
+    const std::vector<double> &, const std::vector<double> &);                        \
+  template std::vector<SurfaceFacet> facets_of(                                       \
+    const Mesh<dim> &, const std::vector<BoundaryFace<dim>> &, const MeshBoundary &); \
+  template std::vector<double> extreme_of_phases(                                     \
+    const Mesh<dim> &, const std::vector<BoundaryFace<dim>> &, const MeshBoundary &,  \
     const std::vector<double> &, const bool);
 MESOSLIP_INSTANTIATE(2)
 MESOSLIP_INSTANTIATE(3)

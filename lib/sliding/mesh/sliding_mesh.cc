@@ -62,18 +62,13 @@ void for_each_point(const SharedNodes &nodes, const Function &what)
 }
 } // namespace
 
-NodesOfContact nodes_of_contact(const SharedNodes &nodes,
-                                const std::vector<unsigned int> &partners)
+NodesOfContact nodes_of_contact(const SharedNodes &nodes)
 {
   NodesOfContact result;
   result.n_owned = nodes.n_owned();
   for (unsigned int i = 0; i < nodes.size(); ++i)
-    {
-      const unsigned int k = nodes.number(i);
-      result.number.push_back(nodes.point(i) == SharedNodes::none ? NodesOfContact::none
-                              : partners.empty()                  ? k
-                                                                  : partners[k]);
-    }
+    result.number.push_back(nodes.point(i) == SharedNodes::none ? NodesOfContact::none
+                                                                : nodes.number(i));
   return result;
 }
 

@@ -26,11 +26,13 @@ struct MeshBoundary
 
   std::array<std::vector<double>, 2> position; ///< x and, in 3D, y (m)
 
+  std::vector<SurfaceFacet> facets; ///< of a contact that meets another body
+
   /** Of boost::serialization. */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    serialize_members<4>(archive, *this);
+    serialize_members<5>(archive, *this);
   }
 };
 
@@ -51,6 +53,12 @@ std::vector<double> mean_of_phases(const Mesh<dim> &mesh,
                                    const std::vector<double> &property,
                                    const std::vector<double> &weight);
 
+/** The @p faces seen along the normal, with numbers of the points of @p boundary, without those that stand on it. */
+template <int dim>
+std::vector<SurfaceFacet> facets_of(const Mesh<dim> &mesh,
+                                    const std::vector<BoundaryFace<dim>> &faces,
+                                    const MeshBoundary &boundary);
+
 /** The largest property of the phases behind the @p faces around each point of the boundary, or the
  * smallest. */
 template <int dim>
@@ -60,9 +68,8 @@ std::vector<double> extreme_of_phases(const Mesh<dim> &mesh,
                                       const std::vector<double> &property,
                                       const bool largest);
 
-/** The @p nodes of a contact of a rank, whose numbers in the contact of another body are @p partners; empty: their own ones. */
-NodesOfContact nodes_of_contact(const SharedNodes &nodes,
-                                const std::vector<unsigned int> &partners = {});
+/** The @p nodes of a contact of a rank. */
+NodesOfContact nodes_of_contact(const SharedNodes &nodes);
 
 /**
  * A body of any shape on the moving flat, as SlidingGrid on a grid. Each rank has the nodes

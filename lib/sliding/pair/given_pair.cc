@@ -133,9 +133,7 @@ GivenPair<dim>::start(const SlidingSetup &, RunContext &, CounterMotion<dim> *) 
 }
 
 template <int dim>
-CounterMotion<dim> GivenPair<dim>::start_below(const SlidingSetup &,
-                                               const std::vector<unsigned int> &,
-                                               RunContext &) const
+CounterMotion<dim> GivenPair<dim>::start_below(const SlidingSetup &, RunContext &) const
 {
   throw std::logic_error("bodies of a pair move one by one");
 }

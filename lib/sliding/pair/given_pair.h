@@ -23,7 +23,6 @@ public:
                           RunContext &context,
                           CounterMotion<dim> *counter) const override;
   CounterMotion<dim> start_below(const SlidingSetup &given,
-                                 const std::vector<unsigned int> &partners,
                                  RunContext &context) const override;
   void write_contact(Hdf5File &file) const override;
 

@@ -13,8 +13,8 @@ SurfaceCondition<dim> &SlidingBody<dim>::contact_condition(CounterMotion<dim> *c
     return *profile.timed<TimedSurface<dim>>(contact, "Contact and its histories");
   below = counter->body.get();
   pair  = std::make_unique<PairedContact<dim>>(
-    contact, nodes, *counter->partner, [this]() { below->time_integration().advance(1); },
-    setup.step, communicator);
+    contact, nodes, *counter->partner, counter->meeting,
+    [this]() { below->time_integration().advance(1); }, setup.step, communicator);
   return *profile.timed<TimedSurface<dim>>(*pair,
                                            "Counter body, contact and its histories");
 }

@@ -37,7 +37,7 @@ TransientAnalysis<dim>::TransientAnalysis(std::unique_ptr<GivenBody<dim>> given,
                                           const Keys &keys)
   : BodyAnalysis<dim>(std::move(given))
   , counter(counter_of(*body))
-  , partners(counter ? partners_in(*body, *counter) : std::vector<unsigned int>())
+  , meeting(counter ? meeting_of(*body, *counter) : SurfaceMeeting())
   , identity(run_identity(
       keys, parameters, facts.contents + (counter ? counter->facts().contents : "")))
   , time(time_step())
@@ -86,6 +86,7 @@ void TransientAnalysis<dim>::describe(std::ostream &out) const
     {
       for (const std::string &line : counter->told())
         out << text_of_counter(line) << '\n';
+      out << text_of(meeting) << '\n';
       for (const std::string &warning : counter->facts().warnings)
         out << "warning: " << text_of_counter(warning) << '\n';
     }
@@ -134,6 +135,7 @@ void TransientAnalysis<dim>::run(RunContext &context)
     {
       for (const std::string &line : counter->told())
         context.log(text_of_counter(line));
+      context.log(text_of(meeting));
       for (const std::string &warning : counter->facts().warnings)
         context.warn(text_of_counter(warning));
     }
@@ -150,8 +152,8 @@ void TransientAnalysis<dim>::run(RunContext &context)
   CounterMotion<dim> below;
   if (counter)
     below = counter->start_below(
-      setup_below(*parameters.counter, counter->facts().size, time.step), partners,
-      context);
+      setup_below(*parameters.counter, counter->facts().size, time.step), context);
+  below.meeting = meeting;
   const BodyInMotion<dim> motion =
     body->start(run_setup(parameters, facts.size, time), context, &below);
   RunOutput<dim> output(context, *body, time, motion.displacement);

@@ -60,8 +60,8 @@ private:
   std::size_t n_cells() const; ///< of both bodies
 
   const std::unique_ptr<GivenBody<dim>> counter; ///< below it; null: the flat is rigid
-  const std::vector<unsigned int> partners; ///< of its contact nodes, see partners_in()
-  const std::string identity;               ///< see run_identity()
+  const SurfaceMeeting meeting;                  ///< of the contacts of both
+  const std::string identity;                    ///< see run_identity()
   const TimeStepChoice time;
   const RunNeeds needs;
 };

@@ -27,31 +27,31 @@ BY_PHASE = ((3e-9, 1.1e-8), (5e4, 1e4))  # beta (s), alpha (1/s)
 
 
 class Body:
-    """Of two phases in cells of HX x HY from y = @p lowest on; node k = j (NX + 1) + i, degree of freedom 2 k + c."""
+    """Of two phases in cells of hx x HY from x = @p first and y = @p lowest on; node k = j (columns + 1) + i, degree of freedom 2 k + c."""
 
-    def __init__(self, random, rows=NY, lowest=0.0):
-        self.rows, self.lowest = rows, lowest
-        self.phases = random.choice(2, size=(rows, NX))
-        self.i, self.j = (a.ravel() for a in np.meshgrid(np.arange(NX + 1), np.arange(rows + 1)))
+    def __init__(self, random, rows=NY, lowest=0.0, columns=NX, hx=HX, first=0.0):
+        self.rows, self.lowest, self.columns, self.hx, self.first = rows, lowest, columns, hx, first
+        self.phases = random.choice(2, size=(rows, columns))
+        self.i, self.j = (a.ravel() for a in np.meshgrid(np.arange(columns + 1), np.arange(rows + 1)))
         n = 2 * len(self.i)
         self.K, self.mass, self.K_beta, self.alpha_mass = np.zeros((n, n)), np.zeros(n), np.zeros((n, n)), np.zeros(n)
         self.betas, self.alphas = ([of_phases, (of_all, of_all)][random.choice(2)] for of_phases, of_all in zip(BY_PHASE, (BETA, ALPHA)))
         points = (0.5 - 0.5 / 3**0.5, 0.5 + 0.5 / 3**0.5)
         for row in range(rows):
-            for column in range(NX):
+            for column in range(columns):
                 a, b, c, d = STIFFNESS[self.phases[row, column]]
-                first = row * (NX + 1) + column
-                nodes = np.array([first, first + 1, first + NX + 1, first + NX + 2])
+                first = row * (columns + 1) + column
+                nodes = np.array([first, first + 1, first + columns + 1, first + columns + 2])
                 dofs = (2 * nodes[:, None] + np.arange(2)).ravel()
                 for x in points:
                     for y in points:
                         B = np.zeros((3, 8))
-                        B[0, 0::2] = B[2, 1::2] = np.array([y - 1, 1 - y, -y, y]) / HX
+                        B[0, 0::2] = B[2, 1::2] = np.array([y - 1, 1 - y, -y, y]) / hx
                         B[1, 1::2] = B[2, 0::2] = np.array([x - 1, -x, 1 - x, x]) / HY
-                        of_cell = HX * HY / 4 * B.T @ np.array([[a, b, 0], [b, c, 0], [0, 0, d]]) @ B
+                        of_cell = hx * HY / 4 * B.T @ np.array([[a, b, 0], [b, c, 0], [0, 0, d]]) @ B
                         self.K[np.ix_(dofs, dofs)] += of_cell
                         self.K_beta[np.ix_(dofs, dofs)] += self.betas[self.phases[row, column]] * of_cell
-                mass = DENSITY[self.phases[row, column]] * HX * HY / 4
+                mass = DENSITY[self.phases[row, column]] * hx * HY / 4
                 self.mass[dofs] += mass
                 self.alpha_mass[dofs] += self.alphas[self.phases[row, column]] * mass
 
@@ -74,8 +74,8 @@ class Body:
     def side(self, name):
         """Its nodes, their lengths, the axis of its normal, the sign of the normal into the body, and the diagonals of its impedances."""
         axis = 1 if name in ("Top", "Bottom") else 0
-        at = {"Left": self.i == 0, "Right": self.i == NX, "Top": self.j == self.rows, "Bottom": self.j == 0}[name]
-        nodes, h = np.flatnonzero(at), HX if axis else HY
+        at = {"Left": self.i == 0, "Right": self.i == self.columns, "Top": self.j == self.rows, "Bottom": self.j == 0}[name]
+        nodes, h = np.flatnonzero(at), self.hx if axis else HY
         cells = {"Left": self.phases[:, 0], "Right": self.phases[:, -1], "Top": self.phases[-1], "Bottom": self.phases[0]}[name]
         waves = np.array([np.sqrt(DENSITY[p] * np.array([STIFFNESS[p][2 * axis], STIFFNESS[p][3]])) for p in cells])  # P, S
         if axis:
@@ -179,7 +179,7 @@ def supports_of(body, supports):
             nodes, length, axis, sign, _ = body.carried(support)
             force[2 * nodes + axis] += sign * length * support.pressure
             for c in range(2):
-                force[2 * nodes + c] += length * (support.k[c] * support.far(t)[c] + support.traction(body.i[nodes] * HX, body.lowest + body.j[nodes] * HY, t)[c])
+                force[2 * nodes + c] += length * (support.k[c] * support.far(t)[c] + support.traction(body.first + body.i[nodes] * body.hx, body.lowest + body.j[nodes] * HY, t)[c])
         return force
 
     return springs, dashpots, added, held, load
