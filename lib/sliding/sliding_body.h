@@ -82,6 +82,12 @@ public:
   /** What advances displacement and velocity. */
   virtual Stepper &time_integration() = 0;
 
+  /** With a second body; else null. */
+  const PairedContact<dim> *paired() const
+  {
+    return pair.get();
+  }
+
   /** Work done on and dissipated at contact and top since the start, of this rank. */
   BoundaryWork boundary_work() const;
 

@@ -13,19 +13,6 @@ namespace mesoslip
 {
 namespace
 {
-using Values = Eigen::Matrix<double, 4, 1>;
-
-std::array<double, 2> range(const SurfaceFacet &facet, const unsigned int axis)
-{
-  std::array<double, 2> found = {{facet.place[0][axis], facet.place[0][axis]}};
-  for (unsigned int k = 1; k < facet.n; ++k)
-    {
-      found[0] = std::min(found[0], facet.place[k][axis]);
-      found[1] = std::max(found[1], facet.place[k][axis]);
-    }
-  return found;
-}
-
 SurfaceFacet moved(SurfaceFacet facet, const SurfaceFacet::Place &by)
 {
   for (unsigned int k = 0; k < facet.n; ++k)
@@ -43,40 +30,57 @@ images(const std::array<double, 2> &part, const double lowest, const double peri
   return {{std::llround(std::floor((part[0] - lowest) / period)),
            std::llround(std::floor((part[1] - lowest) / period))}};
 }
+
+/** The matrix of psi = dual phi: with the integrals s_i of phi_i and M_ik of phi_i phi_k it is diag(s) M^-1. */
+std::array<std::array<double, 4>, 4> dual_functions(const SurfaceFacet &facet)
+{
+  std::vector<WeightedPlace> points;
+  quadrature_of_overlap(facet, facet, points);
+  Eigen::Matrix4d M = Eigen::Matrix4d::Zero();
+  for (const auto &[place, weight] : points)
+    {
+      const std::array<double, 4> values = facet.shapes(place);
+      const Eigen::Map<const Eigen::Vector4d> phi(values.data());
+      M += weight * phi * phi.transpose();
+    }
+  const Eigen::MatrixXd of_corners = M.topLeftCorner(facet.n, facet.n);
+  const Eigen::MatrixXd found =
+    of_corners.rowwise().sum().asDiagonal() * of_corners.inverse();
+  std::array<std::array<double, 4>, 4> dual = {};
+  for (unsigned int i = 0; i < facet.n; ++i)
+    for (unsigned int k = 0; k < facet.n; ++k)
+      dual[i][k] = found(i, k);
+  return dual;
+}
 } // namespace
 
-/** Integrals over the facet at work, and rows of all nodes. */
-struct MortarWeights::Scratch
+/** What is found, and what is filled again for each pair of facets. */
+struct MortarWeights::Work
 {
-  Eigen::Matrix4d squares; ///< of phi_i phi_k of the facet
-  double covered = 0.;     ///< of the facet (m^2, in 2D m)
-  std::vector<std::pair<unsigned int, Values>>
-    products; ///< of phi_i and phi_j, for node j below
+  std::vector<Product> products;
   std::vector<WeightedPlace> points;
-  std::vector<std::vector<Entry>> rows; ///< integrals of psi_i phi_j
+  double covered = 0.; ///< of the facet at work (m^2, in 2D m)
 };
 
-MortarWeights::MortarWeights(const ContactFacets &above,
-                             const ContactFacets &given,
+MortarWeights::MortarWeights(const ContactFacets &upper,
+                             const ContactFacets &lower,
                              const std::array<double, 2> &period)
-  : above(above)
-  , below(given.facets)
+  : n_above(upper.n_nodes)
+  , n_below(lower.n_nodes)
+  , below(lower.facets)
   , period(period)
 {
+  for (const SurfaceFacet &facet : upper.facets)
+    above.push_back({facet, dual_functions(facet), facet.size()});
   std::sort(below.begin(), below.end(), [](const SurfaceFacet &a, const SurfaceFacet &b) {
-    return range(a, 0)[0] < range(b, 0)[0];
+    return a.range(0)[0] < b.range(0)[0];
   });
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  extent                    = {{{{infinity, infinity}}, {{-infinity, -infinity}}}};
+  lowest.fill(std::numeric_limits<double>::infinity());
   for (const SurfaceFacet &facet : below)
     {
       for (unsigned int d = 0; d < 2; ++d)
-        {
-          const auto [from, to] = range(facet, d);
-          extent[0][d]          = std::min(extent[0][d], from);
-          extent[1][d]          = std::max(extent[1][d], to);
-        }
-      const auto [from, to] = range(facet, 0);
+        lowest[d] = std::min(lowest[d], facet.range(d)[0]);
+      const auto [from, to] = facet.range(0);
       first.push_back(from);
       longest = std::max(longest, to - from);
     }
@@ -84,96 +88,111 @@ MortarWeights::MortarWeights(const ContactFacets &above,
 
 SurfaceWeights MortarWeights::at(const std::array<double, 2> &way) const
 {
-  Scratch scratch;
-  scratch.rows.resize(above.n_nodes);
-  for (const SurfaceFacet &facet : above.facets)
-    add_facet(facet, way, scratch);
-  SurfaceWeights weights;
-  for (std::vector<Entry> &row : scratch.rows)
-    {
-      std::sort(row.begin(), row.end(),
-                [](const Entry &a, const Entry &b) { return a.node < b.node; });
-      double sum = 0.;
-      for (const Entry &entry : row)
-        sum += entry.weight;
-      for (const Entry &entry : row)
-        if (weights.node.size() > weights.start.back() &&
-            weights.node.back() == entry.node)
-          weights.weight.back() += entry.weight / sum;
-        else
-          {
-            weights.node.push_back(entry.node);
-            weights.weight.push_back(entry.weight / sum);
-          }
-      weights.start.push_back(weights.node.size());
-    }
-  return weights;
+  return {rows_at(way), n_below};
+}
+
+SparseRows MortarWeights::rows_at(const std::array<double, 2> &way) const
+{
+  Work work;
+  work.products.reserve(16 * above.size());
+  for (const Upper &upper : above)
+    add_facet(upper, way, work);
+  return rows_of(work.products);
 }
 
 /** In the frame of the surface below, into whose images the facet may reach. */
-void MortarWeights::add_facet(const SurfaceFacet &facet,
+void MortarWeights::add_facet(const Upper &upper,
                               const std::array<double, 2> &way,
-                              Scratch &scratch) const
+                              Work &work) const
 {
-  scratch.squares.setZero();
-  scratch.covered = 0.;
-  scratch.products.clear();
-  const SurfaceFacet here = moved(facet, {{-way[0], -way[1]}});
-  const auto in_x         = images(range(here, 0), extent[0][0], period[0]),
-             in_y         = images(range(here, 1), extent[0][1], period[1]);
+  const SurfaceFacet here = moved(upper.facet, {{-way[0], -way[1]}});
+  const auto in_x         = images(here.range(0), lowest[0], period[0]),
+             in_y         = images(here.range(1), lowest[1], period[1]);
+  work.covered            = 0.;
   for (long long i = in_x[0]; i <= in_x[1]; ++i)
     for (long long j = in_y[0]; j <= in_y[1]; ++j)
-      {
-        const SurfaceFacet image = moved(here, {{-static_cast<double>(i) * period[0],
-                                                 -static_cast<double>(j) * period[1]}});
-        const auto [from, to]    = range(image, 0);
-        add_overlaps(image, from, to, scratch);
-      }
+      add_overlaps(upper,
+                   moved(here, {{-static_cast<double>(i) * period[0],
+                                 -static_cast<double>(j) * period[1]}}),
+                   work);
   constexpr double rounding = 1e-9;
-  if (!(scratch.covered >= (1. - rounding) * facet.size()))
+  if (!(work.covered >= (1. - rounding) * upper.size))
     throw NumericalFailure("the counter body ends below the body, at x = " +
-                           to_text(facet.place[0][0]) + " m");
-  const unsigned int n       = facet.n;
-  const auto M               = scratch.squares.topLeftCorner(n, n);
-  const Eigen::MatrixXd dual = M.rowwise().sum().asDiagonal() * M.inverse();
-  for (const auto &[node, product] : scratch.products)
-    {
-      const Eigen::VectorXd of_dual = dual * product.head(n);
-      for (unsigned int k = 0; k < n; ++k)
-        scratch.rows[facet.node[k]].push_back({node, of_dual[k]});
-    }
+                           to_text(upper.facet.place[0][0]) + " m");
 }
 
-/** Of a facet from @p from to @p to along x with those below it. */
-void MortarWeights::add_overlaps(const SurfaceFacet &facet,
-                                 const double from,
-                                 const double to,
-                                 Scratch &scratch) const
+/** Of the @p facet where it has moved to with those below it. */
+void MortarWeights::add_overlaps(const Upper &upper,
+                                 const SurfaceFacet &facet,
+                                 Work &work) const
 {
-  const auto [front, back] = range(facet, 1);
+  const auto [from, to]    = facet.range(0);
+  const auto [front, back] = facet.range(1);
   auto f                   = static_cast<std::size_t>(
     std::lower_bound(first.begin(), first.end(), from - longest) - first.begin());
   for (; f < below.size() && first[f] < to; ++f)
     {
       const SurfaceFacet &other = below[f];
       if (facet.n > 2)
-        if (const auto [start, end] = range(other, 1); start >= back || end <= front)
+        if (const auto [start, end] = other.range(1); start >= back || end <= front)
           continue;
-      quadrature_of_overlap(facet, other, scratch.points);
-      std::array<Values, 4> products;
-      products.fill(Values::Zero());
-      for (const auto &[place, weight] : scratch.points)
+      quadrature_of_overlap(facet, other, work.points);
+      if (work.points.empty())
+        continue;
+      double sums[4][4] = {}; // of phi_k phi_j
+      for (const auto &[place, weight] : work.points)
         {
           const std::array<double, 4> own = facet.shapes(place),
                                       met = other.shapes(place);
-          const Eigen::Map<const Values> phi(own.data());
-          scratch.covered += weight;
-          scratch.squares += weight * phi * phi.transpose();
-          for (unsigned int k = 0; k < other.n; ++k)
-            products[k] += weight * met[k] * phi;
+          work.covered += weight;
+          for (unsigned int k = 0; k < facet.n; ++k)
+            for (unsigned int j = 0; j < other.n; ++j)
+              sums[k][j] += weight * own[k] * met[j];
         }
-      for (unsigned int k = 0; k < other.n && !scratch.points.empty(); ++k)
-        scratch.products.emplace_back(other.node[k], products[k]);
+      for (unsigned int i = 0; i < facet.n; ++i)
+        for (unsigned int j = 0; j < other.n; ++j)
+          {
+            double of_dual = 0.;
+            for (unsigned int k = 0; k < facet.n; ++k)
+              of_dual += upper.dual[i][k] * sums[k][j];
+            work.products.push_back({facet.node[i], {other.node[j], of_dual}});
+          }
     }
+}
+
+/** Each node's products with the same node below together, over what they are in all. */
+SparseRows MortarWeights::rows_of(const std::vector<Product> &products) const
+{
+  std::vector<std::size_t> begin(n_above + 2);
+  for (const Product &product : products)
+    ++begin[product.node + 2];
+  for (unsigned int k = 0; k < n_above; ++k)
+    begin[k + 2] += begin[k + 1];
+  std::vector<SparseRows::Entry> sorted(products.size());
+  for (const Product &product : products)
+    sorted[begin[product.node + 1]++] = product.entry;
+  SparseRows rows;
+  rows.entries.reserve(products.size());
+  for (unsigned int k = 0; k < n_above; ++k)
+    {
+      double sum = 0.;
+      for (std::size_t e = begin[k]; e < begin[k + 1]; ++e)
+        {
+          const SparseRows::Entry &entry = sorted[e];
+          sum += entry.weight;
+          auto same =
+            rows.entries.begin() + static_cast<std::ptrdiff_t>(rows.start.back());
+          while (same != rows.entries.end() && same->column != entry.column)
+            ++same;
+          if (same == rows.entries.end())
+            rows.entries.push_back(entry);
+          else
+            same->weight += entry.weight;
+        }
+      for (std::size_t e = rows.start.back(); e < rows.entries.size(); ++e)
+        rows.entries[e].weight /= sum;
+      rows.end_row();
+    }
+  return rows;
 }
 } // namespace mesoslip

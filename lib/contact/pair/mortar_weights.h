@@ -1,21 +1,13 @@
 #ifndef mesoslip_contact_pair_mortar_weights_h
 #define mesoslip_contact_pair_mortar_weights_h
 
-#include "contact/pair/surface_facet.h"
-#include "contact/pair/surface_weights.h"
+#include "contact/pair/moving_weights.h"
 
 #include <array>
 #include <vector>
 
 namespace mesoslip
 {
-/** A contact as its nodes and facets. */
-struct ContactFacets
-{
-  unsigned int n_nodes = 0;         ///< of the whole contact
-  std::vector<SurfaceFacet> facets; ///< between them
-};
-
 /**
  * The weights of two surfaces whose nodes do not match, by a mortar method with dual multipliers (Wohlmuth 2000): the pressure on a
  * facet of the upper one is a combination of functions psi_i, linear or bilinear, with the integrals of psi_i phi_k none for other
@@ -26,7 +18,7 @@ struct ContactFacets
  * with phi_j of the surface below. A constant pressure is one on both sides, and what is uniform below is met everywhere. While the
  * surfaces slide the integrals change once continuously differentiable, so that no force jumps where a node passes another one.
  */
-class MortarWeights
+class MortarWeights : public MovingWeights
 {
 public:
   /** Of the surface @p below, which repeats itself after a @p period along x and y (m; 0: not). */
@@ -34,31 +26,39 @@ public:
                 const ContactFacets &below,
                 const std::array<double, 2> &period);
 
-  /** With the surface below moved by @p way (m) along x and y. @throws NumericalFailure where it ends below the upper one */
-  SurfaceWeights at(const std::array<double, 2> &way) const;
+  SurfaceWeights at(const std::array<double, 2> &way) const override;
+
+  /** The rows of these weights alone. */
+  SparseRows rows_at(const std::array<double, 2> &way) const;
 
 private:
-  struct Entry
+  /** A facet of the upper surface with its dual functions psi = dual phi. */
+  struct Upper
   {
-    unsigned int node;
-    double weight;
+    SurfaceFacet facet;
+    std::array<std::array<double, 4>, 4> dual;
+    double size; ///< m^2, in 2D m
   };
-  struct Scratch;
 
-  void add_facet(const SurfaceFacet &facet,
-                 const std::array<double, 2> &way,
-                 Scratch &scratch) const;
-  void add_overlaps(const SurfaceFacet &moved,
-                    const double from,
-                    const double to,
-                    Scratch &scratch) const;
+  /** Integral of psi_i phi_j. */
+  struct Product
+  {
+    unsigned int node; ///< i
+    SparseRows::Entry entry;
+  };
+  struct Work;
 
-  const ContactFacets above;
-  std::vector<SurfaceFacet> below; ///< in the order of their lowest x
-  std::vector<double> first;       ///< lowest x of these (m)
-  const std::array<double, 2> period;
-  double longest                            = 0.; ///< of the facets below along x (m)
-  std::array<SurfaceFacet::Place, 2> extent = {}; ///< of the surface below (m)
+  void add_facet(const Upper &upper, const std::array<double, 2> &way, Work &work) const;
+  void add_overlaps(const Upper &upper, const SurfaceFacet &moved, Work &work) const;
+  SparseRows rows_of(const std::vector<Product> &products) const;
+
+  const unsigned int n_above, n_below;
+  std::vector<Upper> above;
+  std::vector<SurfaceFacet> below;    ///< in the order of their lowest x
+  std::vector<double> first;          ///< lowest x of these (m)
+  const std::array<double, 2> period; ///< m
+  double longest             = 0.;    ///< of the facets below along x (m)
+  SurfaceFacet::Place lowest = {};    ///< of the surface below (m)
 };
 } // namespace mesoslip
 

@@ -24,16 +24,18 @@ PairedContact<dim>::PairedContact(ContactSurface<dim> &contact,
   , step(step)
   , of_partner(partner.nodes, n_rows * dim, communicator)
   , forces(nodes, dim + 2, communicator)
-  , taken(dim, std::vector<double>(of_partner.n_nodes()))
+  , taken(dim * of_partner.n_nodes())
   , moved_before(dim * partner.nodes.number.size())
   , u(NodalField<double>::of_points(nodes.number.size(), dim))
   , w(u)
   , force(u)
   , inverse_mass(u)
+  , mass(u)
   , apart(u)
   , trial(u)
 {
-  AssertDimension(meeting.weights.n_rows(), forces.n_nodes());
+  AssertDimension(meeting.weights.rows.n_rows(), forces.n_nodes());
+  last.resize(dim * forces.n_nodes());
   set_weights(meeting.weights);
   partner.meet = [this](const SurfaceView<dim> &below) { meet(below); };
 }
@@ -42,9 +44,7 @@ template <int dim>
 void PairedContact<dim>::set_weights(SurfaceWeights weights)
 {
   meeting.weights = std::move(weights);
-  reach.assign(of_partner.n_nodes(), 0.);
-  for (std::size_t e = 0; e < meeting.weights.node.size(); ++e)
-    reach[meeting.weights.node[e]] += std::fabs(meeting.weights.weight[e]);
+  reach           = meeting.weights.reach();
 }
 
 /** Of components of the second body in the frame of the first one. */
@@ -83,14 +83,15 @@ void PairedContact<dim>::meet(const SurfaceView<dim> &below)
     settle(relative);
   contact.advance(relative);
   share_forces();
+  last = shared_forces();
+  meeting.weights.template spread<dim>(last, taken);
   for (unsigned int c = 0; c < dim; ++c)
     {
-      meeting.weights.spread(forces.row(c), taken[c]);
-      move(*above, nodes, c, forces.row(c), 1.);
+      move(*above, nodes, c, last, 1.);
       double *const moved = moved_before.data() + c * below.n;
       if (meeting.sliding)
         std::copy_n(below.u[c], below.n, moved);
-      move(below, partner.nodes, c, taken[c].data(), -sign(c));
+      move(below, partner.nodes, c, taken, -sign(c));
       for (std::size_t i = 0; meeting.sliding && i < below.n; ++i)
         moved[i] = below.u[c][i] - moved[i];
     }
@@ -155,13 +156,15 @@ void PairedContact<dim>::take_relative()
       nodes.for_each([&](const std::size_t i, const unsigned int k) {
         const double own = above->inverse_mass[c][i];
         double inverse   = own;
-        for (std::size_t e = weights.start[k]; e < weights.start[k + 1]; ++e)
-          inverse += std::fabs(weights.weight[e]) * yields[weights.node[e]];
+        for (std::size_t e = weights.rows.start[k]; e < weights.rows.start[k + 1]; ++e)
+          inverse += std::fabs(weights.rows.entries[e].weight) *
+                     yields[weights.rows.entries[e].column];
         const double off = own * above->force[c][i] - s * weights.of(row(braking), k);
         u.row(c, 0)[i]   = above->u[c][i] - s * weights.of(row(displacement), k);
         w.row(c, 0)[i]   = above->w[c][i] - s * weights.of(row(velocity), k);
         inverse_mass.row(c, 0)[i] = inverse;
         apart.row(c, 0)[i]        = off;
+        mass.row(c, 0)[i]         = inverse > 0. ? 1. / inverse : 0.;
         force.row(c, 0)[i]        = inverse > 0. ? off / inverse : 0.;
       });
     }
@@ -182,12 +185,13 @@ template <int dim>
 void PairedContact<dim>::move(const SurfaceView<dim> &surface,
                               const NodesOfContact &of_surface,
                               const unsigned int c,
-                              const double *f,
+                              const Forces &f,
                               const double sign) const
 {
   of_surface.for_each([&](const std::size_t i, const unsigned int k) {
-    const double a = surface.inverse_mass[c][i] * (sign * f[k] - surface.force[c][i]);
-    double &w_now  = surface.w[c][i];
+    const double a =
+      surface.inverse_mass[c][i] * (sign * f[dim * k + c] - surface.force[c][i]);
+    double &w_now = surface.w[c][i];
     w_now += step.dt * a;
     surface.u[c][i] += step.dt * w_now + (step.beta2 - 0.5) * step.dt * step.dt * a;
   });

@@ -2,7 +2,7 @@
 #define mesoslip_contact_pair_paired_contact_h
 
 #include "contact/contact_surface.h"
-#include "contact/pair/mortar_weights.h"
+#include "contact/pair/moving_weights.h"
 #include "contact/pair/surface_values.h"
 #include "contact/pair/surface_weights.h"
 
@@ -38,7 +38,15 @@ struct SurfaceMeeting
   SurfaceWeights weights; ///< at the start
 
   /** What makes the weights as the second body slides on; null: displacements are small, and weights stay. */
-  std::shared_ptr<const MortarWeights> sliding;
+  std::shared_ptr<const MovingWeights> sliding;
+};
+
+/** How forces of neighbours were found together. */
+struct PairSettling
+{
+  std::uint64_t trials    = 0;  ///< of all steps
+  std::uint64_t unsettled = 0;  ///< steps in which friction went on changing
+  double change           = 0.; ///< in these, of the largest force, at most
 };
 
 /** How the nodes of a contact that a rank has start along the normal. */
@@ -92,16 +100,8 @@ public:
   /** Nodes that press on the second body from the start get one acceleration with what is below them. Collective. */
   void start_as_one(NormalStart &own, NormalStart &other);
 
-  /** How forces of neighbours were found together. */
-  struct Settling
-  {
-    std::uint64_t trials    = 0;  ///< of all steps
-    std::uint64_t unsettled = 0;  ///< steps in which friction went on changing
-    double change           = 0.; ///< in these, by the largest force, at most
-  };
-
   /** Since the start. */
-  const Settling &settling() const
+  const PairSettling &settling() const
   {
     return settled;
   }
@@ -110,7 +110,7 @@ public:
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    archive &way[0] & way[1] & moved_before;
+    archive &way[0] & way[1] & moved_before &last;
     archive &settled.trials &settled.unsettled &settled.change;
     if (meeting.sliding)
       set_weights(meeting.sliding->at(way));
@@ -128,7 +128,7 @@ private:
     n_rows
   };
   using Forces =
-    std::vector<std::vector<double>>; ///< on all nodes of the contact, by component
+    std::vector<double>; ///< on all nodes of the contact, components together
 
   void meet(const SurfaceView<dim> &below);
   void set_weights(SurfaceWeights weights);
@@ -138,14 +138,13 @@ private:
   void settle(const SurfaceView<dim> &relative);
   void press_with(const Forces &guess);
   void share_trial(const SurfaceView<dim> &relative, const Forces &guess);
-  double change_over_force() const;
-  double contraction() const;
+  double largest_of(const unsigned int row) const;
   Forces shared_forces() const;
   void share_forces();
   void move(const SurfaceView<dim> &surface,
             const NodesOfContact &of_surface,
             const unsigned int c,
-            const double *forces,
+            const Forces &f,
             const double sign) const;
   double sign(const unsigned int c) const;
   std::vector<double> common_forces(const SurfaceValues &own,
@@ -165,14 +164,16 @@ private:
 
   std::vector<double> reach;      ///< sum of |W_kj| over k
   Forces taken;                   ///< from the nodes below, W^T f (N, in 2D N/m)
+  Forces last;                    ///< of the last step (N, in 2D N/m)
   std::array<double, 2> way = {}; ///< of the second body since the start (m)
   std::vector<double>
     moved_before; ///< increments of the nodes of the second body of this rank in the last step (m)
-  Settling settled;
+  PairSettling settled;
 
   /** Of the relative motion: displacement (m), velocity of the scheme (m/s), force without contact (N, in 2D N/m), one over
-   * the inertia (1/kg, in 2D m/kg) and acceleration without contact (m/s^2), a column for each node; and forces that are tried. */
-  NodalField<double> u, w, force, inverse_mass, apart, trial;
+   * the inertia (1/kg, in 2D m/kg), the inertia (0: held) and minus the acceleration without contact (m/s^2), a column for each node; and
+   * forces that are tried. */
+  NodalField<double> u, w, force, inverse_mass, mass, apart, trial;
 };
 } // namespace mesoslip
 

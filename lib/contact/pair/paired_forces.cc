@@ -19,20 +19,32 @@ template <int dim>
 void PairedContact<dim>::press_with(const Forces &guess)
 {
   const SurfaceWeights &weights = meeting.weights;
+  weights.template spread<dim>(guess, taken);
   for (unsigned int c = 0; c < dim; ++c)
     {
-      weights.spread(guess[c].data(), taken[c]);
       const double *const inverse_below = of_partner.row(n_rows * c + one_over_mass);
-      for (std::size_t j = 0; j < taken[c].size(); ++j)
-        taken[c][j] *= inverse_below[j];
-      nodes.for_each([&](const std::size_t i, const unsigned int k) {
-        const double compliance = inverse_mass.row(c, 0)[i],
-                     pushed     = weights.of(taken[c].data(), k) +
-                              (above->inverse_mass[c][i] - compliance) * guess[c][k];
-        force.row(c, 0)[i] =
-          compliance > 0. ? (apart.row(c, 0)[i] - pushed) / compliance : 0.;
-      });
+      for (std::size_t j = 0; j < of_partner.n_nodes(); ++j)
+        taken[dim * j + c] *= inverse_below[j];
     }
+  std::array<double *, dim> to;
+  std::array<const double *, dim> compliance, inertia, off;
+  for (unsigned int c = 0; c < dim; ++c)
+    {
+      to[c]         = force.row(c, 0);
+      compliance[c] = inverse_mass.row(c, 0);
+      inertia[c]    = mass.row(c, 0);
+      off[c]        = apart.row(c, 0);
+    }
+  nodes.for_each([&](const std::size_t i, const unsigned int k) {
+    const std::array<double, dim> below =
+      weights.rows.template times<dim>(taken.data(), k);
+    for (unsigned int c = 0; c < dim; ++c)
+      {
+        const double pushed =
+          below[c] + (above->inverse_mass[c][i] - compliance[c][i]) * guess[dim * k + c];
+        to[c][i] = (off[c][i] - pushed) * inertia[c][i];
+      }
+  });
 }
 
 /** What the nodes answer, and how far that is from the @p guess where it moves them by more than rounding does. */
@@ -51,8 +63,8 @@ void PairedContact<dim>::share_trial(const SurfaceView<dim> &relative,
     for (unsigned int i = 0; i < nodes.n_owned; ++i)
       {
         const double compliance = inverse_mass.row(c, 0)[i],
-                     off        = std::fabs(rows[c][i] - guess[c][nodes.number[i]]),
-                     motion     = std::fabs(relative.u[c][i]) +
+                     off    = std::fabs(rows[c][i] - guess[dim * nodes.number[i] + c]),
+                     motion = std::fabs(relative.u[c][i]) +
                               step.dt * std::fabs(relative.w[c][i]);
         if (!(per_force * compliance * off <= rounding * motion))
           change[i] = std::max(change[i], off);
@@ -67,75 +79,70 @@ void PairedContact<dim>::share_trial(const SurfaceView<dim> &relative,
   forces.share();
 }
 
-/** By how much of the largest force a force changed. */
+/** The largest value that is shared in a row, from 0 on. */
 template <int dim>
-double PairedContact<dim>::change_over_force() const
+double PairedContact<dim>::largest_of(const unsigned int row) const
 {
-  const std::size_t n        = forces.n_nodes();
-  const double *const change = forces.row(dim + of_change);
+  const double *const values = forces.row(row);
   double largest             = 0.;
-  for (unsigned int c = 0; c < dim; ++c)
-    for (std::size_t k = 0; k < n; ++k)
-      largest = std::max(largest, std::fabs(forces.row(c)[k]));
-  const double most = n > 0 ? *std::max_element(change, change + n) : 0.;
-  return most > 0. ? most / largest : 0.;
-}
-
-/** By which the distance from the solution shrinks at least, each time. */
-template <int dim>
-double PairedContact<dim>::contraction() const
-{
-  const double *const found = forces.row(dim + of_contraction);
-  return forces.n_nodes() > 0 ? *std::max_element(found, found + forces.n_nodes()) : 0.;
+  for (std::size_t k = 0; k < forces.n_nodes(); ++k)
+    largest = std::fmax(largest, std::fabs(values[k]));
+  return largest;
 }
 
 template <int dim>
 typename PairedContact<dim>::Forces PairedContact<dim>::shared_forces() const
 {
-  Forces result;
+  Forces result(dim * forces.n_nodes());
   for (unsigned int c = 0; c < dim; ++c)
-    result.emplace_back(forces.row(c), forces.row(c) + forces.n_nodes());
+    for (std::size_t k = 0; k < forces.n_nodes(); ++k)
+      result[dim * k + c] = forces.row(c)[k];
   return result;
 }
 
-/** Until the forces of neighbours in the step of @p relative are those that the nodes answer with; begins with those of the step
- * before. Where friction jumps between two values it may never be: after some time the mean of them is taken, and the step counted. */
+/** Until the forces of neighbours in the step of @p relative are those that the nodes answer with; begins with those of the last
+ * step. Where friction jumps between two values it may never be: after some time the mean of them is taken, and the
+ * step counted. */
 template <int dim>
 void PairedContact<dim>::settle(const SurfaceView<dim> &relative)
 {
   constexpr unsigned int accelerated = 200, most = 1000;
   constexpr double exact = 1e-14;
-  share_forces();
-  Forces guess = shared_forces(), before = guess;
-  double omega = 1.;
+  Forces guess(last), before(last);
+  double omega = 1., rho = 0., force_then = 0.;
   for (unsigned int n = 1;; ++n)
     {
       press_with(guess);
       share_trial(relative, guess);
       ++settled.trials;
-      const double change = change_over_force();
-      if (change <= exact)
+      const double change = largest_of(dim + of_change);
+      if (!(force_then > 0.))
+        for (unsigned int c = 0; c < dim; ++c)
+          force_then = std::max(force_then, largest_of(c));
+      if (change <= exact * force_then)
         return;
       if (n == most)
         {
           ++settled.unsettled;
-          settled.change = std::max(settled.change, change);
+          settled.change = std::max(settled.change, change / force_then);
           return;
         }
-      const double rho       = std::min(0.99, contraction());
-      omega                  = n == 1            ? 1.
-                               : n == 2          ? 1. / (1. - 0.5 * rho * rho)
-                               : n < accelerated ? 1. / (1. - 0.25 * rho * rho * omega)
-                               : n < most / 2    ? 1.
-                                                 : 0.5;
+      if (n == 1)
+        rho = std::min(0.99, largest_of(dim + of_contraction));
       const bool from_before = n < accelerated;
+      omega                  = n == 1         ? 1.
+                               : n == 2       ? 1. / (1. - 0.5 * rho * rho)
+                               : from_before  ? 1. / (1. - 0.25 * rho * rho * omega)
+                               : n < most / 2 ? 1.
+                                              : 0.5;
       for (unsigned int c = 0; c < dim; ++c)
         for (std::size_t k = 0; k < forces.n_nodes(); ++k)
           {
-            const double origin = from_before ? before[c][k] : guess[c][k],
+            double &now = guess[dim * k + c], &then = before[dim * k + c];
+            const double origin = from_before ? then : now,
                          next   = origin + omega * (forces.row(c)[k] - origin);
-            before[c][k]        = guess[c][k];
-            guess[c][k]         = next;
+            then                = now;
+            now                 = next;
           }
     }
 }
@@ -153,7 +160,7 @@ std::vector<double> PairedContact<dim>::common_forces(const SurfaceValues &own,
   const bool partners = weights.are_partners();
   for (unsigned int times = 0; times < 10000; ++times)
     {
-      weights.spread(f.data(), pushed);
+      weights.template spread<1>(f, pushed);
       for (std::size_t j = 0; j < pushed.size(); ++j)
         pushed[j] *= inverse_below[j];
       double change = 0., largest = 0.;
@@ -161,9 +168,13 @@ std::vector<double> PairedContact<dim>::common_forces(const SurfaceValues &own,
         if (rests[k] > 0.)
           {
             double yields = 0.;
-            for (std::size_t e = weights.start[k]; e < weights.start[k + 1]; ++e)
-              yields += std::fabs(weights.weight[e]) * inverse_below[weights.node[e]] *
-                        (partners ? 1. : 0.5 * reach[weights.node[e]]);
+            for (std::size_t e = weights.rows.start[k]; e < weights.rows.start[k + 1];
+                 ++e)
+              {
+                const auto [j, weight] = weights.rows.entries[e];
+                yields +=
+                  std::fabs(weight) * inverse_below[j] * (partners ? 1. : 0.5 * reach[j]);
+              }
             if (!(yields > 0.))
               continue;
             const double next = std::max(
@@ -203,7 +214,7 @@ void PairedContact<dim>::start_as_one(NormalStart &own, NormalStart &other)
   of_own.share();
   const std::vector<double> f = common_forces(of_own, of_other.row(0));
   std::vector<double> below(reach.size());
-  weights.spread(f.data(), below);
+  weights.template spread<1>(f, below);
   nodes.for_each([&](const std::size_t i, const unsigned int k) {
     own.acceleration[i] += own.inverse_inertia[i] * f[k];
   });

@@ -140,6 +140,17 @@ std::array<double, 4> SurfaceFacet::shapes(const Place &at) const
   return {{(1. - x) * (1. - y), x * (1. - y), x * y, (1. - x) * y}};
 }
 
+std::array<double, 2> SurfaceFacet::range(const unsigned int axis) const
+{
+  std::array<double, 2> found = {{place[0][axis], place[0][axis]}};
+  for (unsigned int k = 1; k < n; ++k)
+    {
+      found[0] = std::min(found[0], place[k][axis]);
+      found[1] = std::max(found[1], place[k][axis]);
+    }
+  return found;
+}
+
 double SurfaceFacet::size() const
 {
   return std::fabs(signed_size(*this));

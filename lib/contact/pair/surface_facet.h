@@ -21,6 +21,9 @@ struct SurfaceFacet
   /** Values of the shape functions at a @p place: linear, or bilinear on a quadrilateral. */
   std::array<double, 4> shapes(const Place &at) const;
 
+  /** From where to where it goes along an axis (m). */
+  std::array<double, 2> range(const unsigned int axis) const;
+
   /** Length (m) or area (m^2). */
   double size() const;
 

@@ -25,11 +25,17 @@ SurfaceValues::SurfaceValues(const NodesOfContact &nodes,
 
 void SurfaceValues::set(const unsigned int r, const double *values)
 {
-  std::copy_n(values, owned.size(), own.begin() + r * owned.size());
+  if (counts.size() > 1)
+    std::copy_n(values, owned.size(), own.begin() + r * owned.size());
+  else
+    for (std::size_t i = 0; i < owned.size(); ++i)
+      whole.row(r, 0)[owned[i]] = values[i];
 }
 
 void SurfaceValues::share()
 {
+  if (counts.size() == 1)
+    return;
   all_gather(own, counts, starts, all, communicator);
   std::size_t first = 0;
   for (std::size_t rank = 0; rank < counts.size(); ++rank)

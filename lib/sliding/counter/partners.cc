@@ -212,11 +212,16 @@ SurfaceMeeting meeting_of(const GivenBody<dim> &body, const GivenBody<dim> &coun
       std::vector<unsigned int> below(partners.size());
       for (unsigned int j = 0; j < partners.size(); ++j)
         below[partners[j]] = j;
+      SparseRows rows;
       for (std::size_t k = 0; k < n; ++k) // without the twin of a periodic grid
-        meeting.weights.add_partner(below[k]);
+        {
+          rows.entries.push_back({below[k], 1.});
+          rows.end_row();
+        }
+      meeting.weights = {rows, n};
       return meeting;
     }
-  const auto moving = std::make_shared<const MortarWeights>(
+  const auto moving = make_moving_weights(
     ContactFacets{static_cast<unsigned int>(body.facts().size.n_contact_nodes),
                   body.facts().contact_facets},
     ContactFacets{static_cast<unsigned int>(counter.facts().size.n_contact_nodes),

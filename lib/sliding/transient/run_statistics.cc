@@ -141,6 +141,8 @@ void RunStatistics<dim>::collect(TransientResult &all)
   if (const auto *friction = surfaces.contact.variable_friction())
     all.largest_weakening =
       mpi::max(friction->largest_weakening(), context.communicator());
+  if (const auto *pair = surfaces.paired())
+    all.settling = pair->settling();
   all.series = record.series();
   // Where the top takes no tangential forces, they are those of the contact.
   const std::vector<double> at_the_top = of_top(record.top_friction());

@@ -98,6 +98,21 @@ std::string weakening_remark(const TransientResult &run)
     "shorter step, or a lower pressure avoid that");
 }
 
+/** Steps in which friction of a pair had no solution. */
+std::string settling_remark(const TransientResult &run)
+{
+  if (run.settling.unsettled == 0)
+    return "";
+  return brief_text(
+    3, "in ", static_cast<double>(run.settling.unsettled), " of ",
+    static_cast<double>(run.steps_done),
+    " steps friction between the two bodies jumped to and fro, as a node that begins to "
+    "stick moves its neighbours: there forces are off by up to ",
+    run.settling.change,
+    " of the largest one; nodes of both bodies that match, or Friction/Law = coulomb, "
+    "avoid that");
+}
+
 /** Frequencies that the samples of the statistics cannot tell. */
 std::string spectrum_remark(const TransientResult &run)
 {
@@ -186,7 +201,7 @@ void TransientResult::add_remarks()
   friction_warning = has_statistics ? friction_remark(*this) : steady_part_remark(*this);
   for (const std::string &text :
        {spectrum_remark(*this), history_remark(*this), map_remark(*this),
-        separation_remark(*this), weakening_remark(*this)})
+        separation_remark(*this), weakening_remark(*this), settling_remark(*this)})
     if (!text.empty())
       warnings.push_back(text);
 }
