@@ -124,7 +124,7 @@ MESOSLIP_INLINE void advance_vector(const ContactArrays &a,
   if constexpr (full)
     put_on_springs(a, i, sliding);
   const vdouble limit   = load(at(Arrays::friction_coefficient)) * normal;
-  const Friction<dim> f = friction(a, step, i, limit, sliding);
+  const Friction<dim> f = friction<full>(a, step, i, limit, sliding);
   const vint64 sticks   = touches & f.sticks;
 
   vdouble force[dim];
@@ -134,6 +134,11 @@ MESOSLIP_INLINE void advance_vector(const ContactArrays &a,
     {
       for (int k = 0; k < dim; ++k)
         store(a.trial[k] + i, force[k]);
+      if constexpr (full)
+        {
+          const vdouble decided = load(at(Arrays::decided));
+          store(at(Arrays::decided), decided < zero ? (f.sticks ? one : zero) : decided);
+        }
       return;
     }
 

@@ -48,6 +48,7 @@ struct ContactArrays
     stretch,         ///< of that spring along x (m)
     stretch_before,  ///< a step ago (m)
     pressing,        ///< normal force on a node whose spring is not linear (N/m), else -1
+    decided,         ///< whether it sticks if it touches, 1 or 0; -1: this is to be found
     n_plane_columns, ///< those above are all of a 2D contact
     // As those without the word, along y.
     lateral_increment = n_plane_columns, ///< m
@@ -124,6 +125,10 @@ struct ContactSums
  *
  * Over a profile the flat rises and falls below the nodes, by known amounts in this step and the one
  * before: contact is where they end on its new height, and its motion does work.
+ *
+ * Where forces reach neighbours, the step is tried until they agree, in the first trial of which is decided which nodes stick:
+ * friction that is remembered may be less than what would make a node stick, so that one that decides anew with its neighbours
+ * might never end. One for which the force that makes it stick then exceeds the limit slides with the limit.
  *
  * Work is formed with the central increment (u_(n+1) - u_(n-1)) / 2, for which the
  * discrete energy balance is exact.

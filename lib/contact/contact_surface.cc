@@ -45,6 +45,7 @@ ContactSurface<dim>::ContactSurface(const ContactSetup &setup, const StepParamet
       profile->start(column(Column::gap));
     }
   std::fill_n(column(Column::pressing), n_padded, -1.);
+  std::fill_n(column(Column::decided), n_padded, -1.);
   constexpr double softest = 1e100; // of nodes without area
   if (setup.is_compliant() && !setup.normal_spring.is_linear())
     springs = std::make_unique<PowerSprings<dim>>(setup.normal_spring, setup.area,
@@ -149,9 +150,12 @@ void ContactSurface<dim>::prepare(const SurfaceView<dim> &surface,
 
 template <int dim>
 void ContactSurface<dim>::try_forces(const SurfaceView<dim> &surface,
-                                     const std::array<double *, dim> &trial)
+                                     const std::array<double *, dim> &trial,
+                                     const bool first)
 {
-  Assert(!profile, dealii::ExcInternalError());
+  Assert(setup.is_coupled && !profile, dealii::ExcInternalError());
+  if (first)
+    std::fill_n(column(Column::decided), n_nodes, -1.);
   const FlatVelocity flat = flat_at(surface.time);
   if (!started)
     begin(surface);

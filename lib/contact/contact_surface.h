@@ -87,12 +87,12 @@ struct ContactSetup
   /** Whether nodes take part in more than linear springs along the normal of an even flat. */
   bool is_full() const
   {
-    return profile || flat_rises || slips_on_springs() ||
+    return profile || is_coupled || slips_on_springs() ||
            (is_compliant() && !normal_spring.is_linear());
   }
 
-  /** The surface below rises and falls under the nodes, see ContactSurface::rise(). */
-  bool flat_rises = false;
+  /** Forces reach neighbours through the surface below, or it rises and falls under the nodes, see ContactSurface::ride(). */
+  bool is_coupled = false;
 
   /** Whether there are springs along the flat. */
   bool slips_on_springs() const
@@ -152,12 +152,13 @@ public:
   void advance(const SurfaceView<dim> &surface) override;
 
   /** What the forces of that step would be (N, in 2D N/m): into rows of @p trial, padded to whole vectors, in the order of the axes.
-   * Flats have no profile then. */
+   * The @p first trial decides which nodes stick in the step. For ContactSetup::is_coupled, without a profile. */
   void try_forces(const SurfaceView<dim> &surface,
-                  const std::array<double *, dim> &trial);
+                  const std::array<double *, dim> &trial,
+                  const bool first);
 
   /** Before the step in which the surface below rises by @p rise (m) under each node as it slides, and with it what nodes @p moved
-   * relative to it in the step before changes (m, a row for each axis); for ContactSetup::flat_rises. */
+   * relative to it in the step before changes (m, a row for each axis); for ContactSetup::is_coupled. */
   void ride(const double *rise, const std::array<const double *, dim> &moved);
 
   /** Energies since the start, and that in the springs, of the nodes of this rank; external is the

@@ -28,7 +28,20 @@ MESOSLIP_INLINE vdouble relax(const vdouble target,
   return target + (force_before - target_before) * decay - (target - target_before) * lag;
 }
 
+/** Nodes that stick, where @p within the limit is what this takes: by the decision of the first trial, where there was one. */
+template <bool full>
+MESOSLIP_INLINE vint64 hold(const ContactArrays &a,
+                            const std::size_t i,
+                            const vint64 within)
+{
+  if constexpr (!full)
+    return within;
+  const vdouble decided = load(a.column[ContactArrays::decided] + i), zero = {};
+  return (decided > zero) | ((decided < zero) & within);
+}
+
 /** In the direction of what makes the node stick. */
+template <bool full>
 MESOSLIP_INLINE Friction<2> friction(const ContactArrays &a,
                                      const ContactStep &,
                                      const std::size_t i,
@@ -40,7 +53,7 @@ MESOSLIP_INLINE Friction<2> friction(const ContactArrays &a,
   const vdouble zero = {};
   const vdouble to_stick =
     sliding_of.slip[0] / at_least_smallest(sliding_of.compliance[0]);
-  const vint64 sticks   = absolute(to_stick) <= limit;
+  const vint64 within = absolute(to_stick) <= limit, holds = hold<full>(a, i, within);
   const vdouble target  = to_stick < zero ? -limit : limit;
   const vdouble relaxed = relax(target, at(Arrays::target), at(Arrays::tangential_force),
                                 at(Arrays::decay), at(Arrays::lag));
@@ -49,7 +62,8 @@ MESOSLIP_INLINE Friction<2> friction(const ContactArrays &a,
   const vint64 same_direction = relaxed * to_stick > zero;
   const vint64 excess         = same_direction & (absolute(relaxed) > absolute(to_stick));
   const vdouble sliding       = excess ? to_stick : relaxed;
-  return {sticks, {sticks ? to_stick : sliding}, {target}};
+  const vdouble held          = within ? to_stick : target;
+  return {holds & within, {holds ? held : sliding}, {target}};
 }
 
 /** Of what @p slip Coulomb's force leaves where it moves the node by @p push along each axis: y of y_k + push_k y_k / |y|
@@ -88,6 +102,7 @@ slip_left(const vdouble (&slip)[2], const vdouble (&push)[2], vdouble (&left)[2]
 /** The same with two tangential components. Coulomb's force is along the slip at its instant: of
  * the step before, and of this one as friction leaves it. The weight of the latter is beta2, and
  * more where the slip across the force would turn back by more than it was (doc/theory.md). */
+template <bool full>
 MESOSLIP_INLINE Friction<3> friction(const ContactArrays &a,
                                      const ContactStep &step,
                                      const std::size_t i,
@@ -151,13 +166,16 @@ MESOSLIP_INLINE Friction<3> friction(const ContactArrays &a,
       softness += pull[k] * direction[k];
       distance += slip[k] * direction[k];
     }
-  result.sticks        = length_of(to_stick[0], to_stick[1]) <= limit;
+  const vdouble length = length_of(to_stick[0], to_stick[1]);
+  const vint64 within = length <= limit, holds = hold<full>(a, i, within);
+  const vdouble share  = within ? splat(1.) : limit / at_least_smallest(length);
+  result.sticks        = holds & within;
   const vdouble excess = (moved - distance) / at_least_smallest(softness);
   for (int k = 0; k < 2; ++k)
     {
       const vdouble force = result.force[k], along = force - excess * direction[k],
                     sliding = moved > distance ? along : force;
-      result.force[k]       = result.sticks ? to_stick[k] : sliding;
+      result.force[k]       = holds ? share * to_stick[k] : sliding;
     }
   return result;
 }

@@ -39,6 +39,12 @@ struct SurfaceMeeting
 
   /** What makes the weights as the second body slides on; null: displacements are small, and weights stay. */
   std::shared_ptr<const MovingWeights> sliding;
+
+  /** Whether forces on a node reach others, or the surface below rises and falls under it. */
+  bool couples() const
+  {
+    return sliding || !weights.are_partners();
+  }
 };
 
 /** How forces of neighbours were found together. */
@@ -137,7 +143,8 @@ private:
   void take_relative();
   void settle(const SurfaceView<dim> &relative);
   void press_with(const Forces &guess);
-  void share_trial(const SurfaceView<dim> &relative, const Forces &guess);
+  void
+  share_trial(const SurfaceView<dim> &relative, const Forces &guess, const bool first);
   double largest_of(const unsigned int row) const;
   Forces shared_forces() const;
   void share_forces();

@@ -50,14 +50,15 @@ void PairedContact<dim>::press_with(const Forces &guess)
 /** What the nodes answer, and how far that is from the @p guess where it moves them by more than rounding does. */
 template <int dim>
 void PairedContact<dim>::share_trial(const SurfaceView<dim> &relative,
-                                     const Forces &guess)
+                                     const Forces &guess,
+                                     const bool first)
 {
   constexpr double rounding = 4e-16;
   const double per_force    = (0.5 + step.beta2) * step.dt * step.dt;
   std::array<double *, dim> rows;
   for (unsigned int c = 0; c < dim; ++c)
     rows[c] = trial.row(c, 0);
-  contact.try_forces(relative, rows);
+  contact.try_forces(relative, rows, first);
   std::vector<double> change(nodes.n_owned), contraction(nodes.n_owned);
   for (unsigned int c = 0; c < dim; ++c)
     for (unsigned int i = 0; i < nodes.n_owned; ++i)
@@ -113,7 +114,7 @@ void PairedContact<dim>::settle(const SurfaceView<dim> &relative)
   for (unsigned int n = 1;; ++n)
     {
       press_with(guess);
-      share_trial(relative, guess);
+      share_trial(relative, guess, n == 1);
       ++settled.trials;
       const double change = largest_of(dim + of_change);
       if (!(force_then > 0.))

@@ -139,7 +139,6 @@ void ContactParameters::bind_counter(Keys &keys)
     if (!mesh.periodic[axis].empty() || repeats[axis])
       other->mesh.periodic[axis] = {sides_of_grid[2 * axis], sides_of_grid[2 * axis + 1]};
   check_counter(keys, *other);
-  contact.flat_rises       = other->slides_on;
   other->time              = time;
   other->sweep             = sweep;
   other->energy_interval   = energy_interval;

@@ -153,9 +153,10 @@ void TransientAnalysis<dim>::run(RunContext &context)
   if (counter)
     below = counter->start_below(
       setup_below(*parameters.counter, counter->facts().size, time.step), context);
-  below.meeting = meeting;
-  const BodyInMotion<dim> motion =
-    body->start(run_setup(parameters, facts.size, time), context, &below);
+  below.meeting                  = meeting;
+  SlidingSetup setup             = run_setup(parameters, facts.size, time);
+  setup.contact.is_coupled       = meeting.couples();
+  const BodyInMotion<dim> motion = body->start(setup, context, &below);
   RunOutput<dim> output(context, *body, time, motion.displacement);
   const auto of_counter_output = counter_output(context, below);
   TransientRun<dim> run({parameters, time, facts.scales, facts.size, n_cells(),

@@ -84,8 +84,9 @@ def main():
         for law in FRICTION:
             check_kinds(here, law, ([6, HEIGHT], [7, 4]), ([3, 2, HEIGHT], [4, 3, 4]))
             check_kinds(here, {**law, **SLIDING}, ([7, HEIGHT], [11, 4]), ([4, 2, HEIGHT], [5, 3, 4]), (-1,))
-        check_ranks(here, FRICTION[1], ((4, 5), (7,), (6, 4)))
-        check_ranks(here, {**FRICTION[2], **SLIDING}, ((7, 5), (11,), (6, 4)), 1.0)
+        short = {"Time/End time": 1.2e-5}  # ranks tell each other the contact a dozen times a step
+        check_ranks(here, {**FRICTION[1], **short}, ((4, 5), (7,), (6, 4)))
+        check_ranks(here, {**FRICTION[2], **SLIDING, **short}, ((7, 5), (11,), (6, 4)), 1.0)
         check_periodic(here, FRICTION[1], (7, 4, 5))
         check_periodic(here, {**FRICTION[1], **SLIDING}, (7, 4, 5))
 
