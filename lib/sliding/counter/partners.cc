@@ -166,14 +166,12 @@ std::array<double, 2> periods_below(const GivenBody<dim> &body,
 } // namespace
 
 template <int dim>
-std::vector<unsigned int> partners_in(const GivenBody<dim> &body,
-                                      const GivenBody<dim> &counter)
+void require_partners(const GivenBody<dim> &body, const GivenBody<dim> &counter)
 {
-  const auto &of_body    = body.facts().contact_place,
-             &place      = counter.facts().contact_place;
-  const double tolerance = 1e-6 * body.contact_nodes().spacing;
-  require_even(counter, tolerance);
-  std::vector<unsigned int> partners = found_partners(body, counter, tolerance);
+  const auto &of_body                      = body.facts().contact_place,
+             &place                        = counter.facts().contact_place;
+  const double tolerance                   = 1e-6 * body.contact_nodes().spacing;
+  const std::vector<unsigned int> partners = found_partners(body, counter, tolerance);
   if (!are_all(partners, body, counter))
     throw UserError("Counter body: it has " + extent_text(place) +
                     " at the contact, which are to be where those of the body are, " +
@@ -184,8 +182,7 @@ std::vector<unsigned int> partners_in(const GivenBody<dim> &body,
                        ? "mesh both bodies with the same nodes there"
                        : std::string("give it the same width and cells along x") +
                            (dim == 3 ? " and y" : "")) +
-                    ", or set Analysis = transient, where they need not match");
-  return partners;
+                    ", which complex modes need");
 }
 
 std::string text_of(const SurfaceMeeting &meeting)
@@ -241,10 +238,8 @@ SurfaceMeeting meeting_of(const GivenBody<dim> &body, const GivenBody<dim> &coun
   return meeting;
 }
 
-template std::vector<unsigned int> partners_in(const GivenBody<2> &,
-                                               const GivenBody<2> &);
-template std::vector<unsigned int> partners_in(const GivenBody<3> &,
-                                               const GivenBody<3> &);
+template void require_partners(const GivenBody<2> &, const GivenBody<2> &);
+template void require_partners(const GivenBody<3> &, const GivenBody<3> &);
 template SurfaceMeeting meeting_of(const GivenBody<2> &, const GivenBody<2> &);
 template SurfaceMeeting meeting_of(const GivenBody<3> &, const GivenBody<3> &);
 } // namespace mesoslip

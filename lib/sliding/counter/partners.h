@@ -8,11 +8,9 @@
 
 namespace mesoslip
 {
-/** Of each contact node of @p counter the number of the contact node of @p body above it. @throws UserError unless each node has
- * a partner, or where the contact of the counter body is not even */
+/** That the contact nodes of @p counter are where those of @p body are. @throws UserError */
 template <int dim>
-std::vector<unsigned int> partners_in(const GivenBody<dim> &body,
-                                      const GivenBody<dim> &counter);
+void require_partners(const GivenBody<dim> &body, const GivenBody<dim> &counter);
 
 /** A line on how two bodies meet. */
 std::string text_of(const SurfaceMeeting &meeting);

@@ -119,9 +119,11 @@ void order_contact(MeshBodyDescription &body, const PointBody<dim> &elastic)
   for (std::size_t k = 0; k < contact.points.size(); ++k)
     place[contact.points[k]] = k;
   const std::vector<unsigned int> &points = elastic.contact_points();
+  std::vector<unsigned int> number(points.size());
   for (std::size_t k = 0; k < points.size(); ++k)
     {
       const std::size_t old  = place.at(points[k]);
+      number[old]            = static_cast<unsigned int>(k);
       body.contact.points[k] = contact.points[old];
       body.contact.area[k]   = contact.area[old];
       body.contact.height[k] = contact.height[old];
@@ -131,6 +133,9 @@ void order_contact(MeshBodyDescription &body, const PointBody<dim> &elastic)
       for (std::size_t p = 0; p < shares.size(); ++p)
         body.shares[p][k] = shares[p][old];
     }
+  for (SurfaceFacet &facet : body.contact.facets)
+    for (unsigned int v = 0; v < facet.n; ++v)
+      facet.node[v] = number[facet.node[v]];
 }
 
 #define MESOSLIP_INSTANTIATE(dim)                                                     \

@@ -122,7 +122,9 @@ GivenPair<dim>::GivenPair(const ContactParameters &given,
       throw UserError(side.key("Kind") +
                       " is platen, which a counter body knows in transient runs only; "
                       "use springs or pressure");
-  partners_in<dim>(*above, *below);
+  if (parameters.analysis == ContactAnalysis::complex_modes)
+    require_partners<dim>(*above, *below);
+  known.lines.push_back(text_of(meeting_of<dim>(*above, *below)));
 }
 
 template <int dim>
@@ -144,16 +146,10 @@ void GivenPair<dim>::write_contact(Hdf5File &file) const
   above->write_contact(file);
 }
 
-/** Nodes of the lower body below those of the contact. */
 template <int dim>
-std::vector<NodeIndex> GivenPair<dim>::partners() const
+MeetingNodes GivenPair<dim>::meeting() const
 {
-  const std::vector<unsigned int> number = partners_in<dim>(*above, *below);
-  const std::vector<NodeIndex> nodes     = below->contact_of_elastic();
-  std::vector<NodeIndex> all(nodes.size());
-  for (std::size_t k = 0; k < nodes.size(); ++k)
-    all[number[k]] = nodes[k];
-  return all;
+  return {below->contact_of_elastic(), meeting_of<dim>(*above, *below).weights};
 }
 
 template <int dim>
@@ -176,7 +172,7 @@ void GivenPair<dim>::make_elastic(const MPI_Comm communicator, const bool /*whol
     {whole_stiffness<dim>(above->points(), communicator),
      whole_stiffness<dim>(below->points(), communicator)}};
   const auto pair = [&](const Motion motion) {
-    return std::make_unique<PairBody<dim>>(above->points(), below->points(), partners(),
+    return std::make_unique<PairBody<dim>>(above->points(), below->points(), meeting(),
                                            stiffness, motion);
   };
   at_rest = pair(Motion::relative);

@@ -65,7 +65,7 @@ private:
             std::unique_ptr<GivenMesh<dim>> upper,
             std::unique_ptr<GivenMesh<dim>> lower);
 
-  std::vector<NodeIndex> partners() const;
+  MeetingNodes meeting() const;
   std::vector<NodalField<double>>
   fields_of(const std::size_t body,
             const std::vector<const NodalField<double> *> &fields) const;

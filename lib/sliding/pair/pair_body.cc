@@ -3,6 +3,7 @@
 #include "sliding/pair/dof_vector.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <set>
 #include <stdexcept>
@@ -43,7 +44,7 @@ RealMatrix blocks_of(const std::array<RealMatrix, 2> &matrices)
 template <int dim>
 PairBody<dim>::PairBody(const PointBody<dim> &above,
                         const PointBody<dim> &below,
-                        const std::vector<NodeIndex> &below_contact,
+                        const MeetingNodes &given,
                         const std::array<RealMatrix, 2> &stiffness,
                         const Motion motion)
   : ElasticBody<dim>(above.n_columns() + below.n_columns(),
@@ -54,10 +55,11 @@ PairBody<dim>::PairBody(const PointBody<dim> &above,
   , below(below)
   , n_above(above.n_columns())
   , motion(motion)
+  , meeting(given)
   , follows(this->n_columns())
 {
-  for (const NodeIndex &node : below_contact)
-    partners.push_back(below_node(node));
+  for (NodeIndex &node : meeting.below)
+    node = below_node(node);
   for (unsigned int d = 0; d < dim; ++d)
     this->extents[d] = above.extent(d);
   this->total_volume    = above.volume() + below.volume();
@@ -93,20 +95,23 @@ PairBody<dim>::PairBody(const PointBody<dim> &above,
 template <int dim>
 RealMatrix PairBody<dim>::transformation() const
 {
-  std::vector<int> partner_of(this->n_columns(), -1);
+  constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  std::vector<std::size_t> row_of(this->n_columns(), none);
   const std::vector<NodeIndex> &contact = this->surface(ElasticBody<dim>::bottom).nodes;
   for (std::size_t k = 0; k < contact.size() && motion == Motion::relative; ++k)
-    partner_of[contact[k].i] = static_cast<int>(partners[k].i);
+    row_of[contact[k].i] = k;
+  const SparseRows &rows = meeting.weights.rows;
   std::vector<Triplet> entries;
   for (unsigned int k = 0; k < follows.size(); ++k)
     for (unsigned int c = 0; c < dim; ++c)
       {
         const unsigned int node = follows[k];
         entries.emplace_back(dof_of<dim>(k, c), dof_of<dim>(node, c), 1.);
-        if (partner_of[node] >= 0)
-          entries.emplace_back(
-            dof_of<dim>(k, c),
-            dof_of<dim>(static_cast<unsigned int>(partner_of[node]), c), 1.);
+        if (const std::size_t row = row_of[node]; row != none)
+          for (std::size_t e = rows.start[row]; e < rows.start[row + 1]; ++e)
+            entries.emplace_back(dof_of<dim>(k, c),
+                                 dof_of<dim>(meeting.below[rows.entries[e].column].i, c),
+                                 rows.entries[e].weight);
       }
   const auto n = static_cast<Eigen::Index>(dim * follows.size());
   RealMatrix matrix(n, n);
@@ -163,9 +168,12 @@ template <int dim>
 void PairBody<dim>::act_on_displacements(NodalField<double> &force) const
 {
   const std::vector<NodeIndex> &contact = this->surface(ElasticBody<dim>::bottom).nodes;
+  const SparseRows &rows                = meeting.weights.rows;
   for (std::size_t k = 0; k < contact.size() && motion == Motion::relative; ++k)
-    for (unsigned int c = 0; c < dim; ++c)
-      force(c, partners[k]) += force(c, contact[k]);
+    for (std::size_t e = rows.start[k]; e < rows.start[k + 1]; ++e)
+      for (unsigned int c = 0; c < dim; ++c)
+        force(c, meeting.below[rows.entries[e].column]) +=
+          rows.entries[e].weight * force(c, contact[k]);
 }
 
 template <int dim>

@@ -2,6 +2,7 @@
 #define mesoslip_sliding_pair_pair_body_h
 
 #include "body/point_body.h"
+#include "contact/pair/surface_weights.h"
 #include "eigenvalues/complex/complex_factorization.h"
 #include "sliding/pair/condensed_solver.h"
 
@@ -14,10 +15,17 @@ namespace mesoslip
 /** Both matrices as blocks. */
 RealMatrix blocks_of(const std::array<RealMatrix, 2> &matrices);
 
+/** The nodes of the contact of a lower body, and what those of the upper one meet of them. */
+struct MeetingNodes
+{
+  std::vector<NodeIndex> below; ///< in the order of the weights' columns
+  SurfaceWeights weights;       ///< W
+};
+
 /**
- * Two bodies that meet node by node, as one for statics and modes, with whole fields: in one row the nodes of the upper body,
+ * Two bodies that meet, as one for statics and modes, with whole fields: in one row the nodes of the upper body,
  * behind them those of the lower one. Its contact is that of the upper body. The displacements u are absolute, or those of the
- * nodes of its contact are relative to their partners: u_1 = u + u_2. Then the conditions of the contact are those on a rigid
+ * nodes of its contact are relative to what they meet: u_1 = u + W u_2. Then the conditions of the contact are those on a rigid
  * flat, forces on these displacements act on both bodies, and the stiffness is T^T K T with the matrix T that makes them
  * absolute; nodes of the lower body, which has to be held by itself, do not count in sums.
  */
@@ -34,11 +42,11 @@ public:
     relative
   };
 
-  /** @p stiffness of the cells of both bodies, of which @p below_contact are the nodes below those of the contact. The bodies must
-   * outlive it. Collective. */
+  /** @p stiffness of the cells of both bodies, whose contacts are @p meeting; with absolute displacements nodes have to match. The
+   * bodies must outlive it. Collective. */
   PairBody(const PointBody<dim> &above,
            const PointBody<dim> &below,
-           const std::vector<NodeIndex> &below_contact,
+           const MeetingNodes &meeting,
            const std::array<RealMatrix, 2> &stiffness,
            const Motion motion);
 
@@ -53,7 +61,10 @@ public:
 
   std::optional<NodeIndex> partner(const std::size_t k) const override
   {
-    return partners[k];
+    const SparseRows &rows = meeting.weights.rows;
+    return meeting.weights.are_partners()
+             ? std::optional(meeting.below[rows.entries[k].column])
+             : std::nullopt;
   }
 
   void act_on_displacements(NodalField<double> &force) const override;
@@ -83,7 +94,7 @@ private:
   const PointBody<dim> &below;
   const unsigned int n_above; ///< nodes of the upper body
   const Motion motion;
-  std::vector<NodeIndex> partners; ///< of the nodes of the contact
+  MeetingNodes meeting; ///< with the numbers that nodes below have here
   std::vector<unsigned int>
     follows; ///< of each node the one that it duplicates, or itself
   mutable std::unique_ptr<CondensedStiffness<dim>>

@@ -240,8 +240,15 @@ def check_sentences(folder):
     assert refused("Counter body/Supports/Wall: 'Wall' is no physical group", "Counter body/Supports/Wall/Kind=held")
     mesh(folder, "lower2.msh", [6, HEIGHT], [8, 4], True)
     works()
-    assert refused("it has 9 nodes on 0.006 m at the contact, which are to be where those of the body are, 10 nodes on 0.006 m, and 8 of these have no partner; mesh both",
-                   "Analysis=static contact")
+    with open(folder("run.prm"), encoding="ascii") as file:
+        transient = file.read()
+    pair = {**upper(folder, "mesh", [6, 4], [9, 6]), **lower(folder, "mesh", [6, HEIGHT], [8, 4]), "Supports/Top/Kind": "platen", "Flat/Velocity": 2,
+            "Counter body/Supports/Bottom/Kind": "held"}
+    folder.write("run.prm", "set Analysis = static contact\n" + prm(pair))
+    assert "nodes do not match" in works()
+    folder.write("run.prm", "set Analysis = complex modes\n" + prm(pair))
+    assert refused("it has 9 nodes on 0.006 m at the contact, which are to be where those of the body are, 10 nodes on 0.006 m, and 8 of these have no partner; mesh both")
+    folder.write("run.prm", transient)
     box = Box([6, HEIGHT], [9, 4], lambda x: "body")
     box.name_side("Bottom", 1, False).name_side("Contact", 1, True).name_side("Left", 0, False).name_side("Right", 0, True)
     box.points[:, 1] += 0.1 * np.sin(box.points[:, 0]) * (box.points[:, 1] == HEIGHT)
