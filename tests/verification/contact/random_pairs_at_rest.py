@@ -1,7 +1,7 @@
 """Random pairs of bodies of random phases, pressed on each other on random supports, in static contact and in complex modes, on one rank and on two.
 
 The static solution is checked by what makes it one, with matrices written apart: no node of either body has a force left but those of the contact, which are
-opposite on partners; these press and slide with mu times their pressure, or are apart. Complex eigenvalues are those of a descriptor system with the normal reactions
+opposite on partners, or have weights where nodes do not match; these press and slide with mu times their pressure, or are apart. Complex eigenvalues are those of a descriptor system with the normal reactions
 as multipliers, s M v = -K u - C v + B_n N + B_t q, B_n^T u = 0, (1 + s delta) q = mu N, by the QZ algorithm; on springs between the bodies N is k times their depth."""
 
 import csv
@@ -12,18 +12,19 @@ import scipy.linalg
 
 from random_pairs import ROWS, field, random_side, write_volume
 from random_supports import HX, NX, Body, supports_of
+from random_surfaces import weights
 from scenes import Folder, prm
 
-SEED, N_PAIRS = 4, 10
+SEED, N_PAIRS, N_UNMATCHED = 4, 10, 6
 HIGHEST, FASTEST = 4e5, 4e5
 
 
 class Half:
     """One of the two bodies at rest."""
 
-    def __init__(self, random, is_counter):
+    def __init__(self, random, is_counter, **columns):
         self.is_counter = is_counter
-        self.body = Body(random, ROWS[is_counter], -ROWS[is_counter] * 0.6e-3 if is_counter else 0.0)
+        self.body = Body(random, ROWS[is_counter], -ROWS[is_counter] * 0.6e-3 if is_counter else 0.0, **columns)
         self.supports = [random_side(name, random, ["free", "pressure", "springs", "absorbing"]) for name in ("Left", "Right")]
         name, kinds = ("Bottom", ["held", "springs"]) if is_counter else ("Top", ["pressure", "springs"])
         self.supports.append(random_side(name, random, kinds))
@@ -55,17 +56,17 @@ class Half:
         return np.where(self.held, 0, force)
 
 
-def check_statics(first, second, u, v, mu, weight, stiffness, sliding=True):
-    """Returns which contact nodes touch. Without `sliding` these stick or slip against their relative displacement."""
+def check_statics(first, second, W, u, v, mu, weight, stiffness, sliding=True):
+    """Returns which contact nodes touch, above what @p W gives of the nodes below. Without `sliding` these stick or slip against their relative displacement."""
     a, b = first.left(u, weight), second.left(v, weight)
     scale = np.abs(np.where(first.held, first.K @ u, 0)).max() + np.abs(first.load(0.0)).max()
     x, z = 2 * first.contact, 2 * second.contact
-    pressed, tangential, gap = -a[x + 1], -a[x], u[x + 1] - v[z + 1]
+    pressed, tangential, gap = -a[x + 1], -a[x], u[x + 1] - W @ v[z + 1]
     for force, dofs in ((a, (x, x + 1)), (b, (z, z + 1))):
         inner = np.delete(force, np.concatenate(dofs))
         assert np.abs(inner).max() < 1e-7 * scale, np.abs(inner).max() / scale
     free = ~second.held[z + 1]
-    assert np.abs((a + 0)[x + 1] + b[z + 1])[free].max(initial=0) < 1e-7 * scale and np.abs(a[x] + b[z])[~second.held[z]].max(initial=0) < 1e-7 * scale
+    assert np.abs(W.T @ a[x + 1] + b[z + 1])[free].max(initial=0) < 1e-7 * scale and np.abs(W.T @ a[x] + b[z])[~second.held[z]].max(initial=0) < 1e-7 * scale
     touching = pressed > 1e-6 * scale
     wanted = -pressed / stiffness if stiffness is not None else 0 * gap
     assert (pressed > -1e-7 * scale).all() and (gap > wanted - 1e-7 * np.abs(u).max()).all(), (pressed, gap)
@@ -73,7 +74,7 @@ def check_statics(first, second, u, v, mu, weight, stiffness, sliding=True):
     if sliding:
         assert np.abs(tangential - mu * pressed).max() < 1e-6 * scale
     else:
-        slip, sticks = u[x] - v[z], np.abs(tangential) < mu * pressed - 1e-6 * scale
+        slip, sticks = u[x] - W @ v[z], np.abs(tangential) < mu * pressed - 1e-6 * scale
         assert (np.abs(tangential) < mu * pressed + 1e-6 * scale).all() and np.abs(slip[sticks]).max(initial=0) < 1e-7 * np.abs(u).max()
         assert (tangential * slip)[touching & ~sticks].max(initial=0) < 1e-7 * scale * np.abs(u).max(), (tangential, slip)
     return touching
@@ -106,8 +107,12 @@ def eigenvalues(first, second, touching, mu, delta, stiffness):
     return s[(s.imag > 1e-3 * np.abs(s)) & (np.abs(s) < 1e9)]
 
 
-def check(folder, random, number):
-    first, second = Half(random, False), Half(random, True)
+def check(folder, random, number, matched=True):
+    columns = NX if matched else random.integers(2, 12)
+    width = NX * HX + (0 if matched else random.choice([0.0, 1e-3]))
+    first, second = Half(random, False), Half(random, True, columns=columns, hx=width / columns, first=(NX * HX - width) * random.random())
+    places = [half.body.first + half.body.hx * half.body.i[half.contact] for half in (first, second)]
+    W = np.eye(NX + 1) if matched else weights(*places, 0.0)
     weight = random.uniform(-1, 1, 2) * 1e6
     mu, delta = random.choice([0.0, 0.3]), random.choice([0.0, 2e-6])
     stiffness = random.choice([0, 1]) * np.where((np.arange(NX + 1) % NX) == 0, 0.5, 1) * HX * 2e13
@@ -115,6 +120,7 @@ def check(folder, random, number):
     for half, name in ((first, "body"), (second, "counter")):
         write_volume(folder, name, half)
     common = {"Flat/Velocity": 2, "Friction/Coefficient": mu, "Body/Acceleration": "%.17g, %.17g" % tuple(weight), "Static contact/Tolerance": 1e-10,
+              "Counter body/Position": repr(second.body.first),
               **({} if stiffness is None else {"Flat/Normal stiffness": 2e13})}
     errors = []
     for ranks in (1, 2):
@@ -126,10 +132,13 @@ def check(folder, random, number):
                 raise
             return 0
         u, v = (field(folder, name)[0] for name in ("dynamics.h5", "counter_body.h5"))
-        touching = check_statics(first, second, u, v, mu, weight, stiffness)
+        touching = check_statics(first, second, W, u, v, mu, weight, stiffness)
         folder.run(0, "contact_dynamics", "run.prm", "--output", "still", "--quiet", "--set", "Flat/Velocity=0", ranks=ranks)
         still = [field(folder, name, "still")[0] for name in ("dynamics.h5", "counter_body.h5")]
-        check_statics(first, second, *still, mu, weight, stiffness, False)
+        check_statics(first, second, W, *still, mu, weight, stiffness, False)
+        if not matched:
+            print(number, f"mu {mu}, {columns} cells on {1e3 * width:.2f} mm, {touching.sum()} of {len(touching)} touch")
+            continue
         folder.write("run.prm", prm({"Analysis": "complex modes", **first.keys("complex modes"), **second.keys("complex modes"), **common,
                                      **({"Friction/Regularization time": delta} if delta else {"Friction/Law": "coulomb"}), "Complex modes/Highest frequency": HIGHEST, "Complex modes/Fastest decay": FASTEST}))
         folder.run(0, "contact_dynamics", "run.prm", "--output", "modes", "--quiet", ranks=ranks)
@@ -142,6 +151,8 @@ def check(folder, random, number):
         what = (number, ranks, mu, delta, stiffness is not None, [(s.name, s.kind) for s in first.supports + second.supports])
         assert errors[-1] < 1e-6, (*what, errors, np.sort_complex(found), np.sort_complex(wanted))
         assert folder.summary("modes")["separated_nodes"] == len(touching) - touching.sum()
+    if not matched:
+        return touching.sum()
     print(number, f"mu {mu}, delta {delta}, {'springs, ' if stiffness is not None else ''}{touching.sum()} of {len(touching)} touch, {n_modes} modes, {max(errors):.1e}",
           [s.kind for s in first.supports + second.supports])
     return n_modes
@@ -152,7 +163,8 @@ def main():
     random = np.random.default_rng(SEED)
     with tempfile.TemporaryDirectory() as path:
         n_modes = [check(Folder(path), random, number) for number in range(N_PAIRS)]
-    assert sum(n_modes) > N_PAIRS, n_modes
+        n_touching = [check(Folder(path), random, N_PAIRS + number, False) for number in range(N_UNMATCHED)]
+    assert sum(n_modes) > N_PAIRS and sum(n_touching) > N_UNMATCHED, (n_modes, n_touching)
 
 
 if __name__ == "__main__":
