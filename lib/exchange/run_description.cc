@@ -49,6 +49,7 @@ const Condition known[] = {{"analysis", "", Role::load},
                            {"tangential_stiffness", "Pa/m", Role::load},
                            {"flat_profile", "", Role::load},
                            {"counter_body", "", Role::load},
+                           {"contact_side", "", Role::load},
                            {"top", "", Role::load},
                            {"lateral_held", "", Role::load},
                            {"platen_mass", "kg/m", Role::load},
@@ -129,6 +130,17 @@ std::optional<double> number_of(const RunConditions &conditions, const std::stri
   return found == conditions.end()
            ? std::nullopt
            : std::optional<double>(std::get<double>(found->second));
+}
+
+RunConditions conditions_below(RunConditions conditions)
+{
+  conditions["contact_side"] = "upper";
+  return conditions;
+}
+
+bool is_below(const RunConditions &conditions)
+{
+  return conditions.count("contact_side") > 0;
 }
 
 void write_run_conditions(Hdf5File &file, const RunConditions &conditions)

@@ -67,6 +67,12 @@ using RunConditions = std::map<std::string, std::variant<double, std::string>>;
 /** The number of that name; nothing if it does not apply. */
 std::optional<double> number_of(const RunConditions &conditions, const std::string &name);
 
+/** Those of a run as the file of its counter body has them, whose contact is the upper side. */
+RunConditions conditions_below(RunConditions conditions);
+
+/** Whether the contact is the upper side of the body. */
+bool is_below(const RunConditions &conditions);
+
 /** Writes /run; all names must be known. */
 void write_run_conditions(Hdf5File &file, const RunConditions &conditions);
 

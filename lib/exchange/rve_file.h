@@ -172,8 +172,8 @@ private:
   Hdf5File file;
 
 public:
-  const std::string digest;    ///< of the inputs that determine the content
-  const UniformGrid<dim> grid; ///< of the morphology; of a mesh its box as one cell
+  const std::string digest; ///< of the inputs that determine the content
+  UniformGrid<dim> grid;    ///< of the morphology; of a mesh its box as one cell
   const std::vector<Phase<dim>> phases; ///< by index
   const CellMaterials materials;        ///< which phase, in which orientation, cells are
 };

@@ -3,6 +3,8 @@
 #include "base/errors.h"
 #include "material/engineering_constants.h"
 
+#include <cmath>
+
 namespace mesoslip
 {
 template <int dim>
@@ -19,6 +21,13 @@ LocalizationFiles<dim>::LocalizationFiles(const LocalizationParameters &p,
       is_root
         ? BodySnapshots<dim>(p.direct_run, "the direct run; run contact_dynamics first")
         : BodySnapshots<dim>::open_too(p.direct_run));
+  // A counter body is not where its volume was.
+  bool as_large = are_grids();
+  for (unsigned int d = 0; d < dim && as_large; ++d)
+    as_large = std::fabs(rve.grid.extent(d) - homogeneous.grid.extent(d)) <=
+               1e-9 * rve.grid.extent(d);
+  if (as_large)
+    rve.grid.origin = homogeneous.grid.origin;
 }
 
 template <int dim>

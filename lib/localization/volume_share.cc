@@ -148,6 +148,10 @@ std::vector<CellRegion> regions_of(const LocalizationFiles<dim> &files,
       phase.push_back(
         static_cast<std::uint8_t>(files.rve.materials.phase_of(share.material[k])));
     }
+  // The surface is where the contact is.
+  if (files.homogeneous.conditions && is_below(*files.homogeneous.conditions))
+    for (dealii::Point<dim> &centre : centres)
+      centre[dim - 1] = size[dim - 1] - centre[dim - 1];
   return comparison_regions<dim>(centres, size, phase, files.phase_names(),
                                  parameters.surface_depth, parameters.edge_distance);
 }

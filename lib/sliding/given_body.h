@@ -260,11 +260,12 @@ public:
                       const std::vector<double> &numbers) const;
 
   /** On rank 0: writes what a counter body has of fields into the file at @p path, of this @p format and shows it, with @p numbers as
-   * times; nothing without one. */
+   * times, and with the @p conditions of a run, unless there are none; nothing without a counter body. */
   virtual void write_below(const std::string & /*path*/,
                            const std::string & /*format*/,
                            const std::vector<ShownFields> & /*shown*/,
-                           const std::vector<double> & /*numbers*/) const
+                           const std::vector<double> & /*numbers*/,
+                           const RunConditions & /*conditions*/) const
   {
   }
 

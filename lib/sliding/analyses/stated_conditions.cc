@@ -91,23 +91,30 @@ std::string product_text(const Numbers &numbers, const unsigned int dim)
   return text;
 }
 
-/** Shape, material, damping and supports of a counter body; of files their content. */
+/** Shape, material, damping, sliding and supports of a counter body; of files their content. Homogeneous and heterogeneous bodies of one
+ * volume, on any cells, are the same here, as those above it are. */
 std::string counter_text(const ContactParameters &p)
 {
   const BodyParameters &body = p.body;
   const unsigned int dim     = p.mesh.mesh.dim;
-  std::string text =
-    p.mesh.is_given()
-      ? "mesh " + Digest().add_file(p.mesh.mesh.files[0]).hex() + ", scale " +
-          to_text(p.mesh.mesh.scale)
-      : product_text(body.size, dim) + " m, " + product_text(body.cells, dim) + " cells";
+  std::string text           = p.mesh.is_given()
+                                 ? "mesh " + Digest().add_file(p.mesh.mesh.files[0]).hex() +
+                           ", scale " + to_text(p.mesh.mesh.scale)
+                               : body.size[0] > 0. ? product_text(body.size, dim) + " m"
+                                                   : std::string("as large as its volume");
   if (!body.rve_file.empty())
-    text += ", " + std::string(body.heterogeneous ? "phases" : body.stiffness_name) +
-            " of RVE " + Digest().add_file(body.rve_file).hex();
+    text += ", RVE " + Digest().add_file(body.rve_file).hex();
   else
     text += ", " + to_text(body.stiffness) + " Pa, " + to_text(body.density) + " kg/m^3";
   text += ", alpha " + to_text(p.step.alpha) + " 1/s, beta " + to_text(p.step.beta) +
           " s, starts with " + product_text(p.body.initial_velocity, dim) + " m/s";
+  if (!p.mesh.is_given())
+    text += ", from " + product_text(body.position, dim - 1) + " m on";
+  for (unsigned int axis = 0; axis < 2; ++axis)
+    if (!p.mesh.periodic[axis].empty())
+      text += std::string(", periodic in ") + "xy"[axis];
+  if (p.slides_on)
+    text += ", slides on";
   for (unsigned int c = 0; c < dim; ++c)
     for (const std::string &name : p.mesh.held[c])
       text += " | " + name + ": u_" + "xyz"[c] + " = 0";

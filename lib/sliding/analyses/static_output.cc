@@ -186,7 +186,8 @@ void StaticContactAnalysis<dim>::write_static_file(const RunContext &context) co
     {"displacement", u, {&result.solution.displacement}, "m"}};
   body->write_and_show(file, path, shown, {0.});
   if (context.root())
-    body->write_below(context.file("counter_body.h5"), dynamics_format, shown, {0.});
+    body->write_below(context.file("counter_body.h5"), dynamics_format, shown, {0.},
+                      parameters.stated_conditions());
 }
 
 template <int dim>

@@ -125,7 +125,7 @@ void ComplexModesAnalysis<dim>::write_shapes(std::optional<Hdf5File> &file,
     }
   body->write_and_show(file, path, shown, shapes.numbers);
   body->write_below(context.file("counter_body.h5"), "mesoslip-complex-modes", shown,
-                    shapes.numbers);
+                    shapes.numbers, {});
 }
 
 template class ComplexModesAnalysis<2>;

@@ -2,6 +2,7 @@
 
 #include "base/exchange.h"
 #include "exchange/grid_file.h"
+#include "exchange/run_description.h"
 
 namespace mesoslip
 {
@@ -36,12 +37,16 @@ template <int dim>
 void CounterOutput<dim>::end()
 {
   snapshots.close();
-  on_root(communicator, [&]() {
-    Hdf5File file = Hdf5File::resume(path, "start again");
-    snapshots.complete(file);
-    snapshots.show(path);
-    file.close();
-  });
+}
+
+template <int dim>
+void CounterOutput<dim>::write(const RunConditions &conditions)
+{
+  Hdf5File file = Hdf5File::resume(path, "start again");
+  snapshots.complete(file);
+  write_run_conditions(file, conditions_below(conditions));
+  snapshots.show(path);
+  file.close();
 }
 
 template class CounterOutput<2>;

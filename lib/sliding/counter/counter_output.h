@@ -26,8 +26,11 @@ public:
    * if they are not */
   void begin(const std::uint64_t n_done);
 
-  /** Completes the file. */
+  /** There are no more snapshots. */
   void end();
+
+  /** On rank 0, after end(): completes the file with the @p conditions of the run. */
+  void write(const RunConditions &conditions);
 
   Snapshots<dim> snapshots; ///< displacements of the second body
 

@@ -146,7 +146,8 @@ void ContactParameters::bind_counter(Keys &keys)
   if (other->is_turned_over())
     {
       other->step.acceleration[1] *= -1.;
-      other->body.initial_velocity[1] *= -1.;
+      if (other->body.initial_velocity[1] != 0.)
+        other->body.initial_velocity[1] *= -1.;
     }
   other->friction.coefficient_by_phase = false;
   other->contact.gap                   = 1.; // nothing is there that it could touch

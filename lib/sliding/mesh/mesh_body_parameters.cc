@@ -65,7 +65,7 @@ void MeshBodyParameters::bind_below(Keys &keys)
   const auto in_mesh = keys.section("Mesh");
   keys.bind("Contact boundary", contact_boundary,
             "Physical group of the curves (2D) or surfaces (3D) on which the body lies, "
-            "even; in static contact and complex modes with nodes where those of its "
+            "even; in complex modes with nodes where those of its "
             "contact are [-]");
   bind_periodicity(keys);
   keys.only_if(is_given(), {"Contact boundary", "Periodic in x", "Periodic in y"},

@@ -52,7 +52,8 @@ public:
   void write_below(const std::string &path,
                    const std::string &format,
                    const std::vector<ShownFields> &shown,
-                   const std::vector<double> &numbers) const override;
+                   const std::vector<double> &numbers,
+                   const RunConditions &conditions) const override;
   void show(const std::string &path,
             const std::vector<XdmfField> &fields,
             const std::vector<double> &times) const override;

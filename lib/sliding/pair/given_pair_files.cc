@@ -1,4 +1,6 @@
 // Files of a body and its counter body.
+#include "exchange/datasets.h"
+#include "exchange/run_description.h"
 #include "sliding/pair/given_pair.h"
 
 namespace mesoslip
@@ -55,7 +57,8 @@ template <int dim>
 void GivenPair<dim>::write_below(const std::string &path,
                                  const std::string &format,
                                  const std::vector<ShownFields> &shown,
-                                 const std::vector<double> &numbers) const
+                                 const std::vector<double> &numbers,
+                                 const RunConditions &conditions) const
 {
   std::vector<ShownFields> own = shown;
   std::vector<std::vector<NodalField<double>>> parts;
@@ -65,6 +68,11 @@ void GivenPair<dim>::write_below(const std::string &path,
       fields.fields = pointers_to(parts.back());
     }
   std::optional<Hdf5File> file = below->create_file(path, format);
+  if (!conditions.empty())
+    {
+      write_run_conditions(*file, conditions_below(conditions));
+      write_dataset(*file, "/snapshots/time", {numbers.size()}, numbers, "s");
+    }
   below->write_and_show(file, path, own, numbers);
 }
 
@@ -76,18 +84,18 @@ void GivenPair<dim>::show(const std::string &path,
   above->show(path, fields, times);
 }
 
-#define MESOSLIP_INSTANTIATE(dim)                                                     \
-  template Hdf5File GivenPair<dim>::create_file(const std::string &,                  \
-                                                const std::string &) const;           \
-  template Shape GivenPair<dim>::vectors_shape() const;                               \
-  template void GivenPair<dim>::write_fields(                                         \
-    std::optional<Hdf5File> &, const std::string &, const std::string &,              \
-    const std::vector<const NodalField<double> *> &) const;                           \
-  template void GivenPair<dim>::write_below(const std::string &, const std::string &, \
-                                            const std::vector<ShownFields> &,         \
-                                            const std::vector<double> &) const;       \
-  template void GivenPair<dim>::show(const std::string &,                             \
-                                     const std::vector<XdmfField> &,                  \
+#define MESOSLIP_INSTANTIATE(dim)                                               \
+  template Hdf5File GivenPair<dim>::create_file(const std::string &,            \
+                                                const std::string &) const;     \
+  template Shape GivenPair<dim>::vectors_shape() const;                         \
+  template void GivenPair<dim>::write_fields(                                   \
+    std::optional<Hdf5File> &, const std::string &, const std::string &,        \
+    const std::vector<const NodalField<double> *> &) const;                     \
+  template void GivenPair<dim>::write_below(                                    \
+    const std::string &, const std::string &, const std::vector<ShownFields> &, \
+    const std::vector<double> &, const RunConditions &) const;                  \
+  template void GivenPair<dim>::show(const std::string &,                       \
+                                     const std::vector<XdmfField> &,            \
                                      const std::vector<double> &) const;
 MESOSLIP_INSTANTIATE(2)
 MESOSLIP_INSTANTIATE(3)

@@ -228,13 +228,17 @@ RunConditions conditions_of_result(const ContactParameters &parameters,
   return conditions;
 }
 
-void write_result(Hdf5File &file, const TransientResult &run, const RunContext &context)
+RunConditions conditions_of_result(const TransientResult &run)
 {
   const double dt = run.time.step.dt;
-  write_run_conditions(file,
-                       conditions_of_result(run.parameters, dt, run.steady_from,
-                                            static_cast<double>(run.steps_done) * dt,
-                                            run.limit_cycle_reached));
+  return conditions_of_result(run.parameters, dt, run.steady_from,
+                              static_cast<double>(run.steps_done) * dt,
+                              run.limit_cycle_reached);
+}
+
+void write_result(Hdf5File &file, const TransientResult &run, const RunContext &context)
+{
+  write_run_conditions(file, conditions_of_result(run));
   write_history(file, run, context);
   if (!run.energy.time.empty())
     write_energy(file, run, context);

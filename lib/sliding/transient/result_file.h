@@ -13,8 +13,10 @@ namespace mesoslip
  */
 void write_result(Hdf5File &file, const TransientResult &run, const RunContext &context);
 
-/** What /run tells of a transient run of the time step @p dt with its steady part from
- * @p steady_from to @p steady_to (s). */
+/** What /run tells of a transient run. */
+RunConditions conditions_of_result(const TransientResult &run);
+
+/** The same of one with the time step @p dt and its steady part from @p steady_from to @p steady_to (s). */
 RunConditions conditions_of_result(const ContactParameters &parameters,
                                    const double dt,
                                    const double steady_from,

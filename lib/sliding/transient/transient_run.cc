@@ -1,4 +1,5 @@
 #include "sliding/transient/transient_run.h"
+#include "sliding/transient/result_file.h"
 
 #include "base/errors.h"
 #include "base/object_exchange.h"
@@ -287,6 +288,8 @@ void TransientRun<dim>::carry_out(const bool continued,
       on_root(context.communicator(), [&]() {
         result.evaluate();
         parts.output.write(result, map.get());
+        if (parts.counter_output != nullptr)
+          parts.counter_output->write(conditions_of_result(result));
         summarize_body();
         result.write_summary(context);
       });
