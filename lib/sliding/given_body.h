@@ -259,6 +259,12 @@ public:
                       const std::vector<ShownFields> &shown,
                       const std::vector<double> &numbers) const;
 
+  /** The counter body of a pair; null without one. */
+  virtual const GivenBody *lower() const
+  {
+    return nullptr;
+  }
+
   /** On rank 0: writes what a counter body has of fields into the file at @p path, of this @p format and shows it, with @p numbers as
    * times, and with the @p conditions of a run, unless there are none; nothing without a counter body. */
   virtual void write_below(const std::string & /*path*/,

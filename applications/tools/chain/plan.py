@@ -21,9 +21,9 @@ from chain.step import Step
 BYTES = {"bytes": 1, "kB": 1e3, "MB": 1e6, "GB": 1e9, "TB": 1e12, "PB": 1e15, "EB": 1e18}
 SIZE = rf"([\d.e+]+) ({'|'.join(BYTES)})"
 LIBRARIES = 170e6  # bytes, which contact_dynamics leaves out of what it says; as measured
-DRAFTED = {"rve.h5", "dynamics.h5"}  # what `--validate --draft` writes
+DRAFTED = {"rve.h5", "dynamics.h5", "counter_body.h5"}  # what `--validate --draft` writes
 MADE = {"rve_homogenization": {"": ("rve.h5", "loads.h5")}, "stress_localization": {"": ("localization.h5",)},
-        "contact_dynamics": {"transient": ("dynamics.h5",), "static contact": ("dynamics.h5",), "modal": ("modal.h5",),
+        "contact_dynamics": {"transient": ("dynamics.h5", "counter_body.h5"), "static contact": ("dynamics.h5", "counter_body.h5"), "modal": ("modal.h5",),
                              "complex modes": ("complex_modes.h5",)}}
 
 

@@ -26,13 +26,14 @@ PairedContact<dim>::PairedContact(ContactSurface<dim> &contact,
   , forces(nodes, dim + 2, communicator)
   , taken(dim * of_partner.n_nodes())
   , moved_before(dim * partner.nodes.number.size())
+  , yields(of_partner.n_nodes())
   , u(NodalField<double>::of_points(nodes.number.size(), dim))
   , w(u)
   , force(u)
   , inverse_mass(u)
   , mass(u)
   , apart(u)
-  , trial(u)
+  , trial(NodalField<double>::of_points(nodes.number.size(), dim + 2))
 {
   AssertDimension(meeting.weights.rows.n_rows(), forces.n_nodes());
   last.resize(dim * forces.n_nodes());
@@ -79,11 +80,11 @@ void PairedContact<dim>::meet(const SurfaceView<dim> &below)
       relative.force[c]        = force.row(c, 0);
       relative.inverse_mass[c] = inverse_mass.row(c, 0);
     }
-  if (!meeting.weights.are_partners())
+  if (meeting.couples())
     settle(relative);
   contact.advance(relative);
   share_forces();
-  last = shared_forces();
+  take_shared_forces();
   meeting.weights.template spread<dim>(last, taken);
   for (unsigned int c = 0; c < dim; ++c)
     {
@@ -100,7 +101,7 @@ void PairedContact<dim>::meet(const SurfaceView<dim> &below)
 template <int dim>
 void PairedContact<dim>::share_partner(const SurfaceView<dim> &below)
 {
-  std::vector<double> acceleration(below.n);
+  acceleration.resize(below.n);
   for (unsigned int c = 0; c < dim; ++c)
     {
       for (std::size_t i = 0; i < below.n; ++i)
@@ -121,7 +122,7 @@ void PairedContact<dim>::slide()
   const std::array<double, 2> moved = contact.flat_increment(above->time);
   for (unsigned int d = 0; d < 2; ++d)
     way[d] += moved[d];
-  const SurfaceWeights before = meeting.weights;
+  const SurfaceWeights before = std::move(meeting.weights);
   set_weights(meeting.sliding->at(way));
   const auto change = [&](const Row r, const unsigned int c, const unsigned int k) {
     const double *const values = of_partner.row(n_rows * c + r);
@@ -146,7 +147,6 @@ void PairedContact<dim>::take_relative()
 {
   const SurfaceWeights &weights = meeting.weights;
   const bool partners           = weights.are_partners();
-  std::vector<double> yields(of_partner.n_nodes());
   for (unsigned int c = 0; c < dim; ++c)
     {
       const double s = sign(c);
@@ -168,6 +168,15 @@ void PairedContact<dim>::take_relative()
         force.row(c, 0)[i]        = inverse > 0. ? off / inverse : 0.;
       });
     }
+}
+
+/** What forces.share() told, as the forces of the last step. */
+template <int dim>
+void PairedContact<dim>::take_shared_forces()
+{
+  for (unsigned int c = 0; c < dim; ++c)
+    for (std::size_t k = 0; k < forces.n_nodes(); ++k)
+      last[dim * k + c] = forces.row(c)[k];
 }
 
 template <int dim>

@@ -146,8 +146,8 @@ private:
   void
   share_trial(const SurfaceView<dim> &relative, const Forces &guess, const bool first);
   double largest_of(const unsigned int row) const;
-  Forces shared_forces() const;
   void share_forces();
+  void take_shared_forces();
   void move(const SurfaceView<dim> &surface,
             const NodesOfContact &of_surface,
             const unsigned int c,
@@ -176,10 +176,11 @@ private:
   std::vector<double>
     moved_before; ///< increments of the nodes of the second body of this rank in the last step (m)
   PairSettling settled;
+  std::vector<double> acceleration, yields; ///< in the work of a step
 
   /** Of the relative motion: displacement (m), velocity of the scheme (m/s), force without contact (N, in 2D N/m), one over
    * the inertia (1/kg, in 2D m/kg), the inertia (0: held) and minus the acceleration without contact (m/s^2), a column for each node; and
-   * forces that are tried. */
+   * forces that are tried with what settle() asks of them. */
   NodalField<double> u, w, force, inverse_mass, mass, apart, trial;
 };
 } // namespace mesoslip

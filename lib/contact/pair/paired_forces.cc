@@ -10,7 +10,7 @@ namespace mesoslip
 {
 namespace
 {
-/** Rows behind the components of the forces. */
+/** Rows behind the components of forces that are tried: how far they are from settled, and by what each trial brings them nearer. */
 constexpr unsigned int of_change = 0, of_contraction = 1;
 } // namespace
 
@@ -59,7 +59,10 @@ void PairedContact<dim>::share_trial(const SurfaceView<dim> &relative,
   for (unsigned int c = 0; c < dim; ++c)
     rows[c] = trial.row(c, 0);
   contact.try_forces(relative, rows, first);
-  std::vector<double> change(nodes.n_owned), contraction(nodes.n_owned);
+  double *const change = trial.row(dim + of_change, 0), *const contraction = trial.row(
+                                                          dim + of_contraction, 0);
+  std::fill_n(change, nodes.n_owned, 0.);
+  std::fill_n(contraction, nodes.n_owned, 0.);
   for (unsigned int c = 0; c < dim; ++c)
     for (unsigned int i = 0; i < nodes.n_owned; ++i)
       {
@@ -71,12 +74,10 @@ void PairedContact<dim>::share_trial(const SurfaceView<dim> &relative,
           change[i] = std::max(change[i], off);
         if (compliance > 0.)
           contraction[i] =
-            std::max(contraction[i], 1. - above->inverse_mass[c][i] / compliance);
+            std::max(contraction[i], 1. - above->inverse_mass[c][i] * mass.row(c, 0)[i]);
       }
-  for (unsigned int c = 0; c < dim; ++c)
-    forces.set(c, rows[c]);
-  forces.set(dim + of_change, change.data());
-  forces.set(dim + of_contraction, contraction.data());
+  for (unsigned int r = 0; r < dim + 2; ++r)
+    forces.set(r, trial.row(r, 0));
   forces.share();
 }
 
@@ -89,16 +90,6 @@ double PairedContact<dim>::largest_of(const unsigned int row) const
   for (std::size_t k = 0; k < forces.n_nodes(); ++k)
     largest = std::fmax(largest, std::fabs(values[k]));
   return largest;
-}
-
-template <int dim>
-typename PairedContact<dim>::Forces PairedContact<dim>::shared_forces() const
-{
-  Forces result(dim * forces.n_nodes());
-  for (unsigned int c = 0; c < dim; ++c)
-    for (std::size_t k = 0; k < forces.n_nodes(); ++k)
-      result[dim * k + c] = forces.row(c)[k];
-  return result;
 }
 
 /** Until the forces of neighbours in the step of @p relative are those that the nodes answer with; begins with those of the last

@@ -43,6 +43,13 @@ void StaticContactAnalysis<dim>::write_draft(const std::string &folder) const
       body->create_file(path_of_draft(folder, "dynamics.h5"), dynamics_format);
     write_static_draft(file, parameters, body->vectors_shape());
     file.close();
+    if (const GivenBody<dim> *lower = body->lower())
+      {
+        Hdf5File below =
+          lower->create_file(path_of_draft(folder, "counter_body.h5"), dynamics_format);
+        write_static_draft(below, parameters, lower->vectors_shape(), true);
+        below.close();
+      }
   });
 }
 

@@ -49,6 +49,10 @@ public:
                     const std::string &path,
                     const std::string &name,
                     const std::vector<const NodalField<double> *> &fields) const override;
+  const GivenBody<dim> *lower() const override
+  {
+    return below.get();
+  }
   void write_below(const std::string &path,
                    const std::string &format,
                    const std::vector<ShownFields> &shown,

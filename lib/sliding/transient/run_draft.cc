@@ -37,24 +37,28 @@ double guessed_steady_from(const ContactParameters &parameters,
 
 void write_static_draft(Hdf5File &file,
                         const ContactParameters &parameters,
-                        const Shape &points)
+                        const Shape &points,
+                        const bool is_below)
 {
-  write_run_conditions(file, parameters.stated_conditions());
+  const RunConditions conditions = parameters.stated_conditions();
+  write_run_conditions(file, is_below ? conditions_below(conditions) : conditions);
   write_snapshots(file, {0.}, points);
 }
 
 void write_transient_draft(Hdf5File &file,
                            const ContactParameters &parameters,
                            const TimeStepChoice &time,
-                           const Shape &points)
+                           const Shape &points,
+                           const bool is_below)
 {
   const double dt = time.step.dt;
   std::vector<double> snapshots;
   for (const std::uint64_t step : snapshot_steps(parameters, time))
     snapshots.push_back(static_cast<double>(step) * dt);
-  write_run_conditions(
-    file, conditions_of_result(parameters, dt, guessed_steady_from(parameters, snapshots),
-                               static_cast<double>(time.n_steps) * dt, false));
+  const RunConditions conditions =
+    conditions_of_result(parameters, dt, guessed_steady_from(parameters, snapshots),
+                         static_cast<double>(time.n_steps) * dt, false);
+  write_run_conditions(file, is_below ? conditions_below(conditions) : conditions);
   if (!snapshots.empty())
     write_snapshots(file, snapshots, points);
 }

@@ -17,16 +17,18 @@ namespace mesoslip
  * @{
  */
 
-/** Of a run with one snapshot, whose displacement has the extents @p points. */
+/** Of a run with one snapshot, whose displacement has the extents @p points, or of its counter body. */
 void write_static_draft(Hdf5File &file,
                         const ContactParameters &parameters,
-                        const Shape &points);
+                        const Shape &points,
+                        const bool is_below = false);
 
-/** Of a transient run; its steady part is that of a run without a limit cycle. */
+/** Of a transient run, or of its counter body; the steady part is that of a run without a limit cycle. */
 void write_transient_draft(Hdf5File &file,
                            const ContactParameters &parameters,
                            const TimeStepChoice &time,
-                           const Shape &points);
+                           const Shape &points,
+                           const bool is_below = false);
 
 /** Adds a probe, at @p position, of a transient run. */
 void add_draft_probe(Hdf5File &file,

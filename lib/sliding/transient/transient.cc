@@ -123,6 +123,13 @@ void TransientAnalysis<dim>::write_draft(const std::string &folder) const
                       {probe.position.begin(), probe.position.begin() + dim},
                       time.interval(parameters.probe_interval), time);
     file.close();
+    if (counter && !snapshot_steps(parameters, time).empty())
+      {
+        Hdf5File below =
+          counter->create_file(path_of_draft(folder, "counter_body.h5"), dynamics_format);
+        write_transient_draft(below, parameters, time, counter->vectors_shape(), true);
+        below.close();
+      }
   });
 }
 
