@@ -1,6 +1,7 @@
 """Result folders of a chain: what ran, its summary, its HDF5 datasets. Nothing here raises on a
 missing or broken file: a dataset that cannot be read is None, and the reason is kept as a note."""
 
+import copy
 import json
 import os
 import re
@@ -69,6 +70,16 @@ class Run:
         except (OSError, IsADirectoryError) as error:
             reason = "missing" if not os.path.isfile(path) else f"unreadable ({error})"
             self.notes.append(f"{path} is {reason}; its figures are left out")
+
+    def below(self):
+        """The counter body of the run, as its file has it; None without one."""
+        path = self.file_path("counter_body.h5")
+        if not os.path.isfile(path):
+            return None
+        lower = copy.copy(self)
+        lower.name, lower.file = f"the counter body of {self.name}", None
+        lower._open(path)
+        return lower
 
     def get(self, dataset, rows=...):
         """Array of a dataset (or of some of its rows), or None."""

@@ -113,14 +113,14 @@ def projected(points):
     return np.stack([across, z * np.cos(ELEVATION) + along * np.sin(ELEVATION)], axis=1), z * np.sin(ELEVATION) - along * np.cos(ELEVATION)
 
 
-def _draw(axis, body, shape):
-    """`shape` [nodes][dim] of the body's skin, real or complex: the real part is drawn, the amplitude is the colour."""
-    size = np.linalg.norm(shape, axis=1)
-    size = size / (size.max() or 1.0)
-    moved = shape.real * DEFORMED * np.ptp(body.points, axis=0).max() / (np.linalg.norm(shape, axis=1).max() or 1.0)
+def _draw(axis, body, shape, largest, scale):
+    """`shape` [nodes][dim] of the body's skin, real or complex: the real part is drawn, `scale` mm long where it is the `largest`, the amplitude is
+    the colour."""
+    size = np.linalg.norm(shape, axis=1) / largest
+    moved = shape.real * scale / largest
     places, near = projected(body.points + moved)
     if body.points.shape[1] == 2:
-        axis.tripcolor(*places.T, body.triangles, size, shading="gouraud", cmap="viridis", rasterized=True)
+        axis.tripcolor(*places.T, body.triangles, size, shading="gouraud", cmap="viridis", vmin=0, vmax=1, rasterized=True)
     else:
         order = np.argsort(near[body.triangles].mean(axis=1))
         triangles = body.triangles[order]
@@ -134,19 +134,28 @@ def _draw(axis, body, shape):
     axis.autoscale_view()
 
 
-def figure(run, columns, shown=3):
-    """`columns` [(title, shapes [modes][...][dim])], titles [mode] of each; the lowest `shown` modes of each below one another."""
-    body = skin(run)
-    dim = body.points.shape[1]
+def _draw_mode(axis, bodies, shapes):
+    """One mode of all `bodies`, of which each has a shape [...][dim], on one scale."""
+    parts = [shape.reshape(-1, body.points.shape[1])[body.nodes] for body, shape in zip(bodies, shapes)]
+    largest = max(np.linalg.norm(part, axis=1).max() for part in parts) or 1.0
+    scale = DEFORMED * np.ptp(bodies[0].points, axis=0).max()
+    for body, part in zip(bodies, parts):
+        _draw(axis, body, part, largest, scale)
+
+
+def figure(run, columns, shown=3, below=None):
+    """`columns` [(titles [mode], shapes [modes][...][dim])], the lowest `shown` modes of each below one another; `below`: a counter body, and its shapes of the
+    modes of the only column."""
+    bodies = [skin(run)] + ([skin(below[0])] if below else [])
     rows = min(shown, max(len(shapes) for _, shapes in columns))
-    width, height = np.ptp(projected(body.points)[0], axis=0)
+    width, height = np.ptp(np.concatenate([projected(body.points)[0] for body in bodies]), axis=0)
     high = 1.15 * height / width * WIDTH / len(columns)
     figure, axes = plt.subplots(rows, len(columns), figsize=(WIDTH, rows * (0.35 + min(high, 3.2)) + 1.0), squeeze=False)
     for column, (titles, shapes) in zip(axes.T, columns):
         for k, axis in enumerate(column):
             axis.axis("off")
             if k < len(shapes):
-                _draw(axis, body, shapes[k].reshape(-1, dim)[body.nodes])
+                _draw_mode(axis, bodies, [shapes[k]] + ([below[1][k]] if below else []))
                 axis.set_title(titles[k], fontsize=10, loc="left")
     bar = figure.colorbar(ScalarMappable(Normalize(0, 1), "viridis"), ax=axes, orientation="horizontal", shrink=0.4, aspect=25, ticks=[0, 0.5, 1])
     bar.set_label("amplitude over the largest")
@@ -155,5 +164,5 @@ def figure(run, columns, shown=3):
 
 
 def caption(run):
-    return ("the deformed body" + (", its surface seen from an angle, x to the right, z upwards" if run.is_solid() else "") +
-            ", coloured by the amplitude; the dotted outline is the body at rest.")
+    seen = ", its surface seen from an angle, x to the right, z upwards" if run.is_solid() else ""
+    return f"the deformed body{' and counter body' if run.below() else ''}{seen}, coloured by the amplitude; the dotted outline is the body at rest."

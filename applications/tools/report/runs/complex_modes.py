@@ -66,12 +66,15 @@ def spectrum(modes):
 
 def shapes(run, shown=3):
     """Of the modes that grow fastest; they come first."""
-    parts = [run.get(f"/complex_modes/shape_{part}", slice(0, shown)) for part in ("real", "imaginary")]
+    of_body = lambda body: [body.get(f"/complex_modes/shape_{part}", slice(0, shown)) for part in ("real", "imaginary")]
+    parts, lower = of_body(run), run.below()
     frequency, growth = run.need("/complex_modes/frequency", "/complex_modes/growth_rate")
     if any(part is None or part.ndim < 3 or not len(part) for part in parts):
         raise Missing(f"{run.name} holds no shapes of modes")
     titles = [f"{1e-3 * f:.2f} kHz, growth rate {g:.4g} 1/s".replace("-", "−") for f, g in zip(frequency, growth)]
-    return mode_shapes.figure(run, [(titles, parts[0] + 1j * parts[1])], shown)
+    others = of_body(lower) if lower else []
+    below = (lower, others[0] + 1j * others[1]) if lower and all(part is not None for part in others) else None
+    return mode_shapes.figure(run, [(titles, parts[0] + 1j * parts[1])], shown, below)
 
 
 def sweep(run):
