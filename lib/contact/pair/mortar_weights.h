@@ -21,9 +21,9 @@ namespace mesoslip
 class MortarWeights : public MovingWeights
 {
 public:
-  /** Of the surface @p below, which repeats itself after a @p period along x and y (m; 0: not). */
-  MortarWeights(const ContactFacets &above,
-                const ContactFacets &below,
+  /** Of the @p upper surface over the @p lower one, which repeats itself after a @p period along x and y (m; 0: not). */
+  MortarWeights(const ContactFacets &upper,
+                const ContactFacets &lower,
                 const std::array<double, 2> &period);
 
   SurfaceWeights at(const std::array<double, 2> &way) const override;
@@ -49,7 +49,7 @@ private:
   struct Work;
 
   void add_facet(const Upper &upper, const std::array<double, 2> &way, Work &work) const;
-  void add_overlaps(const Upper &upper, const SurfaceFacet &moved, Work &work) const;
+  void add_overlaps(const Upper &upper, const SurfaceFacet &facet, Work &work) const;
   SparseRows rows_of(const std::vector<Product> &products) const;
 
   const unsigned int n_above, n_below;

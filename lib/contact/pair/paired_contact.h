@@ -87,12 +87,12 @@ template <int dim>
 class PairedContact : public SurfaceCondition<dim>
 {
 public:
-  /** @p contact is of the @p nodes of the first body, which have @p meeting with those of @p partner, of whose body @p advance_partner
+  /** @p contact is of the @p nodes of the first body, which have the meeting @p given with those of @p partner, of whose body @p advance_partner
    * makes one step. Both must outlive this. Collective over the @p communicator of ranks that have them. */
   PairedContact(ContactSurface<dim> &contact,
                 const NodesOfContact &nodes,
                 PartnerSurface<dim> &partner,
-                const SurfaceMeeting &meeting,
+                const SurfaceMeeting &given,
                 const std::function<void()> &advance_partner,
                 const StepParameters &step,
                 const MPI_Comm communicator);

@@ -7,22 +7,22 @@ namespace mesoslip
 {
 namespace
 {
-using Place = SurfaceFacet::Place;
+using FacetPlace = SurfaceFacet::Place;
 
 /** A convex polygon; each edge of another one cuts off a corner at most. */
 struct Polygon
 {
-  std::array<Place, 8> corner;
+  std::array<FacetPlace, 8> corner;
   unsigned int n = 0;
 
-  void add(const Place &place)
+  void add(const FacetPlace &place)
   {
     corner[n++] = place;
   }
 };
 
 /** Twice the area of a triangle, positive if it turns left. */
-double turn(const Place &a, const Place &b, const Place &c)
+double turn(const FacetPlace &a, const FacetPlace &b, const FacetPlace &c)
 {
   return (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]);
 }
@@ -36,12 +36,13 @@ double signed_size(const SurfaceFacet &facet)
 }
 
 /** What of @p polygon lies to the left of the line from @p a to @p b (Sutherland and Hodgman 1974). */
-Polygon cut(const Polygon &polygon, const Place &a, const Place &b)
+Polygon cut(const Polygon &polygon, const FacetPlace &a, const FacetPlace &b)
 {
   Polygon result;
   for (unsigned int k = 0; k < polygon.n; ++k)
     {
-      const Place &here = polygon.corner[k], &next = polygon.corner[(k + 1) % polygon.n];
+      const FacetPlace &here = polygon.corner[k],
+                       &next = polygon.corner[(k + 1) % polygon.n];
       const double of_here = turn(a, b, here), of_next = turn(a, b, next);
       if (of_here >= 0.)
         result.add(here);
@@ -70,9 +71,9 @@ void add_interval(const SurfaceFacet &one,
 }
 
 /** Seven points of degree five (Radon 1948). */
-void add_triangle(const Place &a,
-                  const Place &b,
-                  const Place &c,
+void add_triangle(const FacetPlace &a,
+                  const FacetPlace &b,
+                  const FacetPlace &c,
                   std::vector<WeightedPlace> &points)
 {
   static const double root = std::sqrt(15.);
@@ -81,10 +82,10 @@ void add_triangle(const Place &a,
                area        = 0.5 * std::fabs(turn(a, b, c));
   if (!(area > 0.))
     return;
-  const Place middle = {{(a[0] + b[0] + c[0]) / 3., (a[1] + b[1] + c[1]) / 3.}};
+  const FacetPlace middle = {{(a[0] + b[0] + c[0]) / 3., (a[1] + b[1] + c[1]) / 3.}};
   points.push_back({middle, 0.225 * area});
   for (unsigned int ring = 0; ring < 2; ++ring)
-    for (const Place *corner : {&a, &b, &c})
+    for (const FacetPlace *corner : {&a, &b, &c})
       {
         const double own = 1. - 3. * near[ring];
         points.push_back({{{3. * near[ring] * middle[0] + own * (*corner)[0],
@@ -94,9 +95,9 @@ void add_triangle(const Place &a,
 }
 
 /** Bilinear coordinates from 0 to 1 of a place, by Newton's method; of a parallelogram in one step. */
-Place coordinates_in(const std::array<Place, 4> &corner, const Place &at)
+FacetPlace coordinates_in(const std::array<FacetPlace, 4> &corner, const FacetPlace &at)
 {
-  Place xi = {{0.5, 0.5}};
+  FacetPlace xi = {{0.5, 0.5}};
   for (unsigned int n = 0; n < 20; ++n)
     {
       const double x = xi[0], y = xi[1];
@@ -172,7 +173,7 @@ void quadrature_of_overlap(const SurfaceFacet &one,
   const bool left = signed_size(other) > 0.;
   for (unsigned int k = 0; k < other.n && common.n > 0; ++k)
     {
-      const Place &a = other.place[k], &b = other.place[(k + 1) % other.n];
+      const FacetPlace &a = other.place[k], &b = other.place[(k + 1) % other.n];
       common = left ? cut(common, a, b) : cut(common, b, a);
     }
   for (unsigned int k = 1; k + 1 < common.n; ++k)

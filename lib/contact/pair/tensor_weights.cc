@@ -8,7 +8,7 @@ namespace mesoslip
 {
 namespace
 {
-constexpr unsigned int none = std::numeric_limits<unsigned int>::max();
+constexpr unsigned int no_number = std::numeric_limits<unsigned int>::max();
 
 /** Places of the lines at which facets begin or end along an axis (m). */
 class Lines
@@ -71,7 +71,7 @@ std::optional<FacetGrid> grid_of(const ContactFacets &contact)
   const std::size_t n_x = x.at.size(), n_y = y.at.size();
   if (contact.facets.empty() || contact.facets.size() != (n_x - 1) * (n_y - 1))
     return std::nullopt;
-  std::vector<unsigned int> table(n_x * n_y, none);
+  std::vector<unsigned int> table(n_x * n_y, no_number);
   for (const SurfaceFacet &facet : contact.facets)
     {
       const std::size_t i = x.find(facet.place[0]), k = x.find(facet.place[2]),
@@ -86,7 +86,7 @@ std::optional<FacetGrid> grid_of(const ContactFacets &contact)
           table[a * n_y + b] = facet.node[v];
         }
     }
-  if (std::count(table.begin(), table.end(), none) > 0)
+  if (std::count(table.begin(), table.end(), no_number) > 0)
     return std::nullopt;
   const bool in_x = n_x > 2 && table[0] == table[(n_x - 1) * n_y],
              in_y = n_y > 2 && table[0] == table[n_y - 1];

@@ -42,11 +42,11 @@ public:
     relative
   };
 
-  /** @p stiffness of the cells of both bodies, whose contacts are @p meeting; with absolute displacements nodes have to match. The
+  /** @p stiffness of the cells of both bodies, whose contacts are the meeting @p given; with absolute displacements nodes have to match. The
    * bodies must outlive it. Collective. */
   PairBody(const PointBody<dim> &above,
            const PointBody<dim> &below,
-           const MeetingNodes &meeting,
+           const MeetingNodes &given,
            const std::array<RealMatrix, 2> &stiffness,
            const Motion motion);
 

@@ -47,7 +47,7 @@ struct TransientResult
   double steady_from               = 0.;    ///< s
   double largest_strain            = 0.;    ///< norm of the mean strain of a cell
   double largest_weakening         = 0.;    ///< see VariableFriction
-  PairSettling settling = {};               ///< with a second body, on rank 0
+  PairSettling settling            = {};    ///< with a second body, on rank 0
   /** @} */
 
   /**
