@@ -105,13 +105,13 @@ template <int dim>
 void ContactSurface<dim>::advance_all(const SurfaceView<dim> &surface,
                                       const FlatVelocity &flat)
 {
-  const ContactStep values  = constants(flat);
+  const ContactStep given   = constants(flat);
   const unsigned int n_own  = setup.n_owned.value_or(n_nodes),
                      copies = whole_vectors<double>(n_own);
-  advance_nodes(arrays(surface, 0, n_own), values, last);
+  advance_nodes(arrays(surface, 0, n_own), given, last);
   ContactSums elsewhere;
   if (copies < n_nodes)
-    advance_nodes(arrays(surface, copies, n_nodes), values, elsewhere);
+    advance_nodes(arrays(surface, copies, n_nodes), given, elsewhere);
 }
 
 template <int dim>

@@ -159,19 +159,19 @@ std::vector<double> PairedContact<dim>::common_forces(const SurfaceValues &own,
       for (std::size_t k = 0; k < n; ++k)
         if (rests[k] > 0.)
           {
-            double yields = 0.;
+            double softness = 0.;
             for (std::size_t e = weights.rows.start[k]; e < weights.rows.start[k + 1];
                  ++e)
               {
                 const auto [j, weight] = weights.rows.entries[e];
-                yields +=
+                softness +=
                   std::fabs(weight) * inverse_below[j] * (partners ? 1. : 0.5 * reach[j]);
               }
-            if (!(yields > 0.))
+            if (!(softness > 0.))
               continue;
             const double next = std::max(
               0., f[k] - (off[k] + inverse[k] * f[k] + weights.of(pushed.data(), k)) /
-                           (inverse[k] + yields));
+                           (inverse[k] + softness));
             change  = std::max(change, std::fabs(next - f[k]));
             largest = std::max(largest, next);
             f[k]    = next;
