@@ -38,8 +38,8 @@ struct SurfaceFacet
 /** A place with its share of an area (m^2) or length (m). */
 struct WeightedPlace
 {
-  SurfaceFacet::Place place = {};
-  double weight             = 0.;
+  SurfaceFacet::Place place = {}; ///< where it is (m)
+  double weight             = 0.; ///< m^2, of an edge m
 };
 
 /** Points of a quadrature over what two facets have in common, exact for the product of their shape functions where facets are edges,

@@ -13,8 +13,8 @@ struct SparseRows
   /** What a row has in a column. */
   struct Entry
   {
-    unsigned int column;
-    double weight;
+    unsigned int column; ///< its number
+    double weight;       ///< the value
   };
 
   std::vector<std::size_t> start = {0}; ///< of each row in the entries and, last, of none

@@ -8,7 +8,8 @@ namespace mesoslip
 /** From one end to the other (m). */
 struct Interval
 {
-  double from = 0., to = 0.;
+  double from = 0.; ///< lower end
+  double to   = 0.; ///< upper end
 };
 
 /** What the flat moves along its direction in a run (m). */

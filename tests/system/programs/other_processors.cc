@@ -143,7 +143,7 @@ void contact_kernel()
   Numbers<double> x(n_rows * 2 * n);
   unsigned int k  = 0;
   const auto next = [&]() { return x.row(k++); };
-  ContactArrays a;
+  ContactArrays a = {};
   a.n = n;
   for (const double **components : {a.force, a.inverse_mass})
     for (const unsigned int c : {0, 1, 2})

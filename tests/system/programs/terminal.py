@@ -28,7 +28,7 @@ def output_of(folder, words, terminal, ranks=1, **environment):
         if not chunk:
             return output, child.wait()
         output += chunk
-        if output.count(b"Sliding") >= (3 if terminal else 1):
+        if words[0] == "case.prm" and output.count(b"Sliding") >= (3 if terminal else 1):
             child.send_signal(signal.SIGTERM)
 
 
