@@ -144,7 +144,7 @@ void contact_kernel()
   unsigned int k  = 0;
   const auto next = [&]() { return x.row(k++); };
   ContactArrays a = {};
-  a.n = n;
+  a.n             = n;
   for (const double **components : {a.force, a.inverse_mass})
     for (const unsigned int c : {0, 1, 2})
       components[c] = next();

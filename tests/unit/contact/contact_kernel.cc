@@ -178,8 +178,8 @@ void expect_the_same_bits(const bool profile)
         r[i] = centre + width * random(generator);
       return r;
     };
-    Arrays a;
-    a.n = n;
+    Arrays a = {};
+    a.n      = n;
     for (const unsigned int c : {0u, 1u, 2u})
       {
         a.force[c]        = row(5. * (c == 1), 10.);
@@ -206,6 +206,8 @@ void expect_the_same_bits(const bool profile)
     for (const auto c : {Arrays::tangential_force, Arrays::target, Arrays::lateral_force,
                          Arrays::lateral_target})
       a.column[c] = row(0., 5.);
+    for (std::size_t i = 0; i < n; ++i) // to be found, no, or yes
+      a.column[Arrays::decided][i] = static_cast<double>(i % 3) - 1.;
     for (unsigned int k = 0; k < 5; ++k)
       contact_function<dim>(isa, profile)(a, {1e-2, 0.7, {1e-3, -4e-4}, {0.6, 0.8}},
                                           sums);
