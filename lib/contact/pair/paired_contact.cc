@@ -26,7 +26,6 @@ PairedContact<dim>::PairedContact(ContactSurface<dim> &contact,
   , forces(nodes, dim + 2, communicator)
   , taken(dim * of_partner.n_nodes())
   , moved_before(dim * partner.nodes.number.size())
-  , yields(of_partner.n_nodes())
   , u(NodalField<double>::of_points(nodes.number.size(), dim))
   , w(u)
   , force(u)
@@ -44,8 +43,26 @@ PairedContact<dim>::PairedContact(ContactSurface<dim> &contact,
 template <int dim>
 void PairedContact<dim>::set_weights(SurfaceWeights weights)
 {
-  meeting.weights = std::move(weights);
-  reach           = meeting.weights.reach();
+  meeting.weights     = std::move(weights);
+  share               = meeting.weights.reach();
+  const bool partners = meeting.weights.are_partners();
+  for (double &of_node : share)
+    of_node *= partners ? 1. : 0.5;
+}
+
+/** What the surface below adds to the compliance of node @p k: d_i - 1/m_i of the class, by one over the masses below. */
+template <int dim>
+double PairedContact<dim>::yielding(const double *inverse_below,
+                                    const std::size_t k) const
+{
+  const SparseRows &rows = meeting.weights.rows;
+  double sum             = 0.;
+  for (std::size_t e = rows.start[k]; e < rows.start[k + 1]; ++e)
+    {
+      const auto [j, weight] = rows.entries[e];
+      sum += std::fabs(weight) * share[j] * inverse_below[j];
+    }
+  return sum;
 }
 
 /** Of components of the second body in the frame of the first one. */
@@ -146,22 +163,16 @@ template <int dim>
 void PairedContact<dim>::take_relative()
 {
   const SurfaceWeights &weights = meeting.weights;
-  const bool partners           = weights.are_partners();
   for (unsigned int c = 0; c < dim; ++c)
     {
       const double s = sign(c);
       const auto row = [&](const Row r) { return of_partner.row(n_rows * c + r); };
-      for (std::size_t j = 0; j < yields.size(); ++j)
-        yields[j] = (partners ? 1. : 0.5 * reach[j]) * row(one_over_mass)[j];
       nodes.for_each([&](const std::size_t i, const unsigned int k) {
-        const double own = above->inverse_mass[c][i];
-        double inverse   = own;
-        for (std::size_t e = weights.rows.start[k]; e < weights.rows.start[k + 1]; ++e)
-          inverse += std::fabs(weights.rows.entries[e].weight) *
-                     yields[weights.rows.entries[e].column];
-        const double off = own * above->force[c][i] - s * weights.of(row(braking), k);
-        u.row(c, 0)[i]   = above->u[c][i] - s * weights.of(row(displacement), k);
-        w.row(c, 0)[i]   = above->w[c][i] - s * weights.of(row(velocity), k);
+        const double own     = above->inverse_mass[c][i],
+                     inverse = own + yielding(row(one_over_mass), k);
+        const double off     = own * above->force[c][i] - s * weights.of(row(braking), k);
+        u.row(c, 0)[i]       = above->u[c][i] - s * weights.of(row(displacement), k);
+        w.row(c, 0)[i]       = above->w[c][i] - s * weights.of(row(velocity), k);
         inverse_mass.row(c, 0)[i] = inverse;
         apart.row(c, 0)[i]        = off;
         mass.row(c, 0)[i]         = inverse > 0. ? 1. / inverse : 0.;

@@ -138,6 +138,7 @@ private:
 
   void meet(const SurfaceView<dim> &below);
   void set_weights(SurfaceWeights weights);
+  double yielding(const double *inverse_below, const std::size_t k) const;
   void share_partner(const SurfaceView<dim> &below);
   void slide();
   void take_relative();
@@ -169,14 +170,15 @@ private:
   SurfaceValues
     forces; ///< on the first body (N, in 2D N/m), by component; behind them how far they are from settled
 
-  std::vector<double> reach;      ///< sum of |W_kj| over k
-  Forces taken;                   ///< from the nodes below, W^T f (N, in 2D N/m)
-  Forces last;                    ///< of the last step (N, in 2D N/m)
+  std::vector<double>
+    share;      ///< of each node below: half of the sum of |W_kj| over k, of partners one
+  Forces taken; ///< from the nodes below, W^T f (N, in 2D N/m)
+  Forces last;  ///< of the last step (N, in 2D N/m)
   std::array<double, 2> way = {}; ///< of the second body since the start (m)
   std::vector<double>
     moved_before; ///< increments of the nodes of the second body of this rank in the last step (m)
   PairSettling settled;
-  std::vector<double> acceleration, yields; ///< in the work of a step
+  std::vector<double> acceleration; ///< in the work of a step
 
   /** Of the relative motion: displacement (m), velocity of the scheme (m/s), force without contact (N, in 2D N/m), one over
    * the inertia (1/kg, in 2D m/kg), the inertia (0: held) and minus the acceleration without contact (m/s^2), a column for each node; and

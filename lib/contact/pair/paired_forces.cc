@@ -148,8 +148,7 @@ std::vector<double> PairedContact<dim>::common_forces(const SurfaceValues &own,
   const double *const inverse = own.row(0), *const off = own.row(1),
                       *const rests = own.row(2);
   const std::size_t n              = own.n_nodes();
-  std::vector<double> f(n), pushed(reach.size());
-  const bool partners = weights.are_partners();
+  std::vector<double> f(n), pushed(share.size());
   for (unsigned int times = 0; times < 10000; ++times)
     {
       weights.template spread<1>(f, pushed);
@@ -159,14 +158,7 @@ std::vector<double> PairedContact<dim>::common_forces(const SurfaceValues &own,
       for (std::size_t k = 0; k < n; ++k)
         if (rests[k] > 0.)
           {
-            double softness = 0.;
-            for (std::size_t e = weights.rows.start[k]; e < weights.rows.start[k + 1];
-                 ++e)
-              {
-                const auto [j, weight] = weights.rows.entries[e];
-                softness +=
-                  std::fabs(weight) * inverse_below[j] * (partners ? 1. : 0.5 * reach[j]);
-              }
+            const double softness = yielding(inverse_below, k);
             if (!(softness > 0.))
               continue;
             const double next = std::max(
@@ -205,7 +197,7 @@ void PairedContact<dim>::start_as_one(NormalStart &own, NormalStart &other)
   of_own.set(2, rest.data());
   of_own.share();
   const std::vector<double> f = common_forces(of_own, of_other.row(0));
-  std::vector<double> below(reach.size());
+  std::vector<double> below(share.size());
   weights.template spread<1>(f, below);
   nodes.for_each([&](const std::size_t i, const unsigned int k) {
     own.acceleration[i] += own.inverse_inertia[i] * f[k];

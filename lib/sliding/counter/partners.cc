@@ -109,11 +109,11 @@ Interval extent_of(const GivenBody<dim> &body, const unsigned int axis)
 {
   Interval extent = {1e300, -1e300};
   for (const SurfaceFacet &facet : body.facts().contact_facets)
-    for (unsigned int k = 0; k < facet.n; ++k)
-      {
-        extent.from = std::min(extent.from, facet.place[k][axis]);
-        extent.to   = std::max(extent.to, facet.place[k][axis]);
-      }
+    {
+      const auto [from, to] = facet.range(axis);
+      extent.from           = std::min(extent.from, from);
+      extent.to             = std::max(extent.to, to);
+    }
   return extent;
 }
 

@@ -146,26 +146,31 @@ def compare(folder, keys, expected, note):
     return worst, residual
 
 
-def check(folder, random, number):
-    first, second = Half(random, False), Half(random, True)
+def prepare(folder, random, first, second):
+    """Weight and friction of a pair, whose volumes are written and which starts under that weight."""
     weight = random.uniform(-1, 1, 2) * 1e5
     for half, name in ((first, "body"), (second, "counter")):
         half.start(weight)
         write_volume(folder, name, half)
-    mu = random.choice([0.0, 0.3])
+    return weight, random.choice([0.0, 0.3])
+
+
+def check_all(check, seed, n_pairs):
+    print("seed", seed)
+    random = np.random.default_rng(seed)
+    with tempfile.TemporaryDirectory() as path:
+        for number in range(n_pairs):
+            check(Folder(path), random, number)
+
+
+def check(folder, random, number):
+    first, second = Half(random, False), Half(random, True)
+    weight, mu = prepare(folder, random, first, second)
     expected, touched = run(first, second, mu)
     kinds = [(s.name, s.kind) for s in first.supports + second.supports]
     error, residual = compare(folder, keys_of(first, second, weight, mu), expected, (number, mu, kinds))
     print(number, mu, f"{touched / N_STEPS / len(first.contact):.2f} touch, {error:.1e}, balance {residual:.1e}", [kind for _, kind in kinds])
 
 
-def main():
-    print("seed", SEED)
-    random = np.random.default_rng(SEED)
-    with tempfile.TemporaryDirectory() as path:
-        for number in range(N_PAIRS):
-            check(Folder(path), random, number)
-
-
 if __name__ == "__main__":
-    main()
+    check_all(check, SEED, N_PAIRS)

@@ -4,12 +4,9 @@ random phases, widths and numbers of cells on random supports, with and without 
 Weights are integrals by the trapezoids' corners of both surfaces and Gauss' rule between them, with the dual functions of each edge by its 2 x 2 system; forces of a
 step are found by trying which nodes touch, and which of these stick, until all conditions hold. Displacements of both bodies agree to 1e-10 of the largest."""
 
-import tempfile
-
 import numpy as np
 
-from random_pairs import DT, GAP, N_STEPS, Half, compare, keys_of, write_volume
-from scenes import Folder
+from random_pairs import DT, GAP, N_STEPS, Half, check_all, compare, keys_of, prepare
 
 SEED, N_PAIRS = 45, 12
 WIDTH, VELOCITY = 6e-3, 400.0  # of the body; of the flat, so that it comes over more than a node
@@ -109,24 +106,12 @@ def check(folder, random, number):
     position = -way - (width - way - WIDTH) * random.random()
     first = Half(random, False)
     second = Half(random, True, columns=columns, hx=width / columns, first=position)
-    weight = random.uniform(-1, 1, 2) * 1e5
-    for half, name in ((first, "body"), (second, "counter")):
-        half.start(weight)
-        write_volume(folder, name, half)
-    mu = random.choice([0.0, 0.3])
+    weight, mu = prepare(folder, random, first, second)
     expected, touched = run(first, second, mu, slides)
     keys = {**keys_of(first, second, weight, mu), "Flat/Velocity": VELOCITY, "Counter body/Position": repr(position), "Counter body/Sliding": "finite" if slides else "small"}
     error, residual = compare(folder, keys, expected, (number, mu, slides, columns, [(s.name, s.kind) for s in first.supports + second.supports]))
     print(number, mu, f"{columns} cells on {1e3 * width:.2f} mm", f"{touched / N_STEPS / len(first.contact):.2f} touch, {error:.1e}, balance {residual:.1e}")
 
 
-def main():
-    print("seed", SEED)
-    random = np.random.default_rng(SEED)
-    with tempfile.TemporaryDirectory() as path:
-        for number in range(N_PAIRS):
-            check(Folder(path), random, number)
-
-
 if __name__ == "__main__":
-    main()
+    check_all(check, SEED, N_PAIRS)
