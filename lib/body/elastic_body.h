@@ -10,12 +10,18 @@
 #include <array>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <utility>
 #include <vector>
 
 namespace mesoslip
 {
+/** A node, and the factor of its displacements in a sum. */
+struct WeightedNode
+{
+  NodeIndex node;      ///< which one
+  double weight = 1.0; ///< the factor
+};
+
 /** The nodes of one side of a body. */
 template <int dim>
 struct SurfaceNodes
@@ -198,10 +204,10 @@ public:
     return distributed;
   }
 
-  /** The partner of node @p k of the contact, where a second body is in the place of the flat. */
-  virtual std::optional<NodeIndex> partner(const std::size_t /*k*/) const
+  /** What node @p k of the contact meets of a second body in the place of the flat; nothing on a flat. */
+  virtual std::vector<WeightedNode> meets(const std::size_t /*k*/) const
   {
-    return std::nullopt;
+    return {};
   }
 
   /** Makes of the @p force on nodes that on the displacements of fields; not the same where some of these are relative. */

@@ -67,37 +67,50 @@ double normalize(NodalField<double> &shape, const ElasticBody<dim> &body)
   return std::fabs(factor);
 }
 
-/** Rayleigh quotient, residual, normalisation and masses of an eigenvector. */
+} // namespace
+
 template <int dim>
-VibrationMode<dim> finish_mode(const Vector &eigenvector,
-                               const FreeDofs<dim> &dofs,
-                               const ElasticBody<dim> &body)
+VibrationMode<dim> make_mode(const typename FreeDofs<dim>::Vector &shape,
+                             const typename FreeDofs<dim>::Vector &momentum,
+                             const FreeDofs<dim> &dofs,
+                             const ElasticBody<dim> &body)
 {
   VibrationMode<dim> mode;
-  mode.shape               = body.zero_field();
-  NodalField<double> field = mode.shape;
-  Vector Ku = dofs.zero(), Mu = dofs.zero();
-  dofs.scatter(mode.shape, eigenvector);
-  body.vmult(field, mode.shape);
-  dofs.gather_forces(Ku, field);
-  dofs.vmult(Mu, eigenvector);
-  const double uMu = eigenvector * Mu, omega2 = eigenvector * Ku / uMu;
-  mode.frequency = std::sqrt(std::max(0., omega2)) / (2. * M_PI);
-
-  const std::array<double, dim> momentum = dofs.sums(Mu);
+  mode.shape = body.zero_field();
+  dofs.scatter(mode.shape, shape);
+  const double uMu                  = shape * momentum;
+  const std::array<double, dim> sum = dofs.sums(momentum);
   std::array<double, dim> moved;
   moved.fill(body.total_mass());
   for (const PlatenDof &dof : dofs.of_platens())
     moved[dof.component] += dof.mass;
   for (unsigned int c = 0; c < dim; ++c)
-    mode.effective_mass[c] = momentum[c] * momentum[c] / (uMu * moved[c]);
-
-  double norm = Ku.l2_norm();
-  Ku.add(-omega2, Mu);
-  mode.residual = Ku.l2_norm() / norm;
-
+    mode.effective_mass[c] = sum[c] * sum[c] / (uMu * moved[c]);
   const double largest = normalize(mode.shape, body);
   mode.modal_mass      = uMu / (largest * largest);
+  return mode;
+}
+
+namespace
+{
+/** With the frequency by the Rayleigh quotient of an eigenvector. */
+template <int dim>
+VibrationMode<dim> finish_mode(const Vector &eigenvector,
+                               const FreeDofs<dim> &dofs,
+                               const ElasticBody<dim> &body)
+{
+  NodalField<double> u = body.zero_field(), field = u;
+  Vector Ku = dofs.zero(), Mu = dofs.zero();
+  dofs.scatter(u, eigenvector);
+  body.vmult(field, u);
+  dofs.gather_forces(Ku, field);
+  dofs.vmult(Mu, eigenvector);
+  VibrationMode<dim> mode = make_mode<dim>(eigenvector, Mu, dofs, body);
+  const double omega2     = (eigenvector * Ku) / (eigenvector * Mu);
+  mode.frequency          = std::sqrt(std::max(0., omega2)) / (2. * M_PI);
+  const double norm       = Ku.l2_norm();
+  Ku.add(-omega2, Mu);
+  mode.residual = Ku.l2_norm() / norm;
   return mode;
 }
 
@@ -278,6 +291,14 @@ VibrationModes<dim> vibration_modes(const ElasticBody<dim> &body,
   return result;
 }
 
+template VibrationMode<2> make_mode(const FreeDofs<2>::Vector &,
+                                    const FreeDofs<2>::Vector &,
+                                    const FreeDofs<2> &,
+                                    const ElasticBody<2> &);
+template VibrationMode<3> make_mode(const FreeDofs<3>::Vector &,
+                                    const FreeDofs<3>::Vector &,
+                                    const FreeDofs<3> &,
+                                    const ElasticBody<3> &);
 template VibrationModes<2>
 vibration_modes(const ElasticBody<2> &, const DofMask &, const VibrationModesOptions &);
 template VibrationModes<3>

@@ -60,6 +60,13 @@ struct VibrationModes
   unsigned int solver_iterations = 0; ///< of all solves
 };
 
+/** A mode without its frequency and residual, from its shape in the free degrees of freedom and the mass times that. Collective. */
+template <int dim>
+VibrationMode<dim> make_mode(const typename FreeDofs<dim>::Vector &shape,
+                             const typename FreeDofs<dim>::Vector &momentum,
+                             const FreeDofs<dim> &dofs,
+                             const ElasticBody<dim> &body);
+
 /** @throws std::invalid_argument if @p n_free degrees of freedom (FreeDofs::size()) have
  * not as many modes as @p options wants. */
 void check_number_of_modes(const std::size_t n_free,

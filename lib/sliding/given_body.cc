@@ -7,6 +7,7 @@
 #include "eigenvalues/free_dofs.h"
 #include "material/plausibility.h"
 #include "program/run_context.h"
+#include "sliding/counter/counter_text.h"
 #include "sliding/given_grid.h"
 #include "sliding/mesh/box_body.h"
 #include "sliding/mesh/given_mesh.h"
@@ -66,7 +67,9 @@ std::vector<std::string> GivenBody<dim>::told() const
 {
   std::vector<std::string> all = known.lines;
   for (const SideSupport *side : parameters.suspended())
-    if (const std::string line = support_text(*side, dim); !line.empty())
+    if (const std::string line = support_text(
+          parameters.is_turned_over() ? turned_over(*side, dim) : *side, dim);
+        !line.empty())
       all.push_back(line);
   return all;
 }
@@ -177,6 +180,14 @@ std::vector<Platen> GivenBody<dim>::platens(const TopSetup &top) const
     if (sides[k].is_platen)
       all.push_back({nodes[k].nodes, known.size.side_moves[k], sides[k].platen_mass});
   return all;
+}
+
+template <int dim>
+VibrationModes<dim> GivenBody<dim>::modes(const TopSetup &top,
+                                          const bool contact_held,
+                                          const VibrationModesOptions &options) const
+{
+  return vibration_modes<dim>(elastic(), held(top, contact_held), options);
 }
 
 template <int dim>

@@ -182,6 +182,12 @@ public:
     return elastic();
   }
 
+  /** Modes of elastic() below this @p top, with the contact held along the normal of the flat or free. Collective.
+   * @throws as vibration_modes() */
+  virtual VibrationModes<dim> modes(const TopSetup &top,
+                                    const bool contact_held,
+                                    const VibrationModesOptions &options) const;
+
   /** Stiffness and masses of the body with phases_of_damping() for its own, in whole fields as those of vibrating().
    * Collective. */
   virtual DampingByPhase make_damping(const StepParameters &step,

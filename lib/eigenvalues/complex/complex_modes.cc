@@ -82,14 +82,18 @@ double highest_vibration(const SlidingPencil &pencil)
 {
   const RealMatrix stiffness = pencil.whole_stiffness(),
                    friction  = pencil.whole_friction();
-  double largest             = 0.;
+  const Eigen::SimplicialLDLT<RealMatrix> masses(pencil.mass);
+  double largest = 0.;
   for (const double share : {0., 1.})
     {
       const auto found = largest_eigenvalue(
         pencil.size(),
         [&](ComplexVector &dst, const ComplexVector &src) {
-          dst = (product(stiffness, src) - share * product(friction, src))
-                  .cwiseQuotient(pencil.mass.cast<Complex>());
+          const ComplexVector force =
+            product(stiffness, src) - share * product(friction, src);
+          dst.resize(src.size());
+          dst.real() = masses.solve(force.real());
+          dst.imag() = masses.solve(force.imag());
         },
         1e-3);
       if (!found)
@@ -104,14 +108,14 @@ ComplexMode finish(const SlidingPencil &pencil, const FoundMode &found)
 {
   ComplexMode mode;
   mode.s        = found.s;
-  mode.shape    = found.u;
+  mode.shape    = product(pencil.free, found.u);
   mode.residual = pencil.residual(found.s, found.u);
 
   const auto form = [&](const RealMatrix &matrix) {
     return found.u.dot(product(matrix, found.u)).real();
   };
   const double elastic = form(pencil.stiffness), speed = std::norm(found.s),
-               kinetic = speed * found.u.dot(pencil.mass.cwiseProduct(found.u)).real(),
+               kinetic = speed * form(pencil.mass),
                energy  = kinetic + elastic + form(pencil.springs);
   mode.growth_by_damping =
     -speed * (pencil.law.beta * elastic + form(pencil.resistances)) / energy;

@@ -32,7 +32,7 @@ struct ComplexMode
 {
   SlidingPencil::Complex s = 0.; ///< growth rate and circular frequency (1/s)
 
-  /** u^H M u is one. */
+  /** Of the free degrees of freedom, u^H M u is one. */
   ComplexVector shape;
 
   double residual = 0.; ///< SlidingPencil::residual()

@@ -124,7 +124,7 @@ void DiscSearch::keep(const Complex s, ComplexVector u)
   if (!(s.imag() > 1e-9 * std::abs(s)))
     return;
   const auto product = [this](const ComplexVector &a, const ComplexVector &b) {
-    return a.dot(pencil.mass.cwiseProduct(b));
+    return a.dot(mesoslip::product(pencil.mass, b));
   };
   u /= std::sqrt(product(u, u).real());
   ComplexVector rest = u;

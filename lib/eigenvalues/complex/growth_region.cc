@@ -53,7 +53,7 @@ double friction_radius(const SlidingPencil &pencil)
 
 namespace
 {
-/** Bound of u^H C u over u^H M u of the symmetric @p matrix with M as diagonal. */
+/** Bound of u^H C u over u^H M u of the symmetric @p matrix with a diagonal M, or one below it. */
 double largest_rate(const RealMatrix &matrix, const Eigen::VectorXd &mass)
 {
   Eigen::VectorXd sums = Eigen::VectorXd::Zero(mass.size());
@@ -63,7 +63,7 @@ double largest_rate(const RealMatrix &matrix, const Eigen::VectorXd &mass)
   return sums.cwiseQuotient(mass).maxCoeff();
 }
 
-/** Whether x^T C x < 0 for some x; C has blocks of one or two degrees of freedom. */
+/** Whether x^T H x < 0 for some x; H has blocks of one or two degrees of freedom. */
 bool feeds(const RealMatrix &matrix)
 {
   for (Eigen::Index row = 0; row < matrix.outerSize(); ++row)
@@ -86,20 +86,20 @@ bool feeds(const RealMatrix &matrix)
 FeedingDrag feeding_drag(const SlidingPencil &pencil)
 {
   const double damped = radius_of(pencil.damped_friction, pencil);
-  if (pencil.targets.rows() == 0 || (pencil.late_resistance.nonZeros() == 0 &&
-                                     !feeds(pencil.drag * pencil.distribution)))
+  if (pencil.targets.rows() == 0 ||
+      (pencil.late_resistance.nonZeros() == 0 && !feeds(pencil.drag_of_slip)))
     return {0., 0., damped};
-  return {largest_rate(pencil.resistance, pencil.mass),
-          largest_rate(pencil.late_resistance, pencil.mass), damped};
+  return {largest_rate(pencil.resistance, pencil.own_mass),
+          largest_rate(pencil.late_resistance, pencil.own_mass), damped};
 }
 
 double largest_growth(const SlidingPencil &pencil, const FeedingDrag &drag)
 {
   // |s|^2 <= |1 + beta s| stiff + |s| feeding
-  const double stiff = largest_rate(pencil.whole_stiffness(), pencil.mass) +
-                       largest_rate(pencil.whole_friction(), pencil.mass),
+  const double stiff = largest_rate(pencil.whole_stiffness(), pencil.own_mass) +
+                       largest_rate(pencil.whole_friction(), pencil.own_mass),
                linear = pencil.law.beta * stiff + drag.at_once + drag.late +
-                        largest_rate(pencil.damped_friction, pencil.mass);
+                        largest_rate(pencil.damped_friction, pencil.own_mass);
   return 0.5 * (linear + std::sqrt(linear * linear + 4. * stiff));
 }
 

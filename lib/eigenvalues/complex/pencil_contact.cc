@@ -8,19 +8,6 @@ namespace
 {
 using Triplet = Eigen::Triplet<double, std::int64_t>;
 
-/** The row @p q of targets, of a force at contact node @p node: @p reactions holds the normal
- * ones of the nodes. */
-void add_target(const std::size_t node,
-                const double coupling,
-                const RealMatrix &reactions,
-                const std::int64_t q,
-                std::vector<Triplet> &target)
-{
-  for (RealMatrix::InnerIterator entry(reactions, static_cast<Eigen::Index>(node)); entry;
-       ++entry)
-    target.emplace_back(q, entry.row(), coupling * entry.value());
-}
-
 /** Component @p c, @p d of how the drag of a node changes with its velocity along the flat, at once and later. */
 std::array<double, 2> drag_of(const SlidingNodesAtRest &contact,
                               const std::size_t k,
@@ -39,120 +26,101 @@ std::array<double, 2> drag_of(const SlidingNodesAtRest &contact,
   return {{force * (slopes.rate * along + across), force * slopes.state * along}};
 }
 
+/** The friction forces of contact nodes: for each node and axis along the flat a number, -1 where it does not move along it. */
+template <int dim>
+struct FrictionForces
+{
+  explicit FrictionForces(const ContactMotion<dim> &motion)
+  {
+    std::array<RealMatrix, dim> by_rows;
+    for (unsigned int c = 0; c + 1 < dim; ++c)
+      by_rows[c] = motion.relative[c].transpose();
+    for (Eigen::Index k = 0; k < motion.relative[0].rows(); ++k)
+      {
+        std::array<std::int64_t, 2> &of_node = number.emplace_back();
+        for (unsigned int c = 0; c + 1 < dim; ++c)
+          {
+            of_node[c] = -1;
+            for (RealMatrix::InnerIterator entry(by_rows[c], k); entry; ++entry)
+              {
+                of_node[c] = n;
+                slip.emplace_back(n, entry.row(), entry.value());
+              }
+            n += of_node[c] >= 0 ? 1 : 0;
+          }
+      }
+  }
+
+  std::vector<std::array<std::int64_t, 2>> number; ///< of the nodes
+  std::vector<Triplet> slip; ///< motion against what the nodes meet, by unknowns
+  std::int64_t n = 0;        ///< how many there are
+};
 } // namespace
 
 template <int dim>
-std::vector<std::pair<std::int64_t, double>>
-relative(const ElasticBody<dim> &body,
-         const std::vector<std::int64_t> &number,
-         const SlidingNodesAtRest &contact,
-         const std::size_t k,
-         const unsigned int c)
+RealMatrix springs_of(const ContactMotion<dim> &motion, const SlidingNodesAtRest &contact)
 {
-  std::vector<std::pair<std::int64_t, double>> dofs;
-  const auto add = [&](const NodeIndex &node, const double sign) {
-    if (const std::int64_t dof = number[row_of(body, node, c)]; dof >= 0)
-      dofs.emplace_back(dof, sign);
-  };
-  add(contact.nodes[k], 1.);
-  if (!contact.partners.empty())
-    add(contact.partners[k], -1.);
-  return dofs;
+  const RealMatrix &normal = motion.relative[dim - 1];
+  if (contact.stiffness.empty())
+    return {normal.cols(), normal.cols()};
+  const Eigen::Map<const Eigen::VectorXd> stiffness(contact.stiffness.data(),
+                                                    normal.rows());
+  return RealMatrix(normal.transpose()) * (stiffness.asDiagonal() * normal);
 }
 
 template <int dim>
-std::vector<Share> reaction_shares(const ElasticBody<dim> &body,
-                                   const std::vector<std::int64_t> &number,
-                                   const SlidingNodesAtRest &contact)
-{
-  // Masses of a body whose fields are divided are collective; a pair has whole ones.
-  const std::vector<double> mass =
-    contact.partners.empty() ? std::vector<double>() : body.lumped_mass();
-  std::vector<Share> shares(number.size());
-  const auto set = [&](const NodeIndex &node, const std::size_t k, const double weight) {
-    shares[static_cast<std::size_t>(row_of(body, node, dim - 1))] = {
-      static_cast<std::int64_t>(k), weight};
-  };
-  for (std::size_t k = 0; k < contact.nodes.size(); ++k)
-    {
-      double below = 1.;
-      if (!contact.partners.empty() &&
-          number[static_cast<std::size_t>(row_of(body, contact.nodes[k], dim - 1))] >= 0)
-        {
-          const auto mass_of = [&](const NodeIndex &node) {
-            return mass[static_cast<std::size_t>(row_of(body, node, 0)) / dim];
-          };
-          const double own   = mass_of(contact.nodes[k]),
-                       other = mass_of(contact.partners[k]);
-          below              = other / (own + other);
-          set(contact.partners[k], k, below - 1.);
-        }
-      set(contact.nodes[k], k, below);
-    }
-  for (const auto &[duplicate, original] : body.duplicate_nodes())
-    shares[static_cast<std::size_t>(row_of(body, duplicate, dim - 1))] =
-      shares[static_cast<std::size_t>(row_of(body, original, dim - 1))];
-  return shares;
-}
-
-template <int dim>
-void add_contact(const ElasticBody<dim> &body,
+void add_contact(const ContactMotion<dim> &motion,
                  const std::array<RealMatrix, 3> &reactions,
-                 const std::vector<std::int64_t> &number,
                  const SlidingNodesAtRest &contact,
                  SlidingPencil &pencil)
 {
+  const FrictionForces<dim> forces(motion);
   const double speed = std::hypot(contact.velocity[0], contact.velocity[1]);
   const std::array<double, 2> direction = {
     {contact.velocity[0] / speed, contact.velocity[1] / speed}};
-  std::vector<Triplet> target, damped_target, spring_target, drag, late_drag, given;
-  std::int64_t n_forces = 0;
-  for (std::size_t k = 0; k < contact.nodes.size(); ++k)
+  const std::size_t n_nodes = contact.nodes.size();
+  std::vector<Triplet> by_reaction, by_approach, drag, late_drag;
+  for (std::size_t k = 0; k < n_nodes; ++k)
     for (unsigned int c = 0; c + 1 < dim; ++c)
       {
-        const auto moved = relative(body, number, contact, k, c);
-        if (moved.empty())
+        const std::int64_t q = forces.number[k][c];
+        if (q < 0)
           continue;
-        const std::int64_t q = n_forces++;
-        for (const auto &[row, sign] : moved)
-          given.emplace_back(row, q, sign);
         pencil.contact_nodes.push_back(k);
-        const FrictionSlopes slopes =
-          contact.slopes.empty() ? FrictionSlopes() : contact.slopes[k];
-        const double coupling = (contact.friction[k] + slopes.pressure) * direction[c];
+        const double slope    = contact.slopes.empty() ? 0. : contact.slopes[k].pressure,
+                     coupling = (contact.friction[k] + slope) * direction[c];
         if (contact.stiffness.empty())
-          {
-            add_target(k, coupling, reactions[0], q, target);
-            add_target(k, coupling, reactions[1], q, damped_target);
-            add_target(k, coupling, reactions[2], q, spring_target);
-          }
+          by_reaction.emplace_back(q, k, coupling);
         else
-          for (const auto &[column, sign] : relative(body, number, contact, k, dim - 1))
-            spring_target.emplace_back(q, column,
-                                       -sign * coupling * contact.stiffness[k]);
-        if (contact.normal_force.empty())
-          continue;
-        for (unsigned int d = 0; d + 1 < dim; ++d)
-          for (const auto &[column, sign] : relative(body, number, contact, k, d))
+          by_approach.emplace_back(q, k, -coupling * contact.stiffness[k]);
+        for (unsigned int d = 0; d + 1 < dim && !contact.normal_force.empty(); ++d)
+          if (const std::int64_t other = forces.number[k][d]; other >= 0)
             {
               const auto of = drag_of(contact, k, direction, c, d, dim == 3);
-              drag.emplace_back(q, column, sign * of[0]);
-              late_drag.emplace_back(q, column, sign * of[1]);
+              drag.emplace_back(q, other, of[0]);
+              late_drag.emplace_back(q, other, of[1]);
             }
       }
-  const auto gather = [&](RealMatrix &matrix, const std::vector<Triplet> &entries) {
-    matrix.resize(n_forces, pencil.size());
+  const auto gather = [&](const std::size_t n_columns,
+                          const std::vector<Triplet> &entries) {
+    RealMatrix matrix(forces.n, static_cast<Eigen::Index>(n_columns));
     matrix.setFromTriplets(entries.begin(), entries.end());
-    matrix.prune(0., 0.);
+    return matrix.prune(0., 0.), matrix;
   };
-  gather(pencil.targets, target);
-  gather(pencil.damped_targets, damped_target);
-  gather(pencil.spring_targets, spring_target);
-  gather(pencil.drag, drag);
-  gather(pencil.late_drag, late_drag);
-  pencil.distribution.resize(pencil.size(), n_forces);
-  pencil.distribution.setFromTriplets(given.begin(), given.end());
-  const RealMatrix &E    = pencil.distribution;
+  RealMatrix slip(forces.n, pencil.size());
+  slip.setFromTriplets(forces.slip.begin(), forces.slip.end());
+  const RealMatrix coupled =
+                     gather(static_cast<std::size_t>(reactions[0].rows()), by_reaction),
+                   E    = slip.transpose();
+  pencil.targets        = coupled * reactions[0];
+  pencil.damped_targets = coupled * reactions[1];
+  pencil.spring_targets =
+    coupled * reactions[2] + gather(n_nodes, by_approach) * motion.relative[dim - 1];
+  const auto n_forces    = static_cast<std::size_t>(forces.n);
+  pencil.drag_of_slip    = gather(n_forces, drag);
+  pencil.drag            = pencil.drag_of_slip * slip;
+  pencil.late_drag       = gather(n_forces, late_drag) * slip;
+  pencil.distribution    = E;
   pencil.friction        = E * pencil.targets;
   pencil.spring_friction = E * pencil.spring_targets;
   pencil.damped_friction = E * pencil.damped_targets;
@@ -160,17 +128,14 @@ void add_contact(const ElasticBody<dim> &body,
   pencil.late_resistance = E * pencil.late_drag;
 }
 
-#define MESOSLIP_INSTANTIATE(dim)                                                        \
-  template std::vector<std::pair<std::int64_t, double>> relative(                        \
-    const ElasticBody<dim> &, const std::vector<std::int64_t> &,                         \
-    const SlidingNodesAtRest &, const std::size_t, const unsigned int);                  \
-  template std::vector<Share> reaction_shares(const ElasticBody<dim> &,                  \
-                                              const std::vector<std::int64_t> &,         \
-                                              const SlidingNodesAtRest &);               \
-  template void add_contact(const ElasticBody<dim> &, const std::array<RealMatrix, 3> &, \
-                            const std::vector<std::int64_t> &,                           \
-                            const SlidingNodesAtRest &, SlidingPencil &);
-MESOSLIP_INSTANTIATE(2)
-MESOSLIP_INSTANTIATE(3)
-#undef MESOSLIP_INSTANTIATE
+template RealMatrix springs_of(const ContactMotion<2> &, const SlidingNodesAtRest &);
+template RealMatrix springs_of(const ContactMotion<3> &, const SlidingNodesAtRest &);
+template void add_contact(const ContactMotion<2> &,
+                          const std::array<RealMatrix, 3> &,
+                          const SlidingNodesAtRest &,
+                          SlidingPencil &);
+template void add_contact(const ContactMotion<3> &,
+                          const std::array<RealMatrix, 3> &,
+                          const SlidingNodesAtRest &,
+                          SlidingPencil &);
 } // namespace mesoslip

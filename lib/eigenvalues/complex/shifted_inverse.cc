@@ -34,7 +34,7 @@ void ShiftedInverse::vmult(ComplexVector &dst, const ComplexVector &src) const
            (product(pencil.late_drag, velocity) + old_late) / late;
   };
   ComplexVector right =
-    -pencil.mass.cwiseProduct(v + shift * u) - product(pencil.resistances, u);
+    -product(pencil.mass, v + shift * u) - product(pencil.resistances, u);
   if (beta > 0.)
     right -= beta * product(pencil.stiffness, u);
   const ComplexVector force =

@@ -23,8 +23,9 @@ struct FrictionSlopes
 /** The nodes that slide on the flat in the static state. */
 struct SlidingNodesAtRest
 {
-  std::vector<NodeIndex> nodes;       ///< pressed, without duplicates
-  std::vector<NodeIndex> partners;    ///< of a second body, likewise; empty: a rigid flat
+  std::vector<NodeIndex> nodes; ///< pressed, without duplicates
+  std::vector<std::vector<WeightedNode>>
+    meets; ///< what each of them meets of a second body; nothing on a rigid flat
   std::vector<double> friction;       ///< Coulomb's coefficient of each of them
   std::vector<double> normal_force;   ///< N (2D: N/m) of each; for slopes and in 3D
   std::vector<FrictionSlopes> slopes; ///< of each; empty: constant coefficients
@@ -44,7 +45,7 @@ struct SlidingLaw
 };
 
 /**
- * Small vibrations u exp(s t) about steady sliding, in the free degrees of freedom:
+ * Small vibrations u exp(s t) about steady sliding, in the unknowns that ContactMotion says:
  *
  *     [ s (s M + C_v)/(1 + beta s) + K - N/(1 + s delta) + s/((1 + beta s)(1 + s delta)) (C(s) - N_d)
  *       + (K_s - N_s/(1 + s delta))/(1 + beta s) ] u = 0,   C_v = alpha M + C_d
@@ -64,19 +65,18 @@ struct SlidingLaw
  *
  * with N = E G, N_s = E G_s, N_d = E G_d and C_i = E D_i. Without delta there is no q, without tau no z.
  *
- * Partners of a second body move as one along the normal, or stand on the springs between them; E has the forces on both, and D
- * and G_s act on their relative motion. The normal reaction of the inertias m_1 and m_2, whose common acceleration is that by
- * all other forces f_1 and f_2, is (m_1 f_2 - m_2 f_1) / (m_1 + m_2).
+ * Contact nodes follow what they meet of a second body along the normal, so that M is not diagonal, or stand on the springs between
+ * them; E has the forces on both, and D and G_s act on their relative motion. Reactions are those of ContactMotion.
  */
 class SlidingPencil
 {
 public:
   using Complex = std::complex<double>; ///< 1/s, and displacements
 
-  /** Number of degrees of freedom. */
+  /** Number of unknowns. */
   Eigen::Index size() const
   {
-    return mass.size();
+    return mass.rows();
   }
 
   /** Number of unknowns of the form that is linear in s. */
@@ -110,7 +110,10 @@ public:
     return springs.nonZeros() > 0;
   }
 
-  Eigen::VectorXd mass;                   ///< M, lumped (kg, 2D: kg/m)
+  RealMatrix free; ///< free degrees of freedom by unknowns
+  RealMatrix mass; ///< M, of lumped ones (kg, 2D: kg/m)
+  Eigen::VectorXd
+    own_mass; ///< of the unknowns without what follows them, a diagonal that is not above M (kg, 2D: kg/m)
   RealMatrix stiffness;                   ///< K
   RealMatrix springs;                     ///< K_s
   RealMatrix resistances;                 ///< C_v
@@ -119,6 +122,7 @@ public:
   RealMatrix damped_targets;              ///< G_d, likewise
   RealMatrix drag;                        ///< D_0, likewise
   RealMatrix late_drag;                   ///< D_1, likewise
+  RealMatrix drag_of_slip;                ///< the symmetric part H of D_0 = H E^T
   RealMatrix friction;                    ///< N
   RealMatrix spring_friction;             ///< N_s
   RealMatrix damped_friction;             ///< N_d

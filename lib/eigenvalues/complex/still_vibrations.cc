@@ -3,8 +3,10 @@
 #include "eigenvalues/complex/arnoldi.h"
 #include "statics/static_solver.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/SparseCholesky>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -39,7 +41,7 @@ double largest_square(const CountedRange &range, const double beta)
 void factorize(Factors &factors, const SlidingPencil &still, const double x)
 {
   RealMatrix shifted = still.stiffness;
-  shifted.diagonal() -= x * still.mass;
+  shifted -= x * still.mass;
   factors.compute(shifted);
   if (factors.info() != Eigen::Success)
     throw NotConverged("a pivot vanished in the count of eigenvalues");
@@ -67,65 +69,126 @@ Border border_at(const SlidingPencil &still, const double x)
   return {x, n_below(factors)};
 }
 
-/** The eigenvalues nearest to the shift @p x, as many as are between @p low and @p high; fewer if one was missed. */
-std::vector<double> nearest(const Factors &factors,
-                            const Eigen::VectorXd &mass,
-                            const double x,
-                            const Border &low,
-                            const Border &high,
-                            const double tolerance,
-                            const unsigned int seed)
+/** A square x of a circular frequency, and a shape, which is complex where several have the same. */
+struct Vibration
 {
-  ArnoldiOptions options;
-  options.count     = high.n - low.n;
-  options.tolerance = tolerance;
-  options.seed      = seed;
-  const auto pairs  = arnoldi(
-     mass.size(),
-     [&](ComplexVector &dst, const ComplexVector &src) {
-      const Eigen::VectorXd real      = factors.solve(mass.cwiseProduct(src.real())),
-                            imaginary = factors.solve(mass.cwiseProduct(src.imag()));
-      dst.resize(src.size());
-      dst.real() = real;
-      dst.imag() = imaginary;
-    },
-     options);
-  std::vector<double> found;
-  for (Eigen::Index k = 0; pairs && k < pairs->values.size(); ++k)
-    if (const double value = x + 1. / pairs->values[k].real();
-        value > (low.x > 0. ? low.x : -high.x) && value < high.x)
-      found.push_back(value);
-  return found;
-}
+  double square = 0.;
+  ComplexVector shape;
+};
 
-/** Appends all eigenvalues between @p low and @p high. */
-void collect(const SlidingPencil &still,
-             const Border &low,
-             const Border &high,
-             const double tolerance,
-             std::vector<double> &values)
+/** Solutions of a symmetric pencil by Arnoldi iterations. */
+class Vibrations
 {
-  constexpr int most = 30;
-  const int n        = high.n - low.n;
-  if (n <= 0)
-    return;
-  const double middle = 0.5 * (low.x + high.x);
-  if (!(middle > low.x && high.x - low.x > 1e-12 * high.x))
-    throw NotConverged("eigenvalues without friction are too close to be told apart");
-  Factors factors;
-  factorize(factors, still, middle);
-  if (n <= most && n + 1 < still.size())
-    for (const unsigned int seed : {1U, 2U})
-      if (const auto found =
-            nearest(factors, still.mass, middle, low, high, tolerance, seed);
-          static_cast<int>(found.size()) == n)
+public:
+  Vibrations(const SlidingPencil &still,
+             const double tolerance,
+             const std::function<void(unsigned int)> &before_solve)
+    : still(still)
+    , tolerance(tolerance)
+    , before_solve(before_solve)
+  {
+  }
+
+  /** The @p n eigenvalues nearest to the shift @p x of the @p factors, or fewer. */
+  std::vector<Vibration>
+  nearest(const Factors &factors, const double x, const int n, const unsigned int seed)
+  {
+    ArnoldiOptions options;
+    options.count     = n;
+    options.tolerance = tolerance;
+    options.seed      = seed;
+    const auto pairs  = arnoldi(
+       still.size(),
+       [&](ComplexVector &dst, const ComplexVector &src) {
+        if (before_solve)
+          before_solve(n_solves);
+        ++n_solves;
+        const Eigen::VectorXd real      = factors.solve(still.mass * src.real()),
+                              imaginary = factors.solve(still.mass * src.imag());
+        dst.resize(src.size());
+        dst.real() = real;
+        dst.imag() = imaginary;
+      },
+       options);
+    std::vector<Vibration> found;
+    for (Eigen::Index k = 0; pairs && k < pairs->values.size(); ++k)
+      found.push_back({x + 1. / pairs->values[k].real(), pairs->vectors.col(k)});
+    return found;
+  }
+
+  /** Appends all eigenvalues between @p low and @p high to all. */
+  void collect(const Border &low, const Border &high)
+  {
+    constexpr int most = 30;
+    const int n        = high.n - low.n;
+    if (n <= 0)
+      return;
+    const double middle = 0.5 * (low.x + high.x);
+    if (!(middle > low.x && high.x - low.x > 1e-12 * high.x))
+      throw NotConverged("eigenvalues without friction are too close to be told apart");
+    Factors factors;
+    factorize(factors, still, middle);
+    if (n <= most && n + 1 < still.size())
+      for (const unsigned int seed : {1U, 2U})
         {
-          values.insert(values.end(), found.begin(), found.end());
-          return;
+          std::vector<Vibration> found = nearest(factors, middle, n, seed);
+          const double lowest          = low.x > 0. ? low.x : -high.x;
+          found.erase(std::remove_if(found.begin(), found.end(),
+                                     [&](const Vibration &one) {
+                                       return !(one.square > lowest &&
+                                                one.square < high.x);
+                                     }),
+                      found.end());
+          if (static_cast<int>(found.size()) == n)
+            {
+              all.insert(all.end(), found.begin(), found.end());
+              return;
+            }
         }
-  const Border between = {middle, n_below(factors)};
-  collect(still, low, between, tolerance, values);
-  collect(still, between, high, tolerance, values);
+    const Border between = {middle, n_below(factors)};
+    collect(low, between);
+    collect(between, high);
+  }
+
+  std::vector<Vibration> all; ///< that were collected
+  unsigned int n_solves = 0;  ///< so far
+
+private:
+  const SlidingPencil &still;
+  const double tolerance;
+  const std::function<void(unsigned int)> before_solve;
+};
+
+/** Real shapes of @p found, from the space that these span, with u^T M u = 1. */
+void make_real(const SlidingPencil &still,
+               const std::vector<Vibration> &found,
+               LowestVibrations &result)
+{
+  constexpr double least = 1e-6; // of a direction that is one more
+  std::vector<Eigen::VectorXd> basis;
+  for (const Vibration &one : found)
+    for (Eigen::VectorXd x :
+         {Eigen::VectorXd(one.shape.real()), Eigen::VectorXd(one.shape.imag())})
+      {
+        const double size =
+          std::sqrt(one.shape.dot(product(still.mass, one.shape)).real());
+        for (int pass = 0; pass < 2; ++pass)
+          for (const Eigen::VectorXd &b : basis)
+            x -= b.dot(still.mass * x) * b;
+        if (const double rest = std::sqrt(x.dot(still.mass * x)); rest > least * size)
+          basis.push_back(x / rest);
+      }
+  const auto n = static_cast<Eigen::Index>(basis.size());
+  Eigen::MatrixXd V(still.size(), n);
+  for (Eigen::Index k = 0; k < n; ++k)
+    V.col(k) = basis[static_cast<std::size_t>(k)];
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz(V.transpose() *
+                                                            (still.stiffness * V).eval());
+  for (Eigen::Index k = 0; k < n; ++k)
+    {
+      result.squares.push_back(ritz.eigenvalues()[k]);
+      result.shapes.emplace_back(V * ritz.eigenvectors().col(k));
+    }
 }
 } // namespace
 
@@ -157,13 +220,48 @@ std::vector<Complex>
 find_still(const SlidingPencil &still, const CountedRange &range, const double tolerance)
 {
   const double beta = still.law.beta;
-  std::vector<double> squares;
-  collect(still, border_at(still, square_at(range.low, beta)),
-          border_at(still, largest_square(range, beta)), tolerance, squares);
+  Vibrations vibrations(still, tolerance, {});
+  vibrations.collect(border_at(still, square_at(range.low, beta)),
+                     border_at(still, largest_square(range, beta)));
   std::vector<Complex> found;
-  for (const double x : squares)
-    if (const double decay = 0.5 * beta * x; x > decay * decay)
+  for (const Vibration &one : vibrations.all)
+    if (const double x = one.square, decay = 0.5 * beta * x; x > decay * decay)
       found.emplace_back(-decay, std::sqrt(x - decay * decay));
   return found;
+}
+
+LowestVibrations lowest_vibrations(const SlidingPencil &still,
+                                   const int n,
+                                   const double unit,
+                                   const double tolerance,
+                                   const std::function<void(unsigned int)> &before_solve)
+{
+  // Below that of a rigid motion, which round-off moves.
+  const Eigen::VectorXd diagonal = still.stiffness.diagonal();
+  const double rigid =
+    1e-9 * unit + 1e-14 * (diagonal.array() / still.mass.diagonal().array()).maxCoeff();
+  const Border lowest = border_at(still, rigid);
+  Vibrations vibrations(still, tolerance, before_solve);
+  double border = 0.;
+  {
+    const double shift = -1e-2 * unit;
+    Factors factors;
+    factorize(factors, still, shift);
+    std::vector<double> squares;
+    for (const Vibration &one : vibrations.nearest(factors, shift, n + lowest.n, 1))
+      squares.push_back(one.square);
+    border = *std::max_element(squares.begin(), squares.end());
+  }
+  Border highest;
+  for (border *= 1. + 1e-4; highest.n < n + lowest.n; border *= 1.5)
+    highest = border_at(still, border);
+  vibrations.collect(lowest, highest);
+  LowestVibrations result;
+  make_real(still, vibrations.all, result);
+  result.n_rigid  = static_cast<unsigned int>(lowest.n);
+  result.n_solves = vibrations.n_solves;
+  result.squares.resize(static_cast<std::size_t>(n));
+  result.shapes.resize(static_cast<std::size_t>(n));
+  return result;
 }
 } // namespace mesoslip

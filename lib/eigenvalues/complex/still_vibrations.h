@@ -4,6 +4,7 @@
 #include "eigenvalues/complex/sliding_pencil.h"
 
 #include <algorithm>
+#include <functional>
 #include <vector>
 
 namespace mesoslip
@@ -37,6 +38,25 @@ int count_still(const SlidingPencil &still, const CountedRange &range);
  * that have 30 at most by the signs of pivots. @throws NotConverged if they are not all found */
 std::vector<SlidingPencil::Complex>
 find_still(const SlidingPencil &still, const CountedRange &range, const double tolerance);
+/** Vibrations that are slowest. */
+struct LowestVibrations
+{
+  std::vector<double> squares;         ///< of circular frequencies (1/s^2), ascending
+  std::vector<Eigen::VectorXd> shapes; ///< of each, u^T M u = 1
+  unsigned int n_rigid  = 0; ///< motions that nothing holds, which are not among these
+  unsigned int n_solves = 0; ///< with shifts of the stiffness
+};
+
+/**
+ * The @p n slowest vibrations of a pencil without friction that are not rigid motions, as many by the signs of pivots, as in
+ * find_still(). A square below 1e-9 @p unit (1/s^2), or one that round-off could make, is that of a rigid motion.
+ * @p before_solve is called with the number of solves. @throws NotConverged
+ */
+LowestVibrations lowest_vibrations(const SlidingPencil &still,
+                                   const int n,
+                                   const double unit,
+                                   const double tolerance,
+                                   const std::function<void(unsigned int)> &before_solve);
 } // namespace mesoslip
 
 #endif

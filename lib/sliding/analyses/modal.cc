@@ -3,8 +3,10 @@
 #include "base/exchange.h"
 #include "sliding/analyses/modal_cases.h"
 
+#include <numeric>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace mesoslip
 {
@@ -22,14 +24,16 @@ template <int dim>
 void ModalAnalysis<dim>::run(RunContext &context)
 {
   body->log(context);
-  context.remove_results({"modal.h5", "modal.xdmf", "modal-phases.xdmf", "modes.csv"});
+  context.remove_results({"modal.h5", "modal.xdmf", "modal-phases.xdmf", "modes.csv",
+                          "counter_body.h5", "counter_body.xdmf",
+                          "counter_body-phases.xdmf"});
   body->make_elastic(context.communicator());
-  const auto cases = compute_modes<dim>(
-    body->elastic(), body->platens(top_at_start(parameters)),
-    [this](const bool bottom_held) {
-      return body->held(top_at_start(parameters), bottom_held);
+  const TopSetup top = top_at_start(parameters);
+  const auto cases   = compute_modes<dim>(
+    [&](const bool bottom_held, const VibrationModesOptions &options) {
+      return body->modes(top, bottom_held, options);
     },
-    parameters, context);
+    body->platens(top), parameters, context);
   const auto scope       = context.timer().scope("Output");
   const std::string path = context.file("modal.h5");
   std::optional<Hdf5File> file;
@@ -39,18 +43,21 @@ void ModalAnalysis<dim>::run(RunContext &context)
     file.emplace(body->create_file(path, "mesoslip-modal"));
     write_frequencies(*file, cases);
   });
+  std::vector<ShownFields> shown;
   for (const ModalCase<dim> &c : cases)
     {
-      std::vector<const NodalField<double> *> shapes;
+      ShownFields &shapes = shown.emplace_back();
+      shapes.name         = "bottom_" + c.bottom;
+      shapes.dataset      = "/modes/" + c.bottom + "/shape";
       for (const VibrationMode<dim> &mode : c.modes.modes)
-        shapes.push_back(&mode.shape);
-      body->write_fields(file, path, shapes_name(c), shapes);
+        shapes.fields.push_back(&mode.shape);
     }
-  if (!context.root())
-    return;
-  file->close();
-  const ShownShapes shown = shown_shapes(cases);
-  body->show(path, shown.fields, shown.numbers);
+  std::vector<double> numbers(parameters.modal.n_modes);
+  std::iota(numbers.begin(), numbers.end(), 1.);
+  body->write_and_show(file, path, shown, numbers);
+  if (context.root())
+    body->write_below(context.file("counter_body.h5"), "mesoslip-modal", shown, numbers,
+                      {});
 }
 
 template class ModalAnalysis<2>;

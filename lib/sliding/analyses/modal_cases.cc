@@ -11,7 +11,6 @@
 #include <cmath>
 #include <iomanip>
 #include <nlohmann/json.hpp>
-#include <numeric>
 #include <stdexcept>
 
 namespace mesoslip
@@ -52,17 +51,20 @@ std::string top_text(const TopSetup &top)
 }
 
 template <int dim>
-void log_modes(const ModalCase<dim> &c, RunContext &context)
+void log_modes(const ModalCase<dim> &c, const bool of_pair, RunContext &context)
 {
+  const bool is_free = c.bottom == "free";
+  const std::string bottom =
+                      "Bottom " + (is_free ? "free (BC1)"
+                                           : "held in " + along_normal<dim>() + " (BC2)"),
+                    bodies       = is_free ? "Bodies apart (free, BC1)"
+                                           : "Bodies touch and slide (held, BC2)";
   const VibrationModes<dim> &all = c.modes;
-  context.log(
-    "Bottom " +
-    (c.bottom == "free" ? "free (BC1)" : "held in " + along_normal<dim>() + " (BC2)") +
-    ": " + std::to_string(all.n_solves) + " static solves, " +
-    std::to_string(all.solver_iterations) + " iterations" +
-    (all.n_rigid_motions > 0
-       ? "; " + std::to_string(all.n_rigid_motions) + " rigid motions at 0 Hz not listed"
-       : ""));
+  context.log((of_pair ? bodies : bottom) + ": " + std::to_string(all.n_solves) +
+              " static solves, " + std::to_string(all.solver_iterations) + " iterations" +
+              (all.n_rigid_motions > 0 ? "; " + std::to_string(all.n_rigid_motions) +
+                                           " rigid motions at 0 Hz not listed"
+                                       : ""));
   for (std::size_t k = 0; k < all.modes.size(); ++k)
     context.log(brief_text(3, "  mode ", k + 1, " ", std::fixed, std::setw(9),
                            1e-3 * all.modes[k].frequency, " kHz"));
@@ -103,12 +105,10 @@ void require_modes(const std::size_t n_free, const ContactParameters &parameters
 }
 
 template <int dim>
-std::vector<ModalCase<dim>>
-compute_modes(const ElasticBody<dim> &body,
-              const std::vector<Platen> &platens,
-              const std::function<DofMask(const bool bottom_held)> &held,
-              const ContactParameters &parameters,
-              RunContext &context)
+std::vector<ModalCase<dim>> compute_modes(const ModesOfBottom<dim> &find,
+                                          const std::vector<Platen> &platens,
+                                          const ContactParameters &parameters,
+                                          RunContext &context)
 {
   VibrationModesOptions options = parameters.modal;
   options.platens               = platens;
@@ -118,8 +118,7 @@ compute_modes(const ElasticBody<dim> &body,
     {
       const auto scope = context.timer().scope(("Bottom " + bottom).c_str());
       with_advice("loosen Modal/Tolerance or ask for fewer modes", [&]() {
-        cases.push_back(
-          {bottom, vibration_modes<dim>(body, held(bottom == "held"), options)});
+        cases.push_back({bottom, find(bottom == "held", options)});
       });
     }
   context.log("Top: " + top_text<dim>(top_at_start(parameters)) +
@@ -128,7 +127,7 @@ compute_modes(const ElasticBody<dim> &body,
                  ? " before Supports/Top/Hold from"
                  : ""));
   for (const ModalCase<dim> &c : cases)
-    log_modes(c, context);
+    log_modes(c, parameters.counter != nullptr, context);
   return cases;
 }
 
@@ -164,20 +163,6 @@ void write_modes(const std::vector<ModalCase<dim>> &cases, RunContext &context)
 }
 
 template <int dim>
-ShownShapes shown_shapes(const std::vector<ModalCase<dim>> &cases)
-{
-  ShownShapes shown;
-  for (const ModalCase<dim> &c : cases)
-    {
-      shown.numbers.resize(c.modes.modes.size());
-      std::iota(shown.numbers.begin(), shown.numbers.end(), 1.);
-      shown.fields.push_back(
-        {"bottom_" + c.bottom, shapes_name(c), XdmfField::Values::nodes, {dim}});
-    }
-  return shown;
-}
-
-template <int dim>
 void write_frequencies(Hdf5File &file, const std::vector<ModalCase<dim>> &cases)
 {
   for (const ModalCase<dim> &c : cases)
@@ -194,13 +179,11 @@ void write_frequencies(Hdf5File &file, const std::vector<ModalCase<dim>> &cases)
     }
 }
 
-#define MESOSLIP_INSTANTIATE(dim)                                               \
-  template std::vector<ModalCase<dim>> compute_modes(                           \
-    const ElasticBody<dim> &, const std::vector<Platen> &,                      \
-    const std::function<DofMask(const bool)> &, const ContactParameters &,      \
-    RunContext &);                                                              \
-  template void write_modes(const std::vector<ModalCase<dim>> &, RunContext &); \
-  template ShownShapes shown_shapes(const std::vector<ModalCase<dim>> &);       \
+#define MESOSLIP_INSTANTIATE(dim)                                                       \
+  template std::vector<ModalCase<dim>> compute_modes(                                   \
+    const ModesOfBottom<dim> &, const std::vector<Platen> &, const ContactParameters &, \
+    RunContext &);                                                                      \
+  template void write_modes(const std::vector<ModalCase<dim>> &, RunContext &);         \
   template void write_frequencies(Hdf5File &, const std::vector<ModalCase<dim>> &);
 MESOSLIP_INSTANTIATE(2)
 MESOSLIP_INSTANTIATE(3)

@@ -2,7 +2,6 @@
 #define mesoslip_sliding_analyses_modal_cases_h
 
 #include "eigenvalues/vibration_modes.h"
-#include "exchange/xdmf.h"
 #include "io/hdf5_file.h"
 #include "program/run_context.h"
 #include "sliding/contact_parameters.h"
@@ -31,39 +30,21 @@ TopSetup top_at_start(const ContactParameters &parameters);
  * modes that are wanted */
 void require_modes(const std::size_t n_free, const ContactParameters &parameters);
 
-/**
- * The modes for each bottom, under the constraints @p held of a bottom that is held or
- * not and under @p platens; with lines for the log. Collective. @throws NumericalFailure
- */
+/** The modes of a bottom that is held or not. */
 template <int dim>
-std::vector<ModalCase<dim>>
-compute_modes(const ElasticBody<dim> &body,
-              const std::vector<Platen> &platens,
-              const std::function<DofMask(const bool bottom_held)> &held,
-              const ContactParameters &parameters,
-              RunContext &context);
+using ModesOfBottom = std::function<VibrationModes<dim>(const bool bottom_held,
+                                                        const VibrationModesOptions &)>;
+
+/** The modes for each bottom, as @p find has them, and under @p platens; with lines for the log. Collective. @throws NumericalFailure */
+template <int dim>
+std::vector<ModalCase<dim>> compute_modes(const ModesOfBottom<dim> &find,
+                                          const std::vector<Platen> &platens,
+                                          const ContactParameters &parameters,
+                                          RunContext &context);
 
 /** On rank 0: modes.csv, and the keys of summary.json that are about the modes. */
 template <int dim>
 void write_modes(const std::vector<ModalCase<dim>> &cases, RunContext &context);
-
-/** Shapes that ParaView is to show; the time of a frame is the number of its mode. */
-struct ShownShapes
-{
-  std::vector<XdmfField> fields; ///< one for each bottom
-  std::vector<double> numbers;   ///< 1, 2, ...
-};
-
-/** Those of @p cases, which stand in the datasets of shapes_name(). */
-template <int dim>
-ShownShapes shown_shapes(const std::vector<ModalCase<dim>> &cases);
-
-/** Where the shapes of a case stand in a file. */
-template <int dim>
-std::string shapes_name(const ModalCase<dim> &of_case)
-{
-  return "/modes/" + of_case.bottom + "/shape";
-}
 
 /** Writes /modes without the shapes. */
 template <int dim>

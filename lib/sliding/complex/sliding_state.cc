@@ -141,20 +141,10 @@ SlidingState sliding_state(const ElasticBody<dim> &body,
         state.contact.stiffness.push_back(
           tangent_of(flat.normal_spring, area_of<dim>(bottom, k),
                      solution ? solution->normal_force[k] : 0.));
-      else
+      else if (body.meets(k).empty())
         state.held.constrain(dim - 1, node);
       state.contact.nodes.push_back(node);
-      if (const auto partner = body.partner(k))
-        {
-          state.contact.partners.push_back(*partner);
-          if (!flat.is_compliant() && !held.is_constrained(dim - 1, *partner))
-            {
-              state.held.constrain(dim - 1, *partner);
-              Platen &both        = state.platens.emplace_back();
-              both.nodes          = {node, *partner};
-              both.moves[dim - 1] = true;
-            }
-        }
+      state.contact.meets.push_back(body.meets(k));
       state.contact.friction.push_back(nodes[k].coefficient);
       state.contact.normal_force.push_back(solution ? solution->normal_force[k] : 0.);
       state.area.push_back(area_of<dim>(bottom, k));

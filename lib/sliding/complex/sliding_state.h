@@ -14,9 +14,8 @@ namespace mesoslip
 /** The static state of sliding about which a body vibrates. */
 struct SlidingState
 {
-  DofMask held; ///< by sides, top and the flat
-  std::vector<Platen>
-    platens; ///< of top and sides, and partners that move as one; their nodes are held
+  DofMask held;                   ///< by sides, top and the flat
+  std::vector<Platen> platens;    ///< of top and sides; their nodes are held
   SlidingNodesAtRest contact;     ///< nodes that are pressed on the flat
   std::vector<std::size_t> place; ///< of each of them in ElasticBody::surface()
   std::vector<double> area;       ///< tributary of each of them (m^2, in 2D m)

@@ -49,18 +49,6 @@ private:
   std::vector<unsigned int> order; ///< nodes with ascending x
 };
 
-/** "9 nodes on 6 mm", "20 nodes on 6 mm x 2 mm". */
-std::string extent_text(const std::array<std::vector<double>, 2> &place)
-{
-  std::string text = std::to_string(place[0].size()) + " nodes";
-  for (unsigned int d = 0; d < 2 && !place[d].empty(); ++d)
-    {
-      const auto [lower, upper] = std::minmax_element(place[d].begin(), place[d].end());
-      text += (d == 0 ? " on " : " x ") + quantity_text(*upper - *lower, "m");
-    }
-  return text;
-}
-
 /** That the contact of @p counter is a plane. */
 template <int dim>
 void require_even(const GivenBody<dim> &counter, const double tolerance)
@@ -165,26 +153,6 @@ std::array<double, 2> periods_below(const GivenBody<dim> &body,
 }
 } // namespace
 
-template <int dim>
-void require_partners(const GivenBody<dim> &body, const GivenBody<dim> &counter)
-{
-  const auto &of_body                      = body.facts().contact_place,
-             &place                        = counter.facts().contact_place;
-  const double tolerance                   = 1e-6 * body.contact_nodes().spacing;
-  const std::vector<unsigned int> partners = found_partners(body, counter, tolerance);
-  if (!are_all(partners, body, counter))
-    throw UserError("Counter body: it has " + extent_text(place) +
-                    " at the contact, which are to be where those of the body are, " +
-                    extent_text(of_body) + ", and " +
-                    std::to_string(of_body[0].size() - partners.size()) +
-                    " of these have no partner; " +
-                    (counter.parameters.mesh.is_given() || body.parameters.mesh.is_given()
-                       ? "mesh both bodies with the same nodes there"
-                       : std::string("give it the same width and cells along x") +
-                           (dim == 3 ? " and y" : "")) +
-                    ", which complex modes need");
-}
-
 std::string text_of(const SurfaceMeeting &meeting)
 {
   const std::string start = "Contact of both bodies: ";
@@ -238,8 +206,6 @@ SurfaceMeeting meeting_of(const GivenBody<dim> &body, const GivenBody<dim> &coun
   return meeting;
 }
 
-template void require_partners(const GivenBody<2> &, const GivenBody<2> &);
-template void require_partners(const GivenBody<3> &, const GivenBody<3> &);
 template SurfaceMeeting meeting_of(const GivenBody<2> &, const GivenBody<2> &);
 template SurfaceMeeting meeting_of(const GivenBody<3> &, const GivenBody<3> &);
 } // namespace mesoslip

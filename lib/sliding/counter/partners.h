@@ -8,10 +8,6 @@
 
 namespace mesoslip
 {
-/** That the contact nodes of @p counter are where those of @p body are. @throws UserError */
-template <int dim>
-void require_partners(const GivenBody<dim> &body, const GivenBody<dim> &counter);
-
 /** A line on how two bodies meet. */
 std::string text_of(const SurfaceMeeting &meeting);
 

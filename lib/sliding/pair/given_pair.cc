@@ -10,6 +10,7 @@
 #include "sliding/counter/partners.h"
 #include "sliding/mesh/box_body.h"
 #include "sliding/pair/grid_mesh.h"
+#include "sliding/pair/pair_modes.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -78,7 +79,7 @@ ContactParameters with_damping_of(ContactParameters parameters,
 template <int dim>
 double bytes_of_factors(const ContactAnalysis analysis, const std::uint64_t n_points)
 {
-  return (analysis == ContactAnalysis::complex_modes ? 1. : 0.5) *
+  return (analysis == ContactAnalysis::static_contact ? 0.5 : 1.) *
          complex_modes_memory(static_cast<double>(dim * n_points), dim);
 }
 
@@ -122,8 +123,6 @@ GivenPair<dim>::GivenPair(const ContactParameters &given,
       throw UserError(side.key("Kind") +
                       " is platen, which a counter body knows in transient runs only; "
                       "use springs or pressure");
-  if (parameters.analysis == ContactAnalysis::complex_modes)
-    require_partners<dim>(*above, *below);
   known.lines.push_back(text_of(meeting_of<dim>(*above, *below)));
 }
 
@@ -176,7 +175,7 @@ void GivenPair<dim>::make_elastic(const MPI_Comm communicator, const bool /*whol
                                            stiffness, motion);
   };
   at_rest = pair(Motion::relative);
-  if (parameters.analysis == ContactAnalysis::complex_modes)
+  if (parameters.analysis != ContactAnalysis::static_contact)
     moving = pair(Motion::absolute);
 }
 
@@ -190,6 +189,15 @@ template <int dim>
 const ElasticBody<dim> &GivenPair<dim>::vibrating() const
 {
   return *moving;
+}
+
+template <int dim>
+VibrationModes<dim> GivenPair<dim>::modes(const TopSetup &top,
+                                          const bool contact_held,
+                                          const VibrationModesOptions &options) const
+{
+  return pair_modes<dim>(*moving, held(top, false), contact_held, known.scales.wave_speed,
+                         options);
 }
 
 namespace

@@ -30,6 +30,9 @@ public:
   void make_elastic(const MPI_Comm communicator, const bool whole) override;
   const ElasticBody<dim> &elastic() const override;
   const ElasticBody<dim> &vibrating() const override;
+  VibrationModes<dim> modes(const TopSetup &top,
+                            const bool contact_held,
+                            const VibrationModesOptions &options) const override;
   DampingByPhase make_damping(const StepParameters &step,
                               const MPI_Comm communicator) const override;
   DofMask held(const TopSetup &top, const bool contact_held) const override;

@@ -165,6 +165,16 @@ std::array<NodalField<double>, 2> PairBody<dim>::parts(const NodalField<double> 
 }
 
 template <int dim>
+std::vector<WeightedNode> PairBody<dim>::meets(const std::size_t k) const
+{
+  const SparseRows &rows = meeting.weights.rows;
+  std::vector<WeightedNode> met;
+  for (std::size_t e = rows.start[k]; e < rows.start[k + 1]; ++e)
+    met.push_back({meeting.below[rows.entries[e].column], rows.entries[e].weight});
+  return met;
+}
+
+template <int dim>
 void PairBody<dim>::act_on_displacements(NodalField<double> &force) const
 {
   const std::vector<NodeIndex> &contact = this->surface(ElasticBody<dim>::bottom).nodes;

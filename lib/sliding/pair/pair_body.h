@@ -7,7 +7,6 @@
 #include "sliding/pair/condensed_solver.h"
 
 #include <array>
-#include <optional>
 #include <vector>
 
 namespace mesoslip
@@ -42,8 +41,7 @@ public:
     relative
   };
 
-  /** @p stiffness of the cells of both bodies, whose contacts are the meeting @p given; with absolute displacements nodes have to match. The
-   * bodies must outlive it. Collective. */
+  /** @p stiffness of the cells of both bodies, whose contacts are the meeting @p given. The bodies must outlive it. Collective. */
   PairBody(const PointBody<dim> &above,
            const PointBody<dim> &below,
            const MeetingNodes &given,
@@ -59,13 +57,7 @@ public:
     return {n_above + node.i, 0};
   }
 
-  std::optional<NodeIndex> partner(const std::size_t k) const override
-  {
-    const SparseRows &rows = meeting.weights.rows;
-    return meeting.weights.are_partners()
-             ? std::optional(meeting.below[rows.entries[k].column])
-             : std::nullopt;
-  }
+  std::vector<WeightedNode> meets(const std::size_t k) const override;
 
   void act_on_displacements(NodalField<double> &force) const override;
   std::array<double, dim> point(const NodeIndex &node) const override;
