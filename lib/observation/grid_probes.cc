@@ -11,26 +11,32 @@ std::array<double, 3> place_of_probe(const ProbePoint &point, const UniformGrid<
 {
   std::array<double, 3> position = point.position;
   for (unsigned int d = 0; d < 2 && point.nearest_node; ++d)
-    position[d] = std::round(position[d] / grid.spacing[d]) * grid.spacing[d];
+    position[d] =
+      grid.origin[d] +
+      std::round((position[d] - grid.origin[d]) / grid.spacing[d]) * grid.spacing[d];
   return position;
 }
 
 GridProbes::GridProbes(const std::vector<ProbePoint> &points,
                        const UniformMaterial &material,
                        const Stepper &stepper,
-                       const ContactSurface<2> &contact,
+                       const ContactSurface<2> *contact,
+                       const bool turned_over,
                        const std::uint64_t interval)
   : ProbeRecorder(stepper, 2, interval)
   , material(material)
   , rows(stepper.rows)
   , contact(contact)
+  , upwards(turned_over ? -1. : 1.)
 {
   int between = 0;
   for (const ProbePoint &point : points)
     {
       const Vector position = place_of_probe(point, material.grid());
-      const Place place     = locate(position);
-      const bool owned      = rows.begin <= place.j && place.j < rows.end;
+      const Vector stored   = {
+          {position[0] - material.grid().origin[0], upwards * position[1]}};
+      const Place place = locate(stored);
+      const bool owned  = rows.begin <= place.j && place.j < rows.end;
       places.push_back(place);
       add({point.name, position, place.phase}, owned);
       if (owned && place.j + 1 == rows.end && rows.has_upper_ghost())
@@ -48,7 +54,8 @@ GridProbes::Place GridProbes::locate(const Vector &position) const
   for (unsigned int d = 0; d < 2; ++d)
     {
       // A point on a line between cells, up to round-off, belongs to the upper one.
-      const double s = position[d] / grid.spacing[d] + 1e-9;
+      const double up = d == 1 ? upwards : 1.,
+                   s  = position[d] / grid.spacing[d] + up * 1e-9;
       cell[d] = std::min(static_cast<unsigned int>(std::max(s, 0.)), grid.cells[d] - 1);
       place.xi[d] = std::clamp(position[d] / grid.spacing[d] - cell[d], 0., 1.);
     }
@@ -61,7 +68,7 @@ GridProbes::Place GridProbes::locate(const Vector &position) const
 void GridProbes::sample_contact(const std::size_t k, ProbeHistory &history) const
 {
   const Place &place = places[k];
-  if (place.j > 0 || place.xi[1] >= 1e-6)
+  if (contact == nullptr || place.j > 0 || place.xi[1] >= 1e-6)
     return;
   // The last node of a periodic side is the first one.
   const unsigned int right = place.i + (place.xi[0] > 0.5 ? 1 : 0),
@@ -70,7 +77,7 @@ void GridProbes::sample_contact(const std::size_t k, ProbeHistory &history) cons
   const double width = tributary_width(material.grid(), node, material.periodicity().x);
   history.traction.insert(
     history.traction.end(),
-    {contact.tangential_force()[node] / width, contact.normal_force()[node] / width});
+    {contact->tangential_force()[node] / width, contact->normal_force()[node] / width});
 }
 
 ProbeRecorder::Vector GridProbes::interpolate(const NodalField<double> &field,
@@ -87,6 +94,7 @@ ProbeRecorder::Vector GridProbes::interpolate(const NodalField<double> &field,
         (1. - place.xi[1]) * ((1. - place.xi[0]) * lower[0] + place.xi[0] * lower[1]) +
         place.xi[1] * ((1. - place.xi[0]) * upper[0] + place.xi[0] * upper[1]);
     }
+  value[1] *= upwards;
   return value;
 }
 
@@ -117,8 +125,10 @@ void GridProbes::update_ghosts(NodalField<double> &field) const
 
 void GridProbes::sample_strain(const std::size_t k, ProbeHistory &history) const
 {
-  const VoigtVector<2> e = strain(places[k]);
-  const VoigtVector<2> s = material.phases()[history.phase].stiffness * e;
+  VoigtVector<2> e = strain(places[k]);
+  VoigtVector<2> s = material.phases()[history.phase].stiffness * e;
+  e[2] *= upwards;
+  s[2] *= upwards;
   history.strain.insert(history.strain.end(), e.data(), e.data() + 3);
   history.stress.insert(history.stress.end(), s.data(), s.data() + 3);
 }

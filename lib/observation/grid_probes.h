@@ -14,11 +14,13 @@ std::array<double, 3> place_of_probe(const ProbePoint &point, const UniformGrid<
 class GridProbes : public ProbeRecorder
 {
 public:
-  /** References are kept. Points have to lie in the body. */
+  /** References are kept. Points have to lie in the body, which is @p turned_over if its rows are stored downwards from y = 0. Without
+   * @p contact, as of a counter body, there are no tractions. */
   GridProbes(const std::vector<ProbePoint> &points,
              const UniformMaterial &material,
              const Stepper &stepper,
-             const ContactSurface<2> &contact,
+             const ContactSurface<2> *contact,
+             const bool turned_over,
              const std::uint64_t interval);
 
 private:
@@ -40,7 +42,8 @@ private:
 
   const UniformMaterial &material;
   const NodeRows &rows;
-  const ContactSurface<2> &contact;
+  const ContactSurface<2> *const contact;
+  const double upwards; ///< -1 if the body is turned over
   std::vector<Place> places;
   bool needs_ghosts = false; ///< a probe lies between two ranks
 };

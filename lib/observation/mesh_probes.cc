@@ -116,7 +116,7 @@ std::vector<MeshPlace> locate_probes(const Mesh<dim> &mesh,
         {
           const auto box = dealii::BoundingBox<dim>(mesh.points).get_boundary_points();
           throw UserError(
-            "Observation/" + point.name + "/Position: " + coordinates_text(at) +
+            point.section + "/" + point.name + "/Position: " + coordinates_text(at) +
             " m lies outside the body, whose bounding box is from " +
             coordinates_text(box.first) + " to " + coordinates_text(box.second) +
             (cell ? " m; Nearest node = true moves it to a node of the mesh" : " m"));
@@ -130,7 +130,7 @@ MeshProbes<dim>::MeshProbes(const std::vector<MeshPlace> &places,
                             const MeshPart<dim> &part,
                             const std::vector<ElasticPhase<dim>> &phases,
                             const Stepper &stepper,
-                            const Contact &contact,
+                            const std::optional<Contact> &contact,
                             const std::uint64_t interval)
   : ProbeRecorder(stepper, dim, interval)
   , places(places)
@@ -151,7 +151,8 @@ MeshProbes<dim>::MeshProbes(const std::vector<MeshPlace> &places,
               return part.original_in_mesh[point] == place.corners[v];
             }));
         }
-      contact_node.push_back(nearest_contact(place, contact.points));
+      contact_node.push_back(contact ? nearest_contact(place, contact->points)
+                                     : std::nullopt);
       add({place.point.name, place.point.position, place.phase}, owned);
     }
 }
@@ -188,12 +189,12 @@ void MeshProbes<dim>::sample_contact(const std::size_t k, ProbeHistory &history)
 {
   if (!contact_node[k])
     return;
-  const double area    = -contact.area[*contact_node[k]];
-  const unsigned int i = *contact.nodes.find(*contact_node[k]);
-  history.traction.push_back(contact.surface.tangential_force()[i] / area);
+  const double area    = -contact->area[*contact_node[k]];
+  const unsigned int i = *contact->nodes.find(*contact_node[k]);
+  history.traction.push_back(contact->surface.tangential_force()[i] / area);
   if (dim == 3)
-    history.traction.push_back(contact.surface.lateral_force()[i] / area);
-  history.traction.push_back(contact.surface.normal_force()[i] / area);
+    history.traction.push_back(contact->surface.lateral_force()[i] / area);
+  history.traction.push_back(contact->surface.normal_force()[i] / area);
 }
 
 #define MESOSLIP_INSTANTIATE(dim)                                                 \

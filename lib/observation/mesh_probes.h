@@ -7,6 +7,8 @@
 #include "mesh/mesh_part.h"
 #include "observation/probe_recorder.h"
 
+#include <optional>
+
 namespace mesoslip
 {
 /** A probe in a mesh. */
@@ -57,12 +59,12 @@ public:
     const std::vector<double> &area; ///< along the normal, negative as it faces down
   };
 
-  /** References are kept. */
+  /** References are kept. Without @p contact, as of a counter body, there are no tractions. */
   MeshProbes(const std::vector<MeshPlace> &places,
              const MeshPart<dim> &part,
              const std::vector<ElasticPhase<dim>> &phases,
              const Stepper &stepper,
-             const Contact &contact,
+             const std::optional<Contact> &contact,
              const std::uint64_t interval);
 
 private:
@@ -76,7 +78,7 @@ private:
 
   const std::vector<MeshPlace> &places;
   const std::vector<ElasticPhase<dim>> &phases;
-  const Contact contact;
+  const std::optional<Contact> contact;
   std::vector<std::vector<unsigned int>> corners; ///< of the places, points of the part
 
   /** Of the places: the nearest contact node, if they are on the contact. */

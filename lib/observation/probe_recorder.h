@@ -38,6 +38,7 @@ struct ProbeHistory
 /** A point that is watched. */
 struct ProbePoint
 {
+  std::string section;                 ///< of the .prm that has it, "Observation"
   std::string name;                    ///< as in the .prm
   std::array<double, 3> position = {}; ///< from the lower left corner, or on a mesh (m)
   bool nearest_node              = false; ///< move the position to a node

@@ -1,6 +1,7 @@
 #include "base/text.h"
 #include "parameters/keys.h"
 #include "sliding/contact_parameters.h"
+#include "sliding/keys/body_keys.h"
 
 #include <algorithm>
 #include <array>
@@ -12,35 +13,6 @@ namespace
 {
 /** Upper end of the range of whole numbers of time steps. */
 constexpr long most_steps = 1000000000;
-
-void bind_probes(Keys &keys,
-                 const std::vector<std::string> &names,
-                 const unsigned int dim,
-                 std::vector<ProbePoint> &probes)
-{
-  for (const std::string &name : names)
-    {
-      const auto section = keys.section(name);
-      ProbePoint probe;
-      std::vector<double> position;
-      probe.name = name;
-      keys.bind_list(
-        "Position", position, Range::any(),
-        "x and y from the lower left corner; on a mesh its coordinates, in 3D "
-        "with z; has to be given [m]",
-        0, 3);
-      keys.bind("Nearest node", probe.nearest_node, "Move the probe to the nearest node");
-      keys.require(position.size() == dim, "Position",
-                   std::string(position.size() < dim ? "a number is missing; give "
-                                                     : "too many numbers; give ") +
-                     (dim == 2 ? "x and y" : "x, y and z") +
-                     " of the probe from the lower left corner, or on a mesh its "
-                     "coordinates, in m, in a subsection " +
-                     name);
-      std::copy(position.begin(), position.end(), probe.position.begin());
-      probes.push_back(probe);
-    }
-}
 
 void bind_statics(Keys &keys, ContactParameters &p)
 {
@@ -140,7 +112,6 @@ void ContactParameters::bind_observation(Keys &keys)
   ObservationParameters &o = observation;
   {
     const auto section = keys.section("Observation");
-    std::vector<std::string> probes;
     keys.bind_or_auto(
       "History interval", history_interval, most_steps,
       "Time steps between samples of the histories in dynamics.h5; auto: as many as "
@@ -172,16 +143,14 @@ void ContactParameters::bind_observation(Keys &keys)
     keys.bind("Contact means", o.contact_means,
               "Mean pressure and friction work of every contact node, of every step and "
               "over the blocks");
-    keys.bind_names("Probes", probes, "probe",
-                    "Names of points that are observed, each with a subsection of that "
-                    "name");
     keys.bind_or_auto("Probe interval", probe_interval, most_steps,
                       "Time steps between samples of the probes; auto: as for History "
                       "interval [-]");
-    bind_probes(keys, probes, mesh.mesh.dim, o.probes);
+    o.probes = bind_probes(keys, "Observation", mesh.mesh.dim);
     // Probes and snapshots may be switched off on purpose in a file that is otherwise
     // complete; then the other keys stay.
-    keys.only_if(!probes.empty() || keys.is_typed("Observation/Probes"),
+    keys.only_if(keys.is_typed("Observation/Probes") ||
+                   keys.is_typed("Counter body/Observation/Probes"),
                  {"Probe interval"}, "there are no probes",
                  "name some in Observation/Probes");
   }

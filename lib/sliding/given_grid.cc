@@ -43,17 +43,25 @@ BodyDescription make_body_on_root(const ContactParameters &parameters)
   return body;
 }
 
-void check_probes(const ObservationParameters &observation, const UniformGrid<2> &grid)
+/** Of a body, or of one that is @p turned_over below y = 0. */
+void check_probes(const ObservationParameters &observation,
+                  const UniformGrid<2> &grid,
+                  const bool turned_over)
 {
+  const double left = grid.origin[0], right = left + grid.extent(0),
+               bottom = turned_over ? -grid.extent(1) : 0., top = bottom + grid.extent(1),
+               rounding = 1e-12;
   for (const ProbePoint &probe : observation.probes)
-    for (unsigned int d = 0; d < 2; ++d)
-      if (!(probe.position[d] >= 0. &&
-            probe.position[d] <= grid.extent(d) * (1. + 1e-12)))
-        throw UserError("Observation/" + probe.name + "/Position: (" +
-                        to_text(probe.position[0]) + ", " + to_text(probe.position[1]) +
-                        ") m lies outside the body, which reaches from (0, 0) to (" +
-                        to_text(grid.extent(0)) + ", " + to_text(grid.extent(1)) +
-                        ") m; positions are in m");
+    if (const auto &[x, y, z] = probe.position;
+        !(x >= left - rounding * grid.extent(0) &&
+          x <= right + rounding * grid.extent(0) &&
+          y >= bottom - rounding * grid.extent(1) &&
+          y <= top + rounding * grid.extent(1)))
+      throw UserError(probe.section + "/" + probe.name + "/Position: (" + to_text(x) +
+                      ", " + to_text(y) +
+                      ") m lies outside the body, which reaches from (" + to_text(left) +
+                      ", " + to_text(bottom) + ") to (" + to_text(right) + ", " +
+                      to_text(top) + ") m; positions are in m");
   const double x = observation.reference_x;
   if (!std::isnan(x) && !(x >= 0. && x <= grid.extent(0)))
     throw UserError("Observation/Reference x: " + to_text(x) +
@@ -105,7 +113,7 @@ GivenGrid::GivenGrid(const ContactParameters &given, const BodyDescription &desc
   , body(described)
   , material(make_material(body, given.periodic))
 {
-  check_probes(parameters.observation, body.grid);
+  check_probes(parameters.observation, body.grid, parameters.is_turned_over());
   require_frequency(material);
   if (parameters.analysis == ContactAnalysis::transient && !parameters.is_turned_over())
     check_ranks(body.grid);
@@ -289,8 +297,8 @@ BodyInMotion<2> GivenGrid::start(const SlidingSetup &given,
   sliding->set_initial_velocity(parameters.body.initial_velocity);
   BodyInMotion<2> motion;
   if (!probes.empty())
-    motion.probes = std::make_unique<GridProbes>(probes, material, sliding->stepper,
-                                                 sliding->contact, setup.probe_interval);
+    motion.probes = std::make_unique<GridProbes>(
+      probes, material, sliding->stepper, &sliding->contact, false, setup.probe_interval);
   motion.displacement = [&moving = *sliding]() {
     const NodeRows &rows = moving.rows;
     return FieldRows{rows.begin,

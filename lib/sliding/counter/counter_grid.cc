@@ -1,4 +1,5 @@
 #include "exchange/grid_file.h"
+#include "observation/grid_probes.h"
 #include "program/run_context.h"
 #include "sliding/given_grid.h"
 
@@ -49,6 +50,9 @@ CounterMotion<2> GivenGrid::start_below(const SlidingSetup &given,
         }
     return FieldRows{0, interleaved(upright)};
   };
+  if (const auto &probes = parameters.observation.probes; !probes.empty())
+    below.probes = std::make_unique<GridProbes>(probes, material, sliding->stepper,
+                                                nullptr, true, given.probe_interval);
   below.body = std::move(sliding);
   return below;
 }

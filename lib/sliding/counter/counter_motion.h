@@ -17,6 +17,7 @@ struct CounterMotion
 {
   std::unique_ptr<PartnerSurface<dim>> partner; ///< moves its contact nodes
   std::unique_ptr<SlidingBody<dim>> body;       ///< all of it that moves
+  std::unique_ptr<ProbeRecorder> probes;        ///< refer to the body; null without any
   std::function<FieldRows()> displacement;      ///< as files have it, upright
   SurfaceMeeting meeting;                       ///< of the contacts of both
   MPI_Comm communicator = MPI_COMM_SELF;        ///< of the ranks that have it

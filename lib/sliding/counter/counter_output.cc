@@ -3,6 +3,7 @@
 #include "base/exchange.h"
 #include "exchange/grid_file.h"
 #include "exchange/run_description.h"
+#include "sliding/transient/result_file.h"
 
 namespace mesoslip
 {
@@ -40,11 +41,13 @@ void CounterOutput<dim>::end()
 }
 
 template <int dim>
-void CounterOutput<dim>::write(const RunConditions &conditions)
+void CounterOutput<dim>::write(const RunConditions &conditions,
+                               const std::vector<ProbeHistory> &probes)
 {
   Hdf5File file = Hdf5File::resume(path, "start again");
   snapshots.complete(file);
   write_run_conditions(file, conditions_below(conditions));
+  write_probes(file, probes, dim);
   snapshots.show(path);
   file.close();
 }

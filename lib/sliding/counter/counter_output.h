@@ -29,8 +29,8 @@ public:
   /** There are no more snapshots. */
   void end();
 
-  /** On rank 0, after end(): completes the file with the @p conditions of the run. */
-  void write(const RunConditions &conditions);
+  /** On rank 0, after end(): completes the file with the @p conditions of the run and what @p probes saw. */
+  void write(const RunConditions &conditions, const std::vector<ProbeHistory> &probes);
 
   Snapshots<dim> snapshots; ///< displacements of the second body
 

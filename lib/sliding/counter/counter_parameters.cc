@@ -1,5 +1,6 @@
 #include "parameters/keys.h"
 #include "sliding/contact_parameters.h"
+#include "sliding/counter/counter_text.h"
 #include "sliding/keys/body_keys.h"
 #include "sliding/supports/side_keys.h"
 
@@ -13,10 +14,27 @@ namespace mesoslip
 {
 namespace
 {
-/** A support of a body that is computed upside down. */
+/** Whether an expression is "-(...)" with brackets that belong together. */
+bool is_negative(const std::string &text)
+{
+  if (text.size() < 3 || text.compare(0, 2, "-(") != 0)
+    return false;
+  int depth     = 0;
+  std::size_t k = 1;
+  do
+    depth += text[k] == '(' ? 1 : text[k] == ')' ? -1 : 0;
+  while (depth > 0 && ++k < text.size());
+  return k + 1 == text.size();
+}
+
+std::string negative(const std::string &text)
+{
+  return is_negative(text) ? text.substr(2, text.size() - 3) : "-(" + text + ")";
+}
+} // namespace
+
 SideSupport turned_over(SideSupport side, const unsigned int dim)
 {
-  const auto negative = [](const std::string &text) { return "-(" + text + ")"; };
   LoadHistory &motion = side.suspension.motion[dim - 1];
   if (motion.is_expression())
     motion = LoadHistory(1., negative(motion.shape()));
@@ -26,6 +44,8 @@ SideSupport turned_over(SideSupport side, const unsigned int dim)
   return side;
 }
 
+namespace
+{
 /** The bottom as the top of a body that is computed upside down. */
 TopSetup top_of(const SideSupport &bottom, const Keys &keys, const unsigned int dim)
 {
@@ -120,12 +140,16 @@ void ContactParameters::bind_counter(Keys &keys)
     bind_damping(keys, "Rayleigh beta", other->step.beta, other->step.beta_of_phases,
                  "As Time/Rayleigh beta, of the counter body [s]");
   bind_supports_below(keys, *other);
+  {
+    const auto observation    = keys.section("Observation");
+    other->observation.probes = bind_probes(keys, "Counter body/Observation", dim);
+  }
   const bool is_there =
     other->body.size[0] > 0. || !other->body.rve_file.empty() || other->mesh.is_given();
   keys.only_if(is_there,
                {"Material", "Stiffness from", "Stiffness", "Density", "Cells", "Position",
                 "Sliding", "Periodic", "Periodic in y", "Initial velocity",
-                "Rayleigh alpha", "Rayleigh beta", "Supports/"},
+                "Rayleigh alpha", "Rayleigh beta", "Supports/", "Observation/"},
                "Counter body/Size is empty, so that the flat is rigid", "give it");
   keys.only_if(!other->mesh.is_given(), {"Size", "Cells", "Position"},
                "the counter body is a mesh", "remove Counter body/Mesh/File");
@@ -160,12 +184,9 @@ void ContactParameters::check_counter(const Keys &keys,
                                       const ContactParameters &other) const
 {
   const std::string size = other.mesh.is_given() ? "Mesh/File" : "Size";
-  keys.require(analysis == ContactAnalysis::transient ||
-                 analysis == ContactAnalysis::static_contact ||
-                 analysis == ContactAnalysis::complex_modes,
-               size,
-               "a counter body is known in transient runs, static contact and complex "
-               "modes; leave it empty, or set Analysis = transient");
+  keys.require(analysis != ContactAnalysis::friction_homogenization, size,
+               "the homogenization of friction knows no counter body; leave it empty, or "
+               "set Analysis = transient");
   keys.require(analysis != ContactAnalysis::transient ||
                  mesh.is_plane_grid() == other.mesh.is_plane_grid(),
                size,

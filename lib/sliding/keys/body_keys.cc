@@ -119,4 +119,37 @@ void bind_material(Keys &keys,
                "name an rve.h5 there");
   keys.only_with("Material", {"homogeneous"}, {"Stiffness from"});
 }
+std::vector<ProbePoint>
+bind_probes(Keys &keys, const std::string &section_of_probes, const unsigned int dim)
+{
+  std::vector<std::string> names;
+  keys.bind_names(
+    "Probes", names, "probe",
+    "Names of points that are observed, each with a subsection of that name");
+  std::vector<ProbePoint> probes;
+  for (const std::string &name : names)
+    {
+      const auto section = keys.section(name);
+      ProbePoint probe;
+      std::vector<double> position;
+      probe.section = section_of_probes;
+      probe.name    = name;
+      keys.bind_list(
+        "Position", position, Range::any(),
+        "x and y from the lower left corner; on a mesh its coordinates, in 3D "
+        "with z; has to be given [m]",
+        0, 3);
+      keys.bind("Nearest node", probe.nearest_node, "Move the probe to the nearest node");
+      keys.require(position.size() == dim, "Position",
+                   std::string(position.size() < dim ? "a number is missing; give "
+                                                     : "too many numbers; give ") +
+                     (dim == 2 ? "x and y" : "x, y and z") +
+                     " of the probe from the lower left corner, or on a mesh its "
+                     "coordinates, in m, in a subsection " +
+                     name);
+      std::copy(position.begin(), position.end(), probe.position.begin());
+      probes.push_back(probe);
+    }
+  return probes;
+}
 } // namespace mesoslip

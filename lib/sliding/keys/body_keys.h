@@ -32,6 +32,10 @@ void bind_material(Keys &keys,
                    BodyParameters &body,
                    MeshBodyParameters &mesh,
                    const bool may_be_absent = false);
+/** Points that are observed, their names in the key Probes and their places in subsections of the open section, which is
+ * @p section_of_probes. */
+std::vector<ProbePoint>
+bind_probes(Keys &keys, const std::string &section_of_probes, const unsigned int dim);
 } // namespace mesoslip
 
 #endif

@@ -78,6 +78,9 @@ private:
   std::vector<ProbePoint> probe_places() const;
   unsigned int most_ranks() const;
   std::function<FieldRows()> displacement_rows(const SlidingMesh<dim> &moving) const;
+  std::unique_ptr<ProbeRecorder> probes_of(const SlidingMesh<dim> &moving,
+                                           const bool in_contact,
+                                           const std::uint64_t interval) const;
   void describe_contact();
 
   std::unique_ptr<DistributedBody<dim>> distributed; ///< of steps

@@ -29,12 +29,7 @@ BodyInMotion<dim> GivenMesh<dim>::start(const SlidingSetup &given,
     context.options().profile ? &context.timer() : nullptr, counter);
   sliding->set_initial_velocity(parameters.body.initial_velocity, body.held, body.top);
   BodyInMotion<dim> motion;
-  if (!body.probes.empty())
-    motion.probes = std::make_unique<MeshProbes<dim>>(
-      body.probes, distributed->part(), phases, sliding->stepper,
-      typename MeshProbes<dim>::Contact{sliding->contact, sliding->contact_nodes,
-                                        body.contact.points, body.contact.area},
-      setup.probe_interval);
+  motion.probes       = probes_of(*sliding, true, setup.probe_interval);
   motion.displacement = displacement_rows(*sliding);
   motion.body         = std::move(sliding);
   return motion;
@@ -52,9 +47,28 @@ CounterMotion<dim> GivenMesh<dim>::start_below(const SlidingSetup &given,
                                                     nullptr, below.partner.get());
   below.partner->nodes = nodes_of_contact(sliding->contact_nodes);
   sliding->set_initial_velocity(parameters.body.initial_velocity, body.held, body.top);
+  below.probes       = probes_of(*sliding, false, given.probe_interval);
   below.displacement = displacement_rows(*sliding);
   below.body         = std::move(sliding);
   return below;
+}
+
+/** Null without any; @p in_contact, they have tractions. */
+template <int dim>
+std::unique_ptr<ProbeRecorder>
+GivenMesh<dim>::probes_of(const SlidingMesh<dim> &moving,
+                          const bool in_contact,
+                          const std::uint64_t interval) const
+{
+  if (body.probes.empty())
+    return nullptr;
+  using Contact = typename MeshProbes<dim>::Contact;
+  std::optional<Contact> contact;
+  if (in_contact)
+    contact.emplace(Contact{moving.contact, moving.contact_nodes, body.contact.points,
+                            body.contact.area});
+  return std::make_unique<MeshProbes<dim>>(body.probes, distributed->part(), phases,
+                                           moving.stepper, contact, interval);
 }
 
 template <int dim>
@@ -86,6 +100,8 @@ GivenMesh<dim>::displacement_rows(const SlidingMesh<dim> &moving) const
                                                    CounterMotion<dim> *) const;        \
   template CounterMotion<dim> GivenMesh<dim>::start_below(const SlidingSetup &,        \
                                                           RunContext &) const;         \
+  template std::unique_ptr<ProbeRecorder> GivenMesh<dim>::probes_of(                   \
+    const SlidingMesh<dim> &, const bool, const std::uint64_t) const;                  \
   template std::function<FieldRows()> GivenMesh<dim>::displacement_rows(               \
     const SlidingMesh<dim> &) const;
 MESOSLIP_INSTANTIATE(2)

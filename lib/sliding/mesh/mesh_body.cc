@@ -168,7 +168,7 @@ ReferenceNode reference_node(const BodyMesh<dim> &morphology,
     }
   std::copy_n(&mesh.points[contact.points[node.number]][0], dim, node.position.begin());
   node.area        = -contact.area[node.number];
-  const auto place = morphology.places_of({{"the reference node", node.position}});
+  const auto place = morphology.places_of({{"", "the reference node", node.position}});
   node.phase       = morphology.phase_of(place[0].material);
   return node;
 }

@@ -37,7 +37,7 @@ void bind_components(Keys &keys,
       double at_start = 0.;
       try
         {
-          at_start = use(c, expression);
+          at_start = use(c, trimmed(expression));
         }
       catch (const std::invalid_argument &e)
         {

@@ -228,6 +228,14 @@ RunConditions conditions_of_result(const ContactParameters &parameters,
   return conditions;
 }
 
+void write_probes(Hdf5File &file,
+                  const std::vector<ProbeHistory> &probes,
+                  const unsigned int dim)
+{
+  for (const ProbeHistory &probe : probes)
+    write_probe(file, "/probes/" + probe.name, probe, dim);
+}
+
 RunConditions conditions_of_result(const TransientResult &run)
 {
   const double dt = run.time.step.dt;
@@ -242,8 +250,7 @@ void write_result(Hdf5File &file, const TransientResult &run, const RunContext &
   write_history(file, run, context);
   if (!run.energy.time.empty())
     write_energy(file, run, context);
-  for (const ProbeHistory &probe : run.probes)
-    write_probe(file, "/probes/" + probe.name, probe, run.body.dim);
+  write_probes(file, run.probes, run.body.dim);
   if (!run.history.nodes.empty())
     write_reference_node(file, run);
   write_states(file, run);

@@ -13,6 +13,11 @@ namespace mesoslip
  */
 void write_result(Hdf5File &file, const TransientResult &run, const RunContext &context);
 
+/** Writes /probes of a body in @p dim dimensions. */
+void write_probes(Hdf5File &file,
+                  const std::vector<ProbeHistory> &probes,
+                  const unsigned int dim);
+
 /** What /run tells of a transient run. */
 RunConditions conditions_of_result(const TransientResult &run);
 

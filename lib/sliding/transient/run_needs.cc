@@ -56,8 +56,10 @@ double history_bytes(const ContactParameters &parameters, const TimeStepChoice &
   // Of a sample of the histories with the reference node; of a probe; of the energies.
   constexpr double history_numbers = 18., probe_numbers = 11., energy_numbers = 10.;
   const ObservationParameters &o = parameters.observation;
-  const double n_probes          = static_cast<double>(o.probes.size());
-  const double n_steps           = static_cast<double>(time.n_steps);
+  const std::size_t below =
+    parameters.counter ? parameters.counter->observation.probes.size() : 0;
+  const double n_probes = static_cast<double>(o.probes.size() + below);
+  const double n_steps  = static_cast<double>(time.n_steps);
   double numbers =
     history_numbers * n_steps / time.interval(parameters.history_interval) +
     probe_numbers * n_probes * n_steps / time.interval(parameters.probe_interval);

@@ -110,6 +110,13 @@ unsigned int TransientAnalysis<dim>::useful_ranks() const
   return updates < facts.long_run ? 1 : facts.most_ranks;
 }
 
+/** Snapshots or probes of a counter body. */
+template <int dim>
+bool TransientAnalysis<dim>::has_counter_file() const
+{
+  return !counter->facts().probes.empty() || !snapshot_steps(parameters, time).empty();
+}
+
 template <int dim>
 void TransientAnalysis<dim>::write_draft(const std::string &folder) const
 {
@@ -118,16 +125,20 @@ void TransientAnalysis<dim>::write_draft(const std::string &folder) const
     Hdf5File file =
       body->create_file(path_of_draft(folder, "dynamics.h5"), dynamics_format);
     write_transient_draft(file, parameters, time, body->vectors_shape());
-    for (const ProbePoint &probe : facts.probes)
-      add_draft_probe(file, probe.name,
-                      {probe.position.begin(), probe.position.begin() + dim},
-                      time.interval(parameters.probe_interval), time);
+    const auto add_probes = [&](Hdf5File &to, const std::vector<ProbePoint> &probes) {
+      for (const ProbePoint &probe : probes)
+        add_draft_probe(to, probe.name,
+                        {probe.position.begin(), probe.position.begin() + dim},
+                        time.interval(parameters.probe_interval), time);
+    };
+    add_probes(file, facts.probes);
     file.close();
-    if (counter && !snapshot_steps(parameters, time).empty())
+    if (counter && has_counter_file())
       {
         Hdf5File below =
           counter->create_file(path_of_draft(folder, "counter_body.h5"), dynamics_format);
         write_transient_draft(below, parameters, time, counter->vectors_shape(), true);
+        add_probes(below, counter->facts().probes);
         below.close();
       }
   });
@@ -158,8 +169,10 @@ void TransientAnalysis<dim>::run(RunContext &context)
 
   CounterMotion<dim> below;
   if (counter)
-    below = counter->start_below(
-      setup_below(*parameters.counter, counter->facts().size, time.step), context);
+    below = counter->start_below(setup_below(*parameters.counter, counter->facts().size,
+                                             time.step,
+                                             time.interval(parameters.probe_interval)),
+                                 context);
   below.meeting                  = meeting;
   SlidingSetup setup             = run_setup(parameters, facts.size, time);
   setup.contact.is_coupled       = meeting.couples();
@@ -168,7 +181,8 @@ void TransientAnalysis<dim>::run(RunContext &context)
   const auto of_counter_output = counter_output(context, below);
   TransientRun<dim> run({parameters, time, facts.scales, facts.size, n_cells(),
                          facts.place, *motion.body, motion.probes.get(), below.body.get(),
-                         of_counter_output.get(), output, checkpoint, context});
+                         below.probes.get(), of_counter_output.get(), output, checkpoint,
+                         context});
   starting.reset();
   run.carry_out(found == TransientCheckpoint::Found::state,
                 [&]() { body->summarize("transient", context); });
@@ -179,12 +193,11 @@ std::unique_ptr<CounterOutput<dim>>
 TransientAnalysis<dim>::counter_output(RunContext &context,
                                        const CounterMotion<dim> &below) const
 {
-  const std::vector<std::uint64_t> steps = snapshot_steps(parameters, time);
-  if (!below.body || steps.empty())
+  if (!below.body || !has_counter_file())
     return nullptr;
   return std::make_unique<CounterOutput<dim>>(context.file("counter_body.h5"), *counter,
-                                              below, steps, time.step.dt,
-                                              context.timer());
+                                              below, snapshot_steps(parameters, time),
+                                              time.step.dt, context.timer());
 }
 
 template class TransientAnalysis<2>;

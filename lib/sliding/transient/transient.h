@@ -54,6 +54,7 @@ private:
   using BodyAnalysis<dim>::parameters;
 
   TimeStepChoice time_step() const;
+  bool has_counter_file() const;
   std::unique_ptr<CounterOutput<dim>>
   counter_output(RunContext &context, const CounterMotion<dim> &below) const;
   std::vector<std::string> warnings() const;

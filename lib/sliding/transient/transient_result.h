@@ -31,23 +31,24 @@ struct TransientResult
    * @name Observed
    * @{
    */
-  ContactHistory history           = {};    ///< of the contact
-  TopHistory top                   = {};    ///< of the top
-  SteadySeries series              = {};    ///< for the statistics
-  std::vector<NodeCounts> blocks   = {};    ///< contact states by node
-  EnergyHistory energy             = {};    ///< terms of the balance
-  std::vector<ProbeHistory> probes = {};    ///< in the order of the .prm
-  std::uint64_t steps_done         = 0;     ///< of the whole run
-  double friction_energy           = 0.;    ///< dissipated in all steps (J, in 2D J/m)
-  double loop_seconds              = 0.;    ///< wall-clock time of the time loop
-  bool interrupted                 = false; ///< stopped on request
-  std::string kernel               = {};    ///< variant and instruction set
-  std::string limit_cycle          = {};    ///< the criterion and what came of it
-  bool limit_cycle_reached         = false; ///< by the criterion
-  double steady_from               = 0.;    ///< s
-  double largest_strain            = 0.;    ///< norm of the mean strain of a cell
-  double largest_weakening         = 0.;    ///< see VariableFriction
-  PairSettling settling            = {};    ///< with a second body, on rank 0
+  ContactHistory history                 = {}; ///< of the contact
+  TopHistory top                         = {}; ///< of the top
+  SteadySeries series                    = {}; ///< for the statistics
+  std::vector<NodeCounts> blocks         = {}; ///< contact states by node
+  EnergyHistory energy                   = {}; ///< terms of the balance
+  std::vector<ProbeHistory> probes       = {}; ///< in the order of the .prm
+  std::vector<ProbeHistory> probes_below = {}; ///< of a counter body, likewise
+  std::uint64_t steps_done               = 0;  ///< of the whole run
+  double friction_energy                 = 0.; ///< dissipated in all steps (J, in 2D J/m)
+  double loop_seconds                    = 0.; ///< wall-clock time of the time loop
+  bool interrupted                       = false; ///< stopped on request
+  std::string kernel                     = {};    ///< variant and instruction set
+  std::string limit_cycle                = {};    ///< the criterion and what came of it
+  bool limit_cycle_reached               = false; ///< by the criterion
+  double steady_from                     = 0.;    ///< s
+  double largest_strain                  = 0.;    ///< norm of the mean strain of a cell
+  double largest_weakening               = 0.;    ///< see VariableFriction
+  PairSettling settling                  = {};    ///< with a second body, on rank 0
   /** @} */
 
   /**

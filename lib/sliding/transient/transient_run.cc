@@ -44,11 +44,13 @@ SlidingSetup run_setup(const ContactParameters &parameters,
 
 SlidingSetup setup_below(const ContactParameters &parameters,
                          const BodySize &size,
-                         const StepParameters &step)
+                         const StepParameters &step,
+                         const unsigned int probe_interval)
 {
   SlidingSetup setup                 = static_cast<const SlidingSetup &>(parameters);
   setup.step.dt                      = step.dt;
   setup.history_interval             = 0;
+  setup.probe_interval               = probe_interval;
   setup.contact.friction_coefficient = size.friction;
   return setup;
 }
@@ -182,8 +184,9 @@ std::vector<StepObserver *> TransientRun<dim>::observers()
     add(*parts.counter->energy, "Energies");
   if (parts.counter_output != nullptr)
     add(parts.counter_output->snapshots, "Snapshots");
-  if (parts.probes != nullptr)
-    add(*parts.probes, "Probes");
+  for (ProbeRecorder *probes : {parts.probes, parts.probes_below})
+    if (probes != nullptr)
+      add(*probes, "Probes");
   if (Snapshots<dim> &snapshots = parts.output.snapshots; snapshots.are_wanted())
     {
       add(snapshots, "Snapshots");
@@ -245,6 +248,8 @@ TransientResult TransientRun<dim>::collect()
     all.energy += parts.counter->energy->reduce();
   if (parts.probes != nullptr)
     all.probes = parts.probes->gather();
+  if (parts.probes_below != nullptr)
+    all.probes_below = parts.probes_below->gather();
   all.steps_done = stepper.step_number();
   all.friction_energy =
     mpi::sum(parts.body.boundary_work().friction, parts.context.communicator());
@@ -289,7 +294,7 @@ void TransientRun<dim>::carry_out(const bool continued,
         result.evaluate();
         parts.output.write(result, map.get());
         if (parts.counter_output != nullptr)
-          parts.counter_output->write(conditions_of_result(result));
+          parts.counter_output->write(conditions_of_result(result), result.probes_below);
         summarize_body();
         result.write_summary(context);
       });

@@ -33,10 +33,11 @@ SlidingSetup run_setup(const ContactParameters &parameters,
                        const BodySize &size,
                        const TimeStepChoice &time);
 
-/** The same of a counter body, which is observed in its energies and snapshots alone. */
+/** The same of a counter body, which is observed in its energies, snapshots and probes alone. */
 SlidingSetup setup_below(const ContactParameters &parameters,
                          const BodySize &size,
-                         const StepParameters &step);
+                         const StepParameters &step,
+                         const unsigned int probe_interval);
 
 /** What a run is of, as the kind of the body has it; all of it must outlive the run. */
 template <int dim>
@@ -51,10 +52,11 @@ struct RunParts
   SlidingBody<dim> &body;              ///< in its initial state
   ProbeRecorder *probes;               ///< null without any
   SlidingBody<dim> *counter;           ///< below it, on ranks that have it; else null
-  CounterOutput<dim> *counter_output;  ///< of its snapshots, likewise; null without any
-  RunOutput<dim> &output;              ///< dynamics.h5
-  TransientCheckpoint &checkpoint;     ///< of the run
-  RunContext &context;                 ///< of the program
+  ProbeRecorder *probes_below;        ///< of the counter body, likewise; null without any
+  CounterOutput<dim> *counter_output; ///< of its snapshots, likewise; null without any
+  RunOutput<dim> &output;             ///< dynamics.h5
+  TransientCheckpoint &checkpoint;    ///< of the run
+  RunContext &context;                ///< of the program
 };
 
 /**
@@ -85,6 +87,8 @@ public:
       archive &*parts.counter;
     if (parts.probes != nullptr)
       archive &*parts.probes;
+    if (parts.probes_below != nullptr)
+      archive &*parts.probes_below;
   }
 
 private:

@@ -26,10 +26,11 @@ struct ObservedBody : Body
         stepper,
         [this]() { return boundary_work(); },
         [](const Runaway &, std::uint64_t) { throw std::runtime_error("blown up"); })
-    , probes({{"inside", {{0.9e-3, 0.7e-3}}}, {"contact", {{0.5e-3, 0.}}}},
+    , probes({{"", "inside", {{0.9e-3, 0.7e-3}}}, {"", "contact", {{0.5e-3, 0.}}}},
              material,
              stepper,
-             contact,
+             &contact,
+             false,
              5)
     , watch(LimitCycleCriterion(), 10, setup.energy_interval, MPI_COMM_SELF)
     , statistics(recent_interval, setup.step.dt, 16)
