@@ -143,10 +143,10 @@ void ContactParameters::bind_observation(Keys &keys)
     keys.bind("Contact means", o.contact_means,
               "Mean pressure and friction work of every contact node, of every step and "
               "over the blocks");
+    o.probes = bind_probes(keys, "Observation", mesh.mesh.dim);
     keys.bind_or_auto("Probe interval", probe_interval, most_steps,
                       "Time steps between samples of the probes; auto: as for History "
                       "interval [-]");
-    o.probes = bind_probes(keys, "Observation", mesh.mesh.dim);
     // Probes and snapshots may be switched off on purpose in a file that is otherwise
     // complete; then the other keys stay.
     keys.only_if(keys.is_typed("Observation/Probes") ||

@@ -170,12 +170,15 @@ CPU time; `system/programs/ranks` does the same with smaller bodies.
 * Macroscopic loads and mixed uniform conditions against dense NumPy: `verification/volumes/macroscopic_loads`, `verification/volumes/mixed_conditions`.
 * Complex modes of heterogeneous pins against scipy, and their growth in runs: `system/sliding/complex_modes`, `system/pages/prediction`;
   at an angle to the sliding in 3D against a closed form and numpy: `verification/contact/oblique_modes`.
+* Two bodies: random pairs against dense matrices, step by step, at rest, in modes and complex modes, with nodes that match or not (`verification/contact/random_pairs`, `random_surfaces`, `random_pairs_at_rest`);
+  growing waves of two layers and of half-spaces (`two_layers`, `half_spaces`); Hertz and Cattaneo and Mindlin of two bodies (`hertz_pair`, `equal_bodies`); Weertman's pulse at
+  the generalized Rayleigh speed, within 0.5 % (`interface_pulse`); when a rupture arrives along a fault with the material, stresses and friction of SCEC's TPV3, within 0.5 % of
+  a spectral boundary integral code (`rupture_times`).
 
 ## Not covered
 
-* Benchmarks of rupture between two bodies (SCEC TPV205-2D, TPV6). They are not the problem of one half on a rigid flat: what is antisymmetric about the fault has u_x odd
-  and u_y even, so that the fault moves along y under an unchanged normal stress, while a rigid flat lets no node move along y and changes the normal stress. They need a contact
-  under a given normal stress, which no program here has. A contact that slips, sticks and sends waves is compared with its exact solution by the column above.
+* The published curves of SCEC's benchmarks of rupture: initial stresses that differ along a fault are no input here, and TPV3 and TPV5 are problems in 3D. A plane rupture of their kind is compared
+  with another method (above).
 * Growth of sliding is compared in the linear range. What follows the first separation has no exact solution; for it there are refinement, the
   energy balance and the paper.
 * The order at corners of fibres is known for the stiffness, not for the stresses, which do not converge there.

@@ -24,24 +24,25 @@ CHANGES = ((RIGID, keys([1e3 * number for number in STEEL], 7.8e6, 10e-3)),
 SHOWN = "steel 10 mm"
 
 
-def motion(path):
-    """Vertical displacement of the last snapshot less its mean over the last ones, and the extent (mm)."""
+def motion(path, component):
+    """Displacement along `component` in the last snapshot less its mean over the last ones, and the extent (mm)."""
     with h5py.File(path) as file:
-        u = file["snapshots/displacement"][..., 1]
+        u = file["snapshots/displacement"][..., "xy".index(component)]
         grid = file["grid"].attrs
         low = np.asarray(grid["origin"])
         high = low + np.asarray(grid["spacing"]) * np.asarray(grid["cells"])
     return u[-1] - u.mean(axis=0), 1e3 * np.array([low[0], high[0], low[1], high[1]])
 
 
-def draw_motion(axis, folder):
-    both = [motion(os.path.join(folder, SHOWN, name)) for name in ("dynamics.h5", "counter_body.h5")]
+def draw_motion(axis, folder, run, component, title):
+    """The vibration of both bodies of a run."""
+    both = [motion(os.path.join(folder, run, name), component) for name in ("dynamics.h5", "counter_body.h5")]
     largest = 1e9 * max(np.abs(u).max() for u, _ in both)
     for u, extent in both:
         image = axis.imshow(1e9 * u, origin="lower", extent=extent, cmap="RdBu_r", vmin=-largest, vmax=largest, interpolation="bilinear", aspect="equal")
     axis.axhline(0, color=BLACK, lw=0.8)
     axis.set(xlabel="x (mm)", ylabel="y (mm)", ylim=(both[1][1][2], both[0][1][3]))
-    axis.set_title("(a) vibration along y of the pin and a disc of steel, 10 mm", loc="left")
+    axis.set_title(title, loc="left")
     axis.grid(False)
     plt.colorbar(image, ax=axis, label="nm", shrink=0.85)
 
@@ -49,7 +50,7 @@ def draw_motion(axis, folder):
 def draw(folder, path):
     """Draws the runs of CHANGES in `folder`."""
     figure, (above, below) = plt.subplots(2, 1, figsize=(6.4, 5.6), height_ratios=[1.25, 1])
-    draw_motion(above, folder)
+    draw_motion(above, folder, SHOWN, "y", "(a) vibration along y of the pin and a disc of steel, 10 mm")
     for number, (name, _) in enumerate(CHANGES):
         with open(os.path.join(folder, name, "summary.json"), encoding="utf-8") as file:
             summary = json.load(file)

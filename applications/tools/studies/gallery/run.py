@@ -24,7 +24,7 @@ and its report is made by
     /usr/bin/python3 applications/tools/report/make_report.py FOLDER --output report.html
 
 Times are by the clock on one core, chains without the report. `./run.sh gallery` runs all of them and writes this page.
-Pictures are from the reports, but for those of the five laws, of the map of a tribometer and of the disc.
+Pictures are from the reports, but for those of the five laws, of the map of a tribometer, of the disc, the blocks and the pulse.
 
 {examples}
 """
