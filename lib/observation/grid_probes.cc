@@ -1,5 +1,7 @@
 #include "observation/grid_probes.h"
 
+#include "base/errors.h"
+#include "base/text.h"
 #include "grid/row_partition.h"
 
 #include <algorithm>
@@ -15,6 +17,27 @@ std::array<double, 3> place_of_probe(const ProbePoint &point, const UniformGrid<
       grid.origin[d] +
       std::round((position[d] - grid.origin[d]) / grid.spacing[d]) * grid.spacing[d];
   return position;
+}
+
+void check_probes(const std::vector<ProbePoint> &points,
+                  const UniformGrid<2> &grid,
+                  const bool turned_over)
+{
+  constexpr double rounding       = 1e-12; // of the extent
+  const std::array<double, 2> low = {
+    {grid.origin[0], turned_over ? -grid.extent(1) : 0.}};
+  for (const ProbePoint &point : points)
+    for (unsigned int d = 0; d < 2; ++d)
+      {
+        const double length = grid.extent(d), from_low = point.position[d] - low[d];
+        if (!(from_low >= -rounding * length && from_low <= (1. + rounding) * length))
+          throw UserError(point.section + "/" + point.name + "/Position: (" +
+                          to_text(point.position[0]) + ", " + to_text(point.position[1]) +
+                          ") m lies outside the body, which reaches from (" +
+                          to_text(low[0]) + ", " + to_text(low[1]) + ") to (" +
+                          to_text(low[0] + grid.extent(0)) + ", " +
+                          to_text(low[1] + grid.extent(1)) + ") m; positions are in m");
+      }
 }
 
 GridProbes::GridProbes(const std::vector<ProbePoint> &points,

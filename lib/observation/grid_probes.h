@@ -10,6 +10,11 @@ namespace mesoslip
 /** Where a probe is: a node, if it is to be moved to the nearest one. */
 std::array<double, 3> place_of_probe(const ProbePoint &point, const UniformGrid<2> &grid);
 
+/** That points lie in a body, or in one that is @p turned_over below y = 0. @throws UserError naming the key of one that does not */
+void check_probes(const std::vector<ProbePoint> &points,
+                  const UniformGrid<2> &grid,
+                  const bool turned_over);
+
 /** Probes on a grid: Q1 interpolation, the strain at a cell's centre is the cell mean. */
 class GridProbes : public ProbeRecorder
 {

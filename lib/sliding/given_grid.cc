@@ -43,26 +43,8 @@ BodyDescription make_body_on_root(const ContactParameters &parameters)
   return body;
 }
 
-/** Of a body, or of one that is @p turned_over below y = 0. */
-void check_probes(const ObservationParameters &observation,
-                  const UniformGrid<2> &grid,
-                  const bool turned_over)
+void check_reference(const double x, const UniformGrid<2> &grid)
 {
-  const double left = grid.origin[0], right = left + grid.extent(0),
-               bottom = turned_over ? -grid.extent(1) : 0., top = bottom + grid.extent(1),
-               rounding = 1e-12;
-  for (const ProbePoint &probe : observation.probes)
-    if (const auto &[x, y, z] = probe.position;
-        !(x >= left - rounding * grid.extent(0) &&
-          x <= right + rounding * grid.extent(0) &&
-          y >= bottom - rounding * grid.extent(1) &&
-          y <= top + rounding * grid.extent(1)))
-      throw UserError(probe.section + "/" + probe.name + "/Position: (" + to_text(x) +
-                      ", " + to_text(y) +
-                      ") m lies outside the body, which reaches from (" + to_text(left) +
-                      ", " + to_text(bottom) + ") to (" + to_text(right) + ", " +
-                      to_text(top) + ") m; positions are in m");
-  const double x = observation.reference_x;
   if (!std::isnan(x) && !(x >= 0. && x <= grid.extent(0)))
     throw UserError("Observation/Reference x: " + to_text(x) +
                     " m lies outside the body, 0 to " + to_text(grid.extent(0)) + " m");
@@ -113,7 +95,8 @@ GivenGrid::GivenGrid(const ContactParameters &given, const BodyDescription &desc
   , body(described)
   , material(make_material(body, given.periodic))
 {
-  check_probes(parameters.observation, body.grid, parameters.is_turned_over());
+  check_probes(parameters.observation.probes, body.grid, parameters.is_turned_over());
+  check_reference(parameters.observation.reference_x, body.grid);
   require_frequency(material);
   if (parameters.analysis == ContactAnalysis::transient && !parameters.is_turned_over())
     check_ranks(body.grid);
