@@ -113,16 +113,16 @@ public:
   RealMatrix free; ///< free degrees of freedom by unknowns
   RealMatrix mass; ///< M, of lumped ones (kg, 2D: kg/m)
   Eigen::VectorXd
-    own_mass; ///< of the unknowns without what follows them, a diagonal that is not above M (kg, 2D: kg/m)
-  RealMatrix stiffness;                   ///< K
-  RealMatrix springs;                     ///< K_s
+    own_mass;           ///< of unknowns without what follows them: a diagonal not above M
+  RealMatrix stiffness; ///< K
+  RealMatrix springs;   ///< K_s
   RealMatrix resistances;                 ///< C_v
   RealMatrix targets;                     ///< G, a row for each friction force
   RealMatrix spring_targets;              ///< G_s, likewise
   RealMatrix damped_targets;              ///< G_d, likewise
   RealMatrix drag;                        ///< D_0, likewise
   RealMatrix late_drag;                   ///< D_1, likewise
-  RealMatrix drag_of_slip;                ///< the symmetric part H of D_0 = H E^T
+  RealMatrix drag_of_slip;                ///< symmetric H, with D_0 = H E^T
   RealMatrix friction;                    ///< N
   RealMatrix spring_friction;             ///< N_s
   RealMatrix damped_friction;             ///< N_d
@@ -153,7 +153,7 @@ RealMatrix whole_stiffness(const ElasticBody<dim> &body, const MPI_Comm communic
 
 /**
  * @p all is whole_stiffness(); @p dofs are the free ones, of the normal displacement of sliding
- * nodes none, unless they stand on springs. Collective if there is @p damping and the body is distributed.
+ * nodes none, unless they stand on springs or meet a second body. Collective if there is @p damping and the body is distributed.
  */
 template <int dim>
 SlidingPencil make_sliding_pencil(const ElasticBody<dim> &body,

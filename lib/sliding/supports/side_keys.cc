@@ -85,7 +85,7 @@ bind_side(Keys &keys, const std::string &name, const unsigned int dim, std::stri
   keys.require(
     kind != "pressure" || side.is_loaded(), "Pressure",
     "it is 0, but Kind is pressure; give it or a Traction in Pa, or set Kind = "
-    "free");
+    "free, as for Analysis = modal, which knows no loads");
   keys.require(kind != "springs" || side.suspension.is_suspended(), "Kind",
                "it is springs, but Spring stiffness, Dashpot and Mass are 0; give one of "
                "them, or set Kind = free");

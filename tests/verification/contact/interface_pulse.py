@@ -16,22 +16,25 @@ LENGTH, HEIGHT, START = 64e-3, 12.8e-3, 52e-3  # of the bodies; where the pulse 
 LAW = {"Friction/Law": "coulomb", "Friction/Coefficient law": "expression", "Friction/Normal stress": "constant time", "Friction/Normal stress time": 5e-7}
 
 
-def body(start, section, shear, turn):
-    """Stiffness, density and the loads of far sides, which keep the body in balance; it is dragged to the side @p turn."""
-    smooth = f"if(t<{RISE}, 1-cos(pi*t/{RISE}), 2)*{TRACTION / 2}"
-    keys = {f"{section}/Stiffness": f"{3 * shear}, {shear}, {3 * shear}, {shear}", f"{section}/Density": DENSITY, f"{section}/Size": f"{LENGTH}, {HEIGHT}"}
+def sheared(section, modulus, shear, density, size, pressure, traction, rise):
+    """A body or counter body of these constants in its plane whose far sides absorb waves, and press it so that it keeps its width; they drag the upper body to the left, the
+    lower one to the right, and rise in the time @p rise."""
     lower = section == "Counter body"
-    tractions = {"Bottom" if lower else "Top": f"{turn}*{smooth}; 0", "Left": f"0; {turn if lower else -turn}*{smooth}", "Right": f"0; {-turn if lower else turn}*{smooth}"}
-    for side, traction in tractions.items():
-        keys |= {f"{start}Supports/{side}/{key}": value for key, value in {
-            "Kind": "absorbing", "Pressure": PRESSURE if side in ("Top", "Bottom") else PRESSURE / 3, "Ramp": "smooth", "Ramp time": RISE, "Traction": traction}.items()}
+    smooth = f"if(t<{rise}, 1-cos(pi*t/{rise}), 2)*{traction / 2}"
+    keys = {f"{section}/Stiffness": f"{modulus}, {modulus - 2 * shear}, {modulus}, {shear}", f"{section}/Density": density, f"{section}/Size": "{}, {}".format(*size)}
+    tractions = {"Bottom" if lower else "Top": f"{'' if lower else '-'}{smooth}; 0", "Left": f"0; {smooth}", "Right": f"0; -{smooth}"}
+    for side, of_side in tractions.items():
+        keys |= {f"{'Counter body/' if lower else ''}Supports/{side}/{key}": value for key, value in {
+            "Kind": "absorbing", "Pressure": pressure if side in ("Top", "Bottom") else pressure * (1 - 2 * shear / modulus), "Ramp": "smooth", "Ramp time": rise,
+            "Traction": of_side}.items()}
     return keys
 
 
 def slip_velocity(folder, cells, speeds, start):
     """Of each contact node over time, of bodies with shear waves this much faster; the pulse begins at @p start."""
-    shear = [SHEAR * speed**2 for speed in speeds]
-    keys = {**body("", "Body", shear[0], -1), **body("Counter body/", "Counter body", shear[1], 1), **LAW, "Flat/Velocity": 0,
+    bodies = [sheared(section, 3 * shear, shear, DENSITY, (LENGTH, HEIGHT), PRESSURE, TRACTION, RISE)
+              for section, shear in (("Body", SHEAR * speeds[0]**2), ("Counter body", SHEAR * speeds[1]**2))]
+    keys = {**bodies[0], **bodies[1], **LAW, "Flat/Velocity": 0,
             "Body/Cells": f"{cells}, {cells // 5}", "Counter body/Cells": f"{cells}, {cells // 5}", "Time/End time": BEGIN + 4e-5, "Time/Rayleigh beta": 5e-9, "Counter body/Rayleigh beta": 5e-9,
             "Friction/Coefficient expression": f"if(abs(x-{start})<1.45e-3 && t>{BEGIN} && t<{BEGIN + 4e-6}, 0.05, 0.3)", "Observation/Steady from": BEGIN,
             "Contact map/Interval": 4e-7}

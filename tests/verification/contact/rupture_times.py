@@ -11,6 +11,7 @@ import numpy as np
 from scipy.integrate import cumulative_trapezoid
 from scipy.special import j0, j1
 
+from interface_pulse import sheared
 from scenes import Folder, prm
 
 DENSITY, FAST, SLOW = 2670.0, 6000.0, 3464.0  # kg/m^3, m/s
@@ -48,24 +49,13 @@ def of_code(n, pressure, traction):
     return np.interp(PLACES, x[right], arrival[right])
 
 
-def body(start, section, turn):
-    modulus = DENSITY * FAST**2
-    smooth = f"if(t<{RISE}, 1-cos(pi*t/{RISE}), 2)*{TRACTION / 2}"
-    lower = section == "Counter body"
-    keys = {f"{section}/Stiffness": f"{modulus}, {modulus - 2 * SHEAR}, {modulus}, {SHEAR}", f"{section}/Density": DENSITY, f"{section}/Size": f"{LENGTH}, {HEIGHT}"}
-    tractions = {"Bottom" if lower else "Top": f"{turn}*{smooth}; 0", "Left": f"0; {smooth}", "Right": f"0; -{smooth}"}
-    for side, traction in tractions.items():
-        pressure = PRESSURE * (1 if side in ("Top", "Bottom") else 1 - 2 * (SLOW / FAST)**2)
-        keys |= {f"{start}Supports/{side}/{key}": value for key, value in {"Kind": "absorbing", "Pressure": pressure, "Ramp": "smooth", "Ramp time": RISE, "Traction": traction}.items()}
-    return keys
-
-
 def of_bodies(folder, cells):
     """Times at PLACES to both sides, and the pressure and traction of the middle before the rupture."""
     peak = f"{WEAK} + {STATIC - WEAK}*min(max((abs(x-{LENGTH / 2})-1500)/1000, 0), 1)"
     peak = f"if(t<{BEGIN}, {STATIC}, {peak})"
+    bodies = [sheared(section, DENSITY * FAST**2, SHEAR, DENSITY, (LENGTH, HEIGHT), PRESSURE, TRACTION, RISE) for section in ("Body", "Counter body")]
     folder.write("rupture.prm", prm({
-        **body("", "Body", -1), **body("Counter body/", "Counter body", 1), "Body/Cells": f"{cells}, {cells // 4}", "Counter body/Cells": f"{cells}, {cells // 4}",
+        **bodies[0], **bodies[1], "Body/Cells": f"{cells}, {cells // 4}", "Counter body/Cells": f"{cells}, {cells // 4}",
         "Flat/Velocity": 0, "Time/End time": END, "Friction/Law": "coulomb", "Friction/Coefficient law": "expression", "Observation/Steady from": BEGIN,
         # Ends that are dragged before they are pressed do not slip.
         "Friction/Coefficient expression": f"if(t<{BEGIN - 4}, 5, {peak} - ({peak}-{KINETIC})*min(D/{CRITICAL_SLIP}, 1))",
