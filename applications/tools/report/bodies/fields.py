@@ -78,17 +78,27 @@ def field_of(run, chain):
     return mesh_maps.snapshot_von_mises(run) if run.is_mesh_like() else maps.snapshot_von_mises(run, chain)
 
 
+def bodies_of(run):
+    """The body and, if there is one with snapshots, the counter body of a run."""
+    below = run.below()
+    return [run, below] if below and below.get("/snapshots/time") is not None else [run]
+
+
 def stress_ends(run, chain):
-    return 0.0, highest(field_of(run, chain))
+    return 0.0, max(highest(field_of(body, chain)) for body in bodies_of(run))
 
 
 def snapshot(page, run, chain):
-    field = field_of(run, chain)
+    """Of the body and, on the same scale, of the counter body."""
     others = tuple(other for other in comparable(run, snapshots(chain)) if ends(stress_ends, (other,), chain)[2])
     end = ends(stress_ends, others, chain)[1]
-    views = (mesh_maps if run.is_mesh_like() else maps).views(run)
-    figure = draw(views, [stress_group(field, limit=end)], title=run.title, flat=run.motion_of_flat())
     time = run.last("/snapshots/time")
     when = f" at t = {quantity(float(time), 's')}" if time is not None else ""
-    return page.figure(figure, f"Von Mises stress of the last snapshot of the {escape(run.label)} run{when}" +
-                       (sections_of(run) if run.is_mesh_like() else enlarged(run)) + f". {PERCENTILE}{same_scale(others, 'It is')}")
+    figures = []
+    for body in bodies_of(run):
+        views = (mesh_maps if body.is_mesh_like() else maps).views(body)
+        figure = draw(views, [stress_group(field_of(body, chain), limit=end)], title=run.title, flat=run.motion_of_flat() if body is run else None)
+        figures.append(page.figure(figure, f"Von Mises stress of the last snapshot of {'' if body is run else 'the counter body in '}the {escape(run.label)} run{when}" +
+                                   (sections_of(body) if body.is_mesh_like() else enlarged(body)) + (f". {PERCENTILE}{same_scale(others, 'It is')}" if body is run
+                                                                                                    else ", on the same scale.")))
+    return "".join(figures)

@@ -59,6 +59,8 @@ def views(run):
     window = window_of(whole.bounds, whole.numbers.shape[1])
     if window is None:
         return [whole]
+    if run.attribute("/run", "contact_side") is not None:  # the upper one, of a counter body
+        window[:, 1] = whole.bounds[:, 1].sum() - window[::-1, 1]
     (width, height), part = np.ptp(whole.bounds, axis=0), np.ptp(window, axis=0)
     tall = height > TALL * width
     whole.frame = window
