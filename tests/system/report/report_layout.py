@@ -32,8 +32,8 @@ class Body:
     """A run on a plane grid, as far as maps ask."""
     name, folder, summary = "body", "no folder", {"phases": [{"name": LONG[:-1] + "6"}, {"name": LONG}]}
 
-    def __init__(self, nx, ny):
-        self.cells = np.array([nx, ny])
+    def __init__(self, nx, ny, side=None):
+        self.cells, self.side = np.array([nx, ny]), side
 
     def grid(self):
         return [self.cells.astype(float), np.array([1e-4, 1e-4]), np.zeros(2)]
@@ -43,6 +43,9 @@ class Body:
 
     def get(self, dataset, rows=...):
         return None
+
+    def attribute(self, place, name):
+        return self.side if (place, name) == ("/run", "contact_side") else None
 
 
 def overlaps(axes, renderer):
@@ -203,7 +206,11 @@ def main():
     found = []
     for shape in SHAPES:
         body = Body(*shape)
-        assert (len(views(body)) == 2) == (shape[0] > 50 or shape[1] > TALL * shape[0]), shape
+        seen, below = views(body), views(Body(*shape, "upper"))
+        assert (len(seen) == 2) == (shape[0] > 50 or shape[1] > TALL * shape[0]), shape
+        if len(seen) == 2:  # what is enlarged is at the contact
+            (bottom, top), ends = seen[0].bounds[:, 1], [body_views[1].bounds[:, 1] for body_views in (seen, below)]
+            assert ends[0][0] == bottom and ends[1][1] == top and abs(np.ptp(ends[0]) - np.ptp(ends[1])) < 1e-12, ends
         found += [f"{shape}, {name}: {problem}" for name, figure in pictures(body) for problem in problems_of(figure)]
     for size in ([6.0, 2, 3], [12, 1, 1], [1, 1, 12], [1, 12, 1], [4, 4, 4]):
         found += [f"{size}, {name}: {problem}" for name, figure in solid_pictures(size) for problem in problems_of(figure)]
