@@ -205,9 +205,9 @@ def numbers_at_rest(folder, text):
     return np.array([summary["normal_force"], summary["tangential_force"]]), np.array(largest), modes
 
 
-def check_at_rest(folder):
-    """Static contact and complex modes of the same pair as grids, as meshes of their cells, and as boxes one cell deep."""
-    size, cells, deep = ([6, 4], [9, 6]), ([6, HEIGHT], [9, 4]), 0.5
+def check_at_rest(folder, columns=9):
+    """Static contact and complex modes of the same pair as grids, as meshes of their cells, and as boxes one cell deep; the lower body has so many cells along x."""
+    size, cells, deep = ([6, 4], [9, 6]), ([6, HEIGHT], [columns, 4]), 0.5
     thick = lambda body: ([body[0][0], deep, body[0][1]], [body[1][0], 1, body[1][1]])
     rest = {"Flat/Velocity": 2, "Friction/Coefficient": 0.3, "Supports/Top/Kind": "pressure", "Supports/Top/Pressure": 5e6, "Supports/Top/Held": "u_x",
             "Supports/Left/Kind": "springs", "Counter body/Supports/Bottom/Kind": "springs"}
@@ -328,7 +328,8 @@ def main():
         for law in FRICTION[1:]:
             check_ranks(here, law)
         check_periodic(here, FRICTION[1])
-        check_at_rest(here)
+        for columns in (9, 7, 12):
+            check_at_rest(here, columns)
         check_probes(here, FRICTION[1])
         check_sentences(here)
 

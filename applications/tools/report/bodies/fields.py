@@ -90,14 +90,15 @@ def stress_ends(run, chain):
 
 def snapshot(page, run, chain):
     """Of the body and, on the same scale, of the counter body."""
+    fields = [(body, field_of(body, chain)) for body in bodies_of(run)]  # first of all: what is missing here is said
     others = tuple(other for other in comparable(run, snapshots(chain)) if ends(stress_ends, (other,), chain)[2])
     end = ends(stress_ends, others, chain)[1]
     time = run.last("/snapshots/time")
     when = f" at t = {quantity(float(time), 's')}" if time is not None else ""
     figures = []
-    for body in bodies_of(run):
+    for body, field in fields:
         views = (mesh_maps if body.is_mesh_like() else maps).views(body)
-        figure = draw(views, [stress_group(field_of(body, chain), limit=end)], title=run.title, flat=run.motion_of_flat() if body is run else None)
+        figure = draw(views, [stress_group(field, limit=end)], title=run.title, flat=run.motion_of_flat() if body is run else None)
         figures.append(page.figure(figure, f"Von Mises stress of the last snapshot of {'' if body is run else 'the counter body in '}the {escape(run.label)} run{when}" +
                                    (sections_of(body) if body.is_mesh_like() else enlarged(body)) + (f". {PERCENTILE}{same_scale(others, 'It is')}" if body is run
                                                                                                     else ", on the same scale.")))
