@@ -136,7 +136,8 @@ bind_probes(Keys &keys, const std::string &section_of_probes, const unsigned int
       probe.name    = name;
       keys.bind_list(
         "Position", position, Range::any(),
-        "x and y from the lower left corner of the body, also those of a probe of a counter "
+        "x and y from the lower left corner of the body, also those of a probe of a "
+        "counter "
         "body, which is below y = 0; in 3D with z; on a mesh its coordinates; has to be "
         "given [m]",
         0, 3);
