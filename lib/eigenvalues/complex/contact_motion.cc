@@ -51,8 +51,9 @@ RealMatrix against(const ElasticBody<dim> &body,
   for (std::size_t k = 0; k < contact.nodes.size(); ++k)
     {
       entries.emplace_back(k, row_of(body, contact.nodes[k], c), 1.);
-      for (const WeightedNode &met : contact.meets[k])
-        entries.emplace_back(k, row_of(body, met.node, c), -met.weight);
+      if (!contact.meets.empty())
+        for (const WeightedNode &met : contact.meets[k])
+          entries.emplace_back(k, row_of(body, met.node, c), -met.weight);
     }
   return matrix_of(
     static_cast<Eigen::Index>(contact.nodes.size()),
@@ -63,8 +64,7 @@ RealMatrix against(const ElasticBody<dim> &body,
 /** Whether contact nodes follow what they meet along the normal. */
 bool is_followed(const SlidingNodesAtRest &contact)
 {
-  return contact.stiffness.empty() && !contact.nodes.empty() &&
-         !contact.meets.front().empty();
+  return contact.stiffness.empty() && !contact.meets.empty();
 }
 
 /** Reactions of a flat, with those of duplicates. */

@@ -25,7 +25,7 @@ struct SlidingNodesAtRest
 {
   std::vector<NodeIndex> nodes; ///< pressed, without duplicates
   std::vector<std::vector<WeightedNode>>
-    meets; ///< what each of them meets of a second body; nothing on a rigid flat
+    meets; ///< what each of them meets of a second body; empty: a rigid flat
   std::vector<double> friction;       ///< Coulomb's coefficient of each of them
   std::vector<double> normal_force;   ///< N (2D: N/m) of each; for slopes and in 3D
   std::vector<FrictionSlopes> slopes; ///< of each; empty: constant coefficients

@@ -137,14 +137,16 @@ SlidingState sliding_state(const ElasticBody<dim> &body,
           ++state.n_separated;
           continue;
         }
+      const std::vector<WeightedNode> met = body.meets(k);
       if (flat.is_compliant())
         state.contact.stiffness.push_back(
           tangent_of(flat.normal_spring, area_of<dim>(bottom, k),
                      solution ? solution->normal_force[k] : 0.));
-      else if (body.meets(k).empty())
+      else if (met.empty())
         state.held.constrain(dim - 1, node);
       state.contact.nodes.push_back(node);
-      state.contact.meets.push_back(body.meets(k));
+      if (!met.empty())
+        state.contact.meets.push_back(met);
       state.contact.friction.push_back(nodes[k].coefficient);
       state.contact.normal_force.push_back(solution ? solution->normal_force[k] : 0.);
       state.area.push_back(area_of<dim>(bottom, k));
