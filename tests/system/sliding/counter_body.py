@@ -80,9 +80,10 @@ def check_runs(folder):
 
 
 def check_sentences(folder):
+    folder.write("run.prm", prm(STEEL))
+    assert refuses(folder, "the homogenization of friction knows no counter body", "Analysis=friction homogenization", "Friction homogenization/Heterogeneous run=run")
     folder.write("run.prm", prm({**SOLID, **STEEL}))
     refused = lambda words, *settings: refuses(folder, words, *settings)
-    assert refused("known in transient runs, static contact and complex modes", "Analysis=modal")
     assert refused("Flat/Profile; leave one of the two out", "Flat/Profile=1e-7*sin(x)")
     assert refused("goes from 0 to 0.005 m along x, but the body comes above 0 to 0.006 m; make it longer", "Counter body/Size=5e-3, 3e-3")
     assert "nodes do not match" in folder.run(0, "contact_dynamics", "run.prm", "--validate", "--set", "Counter body/Cells=10, 5")
