@@ -176,7 +176,7 @@ void make_real(const SlidingPencil &still,
           for (const Eigen::VectorXd &b : basis)
             x -= b.dot(still.mass * x) * b;
         if (const double rest = std::sqrt(x.dot(still.mass * x)); rest > least * size)
-          basis.push_back(x / rest);
+          basis.emplace_back(x / rest);
       }
   const auto n = static_cast<Eigen::Index>(basis.size());
   Eigen::MatrixXd V(still.size(), n);
@@ -250,6 +250,8 @@ LowestVibrations lowest_vibrations(const SlidingPencil &still,
     std::vector<double> squares;
     for (const Vibration &one : vibrations.nearest(factors, shift, n + lowest.n, 1))
       squares.push_back(one.square);
+    if (squares.empty())
+      throw NotConverged("no vibration without friction was found");
     border = *std::max_element(squares.begin(), squares.end());
   }
   Border highest;
