@@ -141,7 +141,7 @@ void ContactParameters::bind_counter(Keys &keys)
                  "As Time/Rayleigh beta, of the counter body [s]");
   bind_supports_below(keys, *other);
   {
-    const auto observation    = keys.section("Observation");
+    const auto part           = keys.section("Observation");
     other->observation.probes = bind_probes(keys, "Counter body/Observation", dim);
   }
   const bool is_there =
