@@ -22,6 +22,13 @@ RealMatrix matrix_of(const Eigen::Index n_rows,
   return matrix;
 }
 
+/** Number of displacements of all nodes. */
+template <int dim>
+Eigen::Index n_displacements(const ElasticBody<dim> &body)
+{
+  return static_cast<Eigen::Index>(dim * std::size_t{body.n_columns()} * body.n_rows());
+}
+
 /** All displacements by free degrees of freedom. */
 template <int dim>
 RealMatrix scattering(const ElasticBody<dim> &body, const FreeDofs<dim> &dofs)
@@ -55,10 +62,8 @@ RealMatrix against(const ElasticBody<dim> &body,
         for (const WeightedNode &met : contact.meets[k])
           entries.emplace_back(k, row_of(body, met.node, c), -met.weight);
     }
-  return matrix_of(
-    static_cast<Eigen::Index>(contact.nodes.size()),
-    static_cast<Eigen::Index>(dim * std::size_t{body.n_columns()} * body.n_rows()),
-    entries);
+  return matrix_of(static_cast<Eigen::Index>(contact.nodes.size()), n_displacements(body),
+                   entries);
 }
 
 /** Whether contact nodes follow what they meet along the normal. */
@@ -138,11 +143,8 @@ RealMatrix whole_matrix(const ElasticBody<dim> &body,
   for (const SpringEntry &entry : entries)
     triplets.emplace_back(row_of(body, entry.node, entry.c),
                           row_of(body, entry.node, entry.d), entry.stiffness);
-  const auto n =
-    static_cast<Eigen::Index>(dim * std::size_t{body.n_columns()} * body.n_rows());
-  RealMatrix matrix(n, n);
-  matrix.setFromTriplets(triplets.begin(), triplets.end());
-  return matrix;
+  const Eigen::Index n = n_displacements(body);
+  return matrix_of(n, n, triplets);
 }
 
 template <int dim>

@@ -24,6 +24,7 @@ drags_of_mass(const FreeDofs<dim> &dofs, Eigen::VectorXd mass, const double alph
     mass[static_cast<Eigen::Index>(dof.place)] -= dof.mass;
   return RealMatrix((alpha * mass).asDiagonal());
 }
+
 /** Drags (kg/s, in 2D kg/m/s) of nodes. */
 template <int dim>
 std::vector<SpringEntry> drag_entries(const ElasticBody<dim> &body,
