@@ -252,7 +252,7 @@ LowestVibrations lowest_vibrations(const SlidingPencil &still,
       squares.push_back(one.square);
     if (squares.empty())
       throw NotConverged("no vibration without friction was found");
-    border = *std::max_element(squares.begin(), squares.end());
+    border = std::max(rigid, *std::max_element(squares.begin(), squares.end()));
   }
   Border highest;
   for (border *= 1. + 1e-4; highest.n < n + lowest.n; border *= 1.5)
