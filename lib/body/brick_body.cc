@@ -30,14 +30,6 @@ unsigned int n_nodes(const BrickBox &box, const voxel::VoxelGrid &grid)
   return n[0] * n[1] * n_planes(box, grid);
 }
 
-std::vector<VoigtMatrix<3>> stiffness_of(const std::vector<ElasticPhase<3>> &phases)
-{
-  std::vector<VoigtMatrix<3>> result;
-  for (const ElasticPhase<3> &phase : phases)
-    result.push_back(phase.stiffness);
-  return result;
-}
-
 /** Of the cells of this rank's planes, which are read piece by piece. */
 std::unique_ptr<const voxel::Stiffness>
 read_stiffness(const BrickBox &box,
@@ -61,7 +53,7 @@ read_stiffness(const BrickBox &box,
   kind.sides  = voxel::Sides::mixed;
   kind.joined = {{box.periodic[0], box.periodic[1], false}};
   return std::make_unique<voxel::Stiffness>(
-    CellPlanes(box.grid, cells.view(), communicator), stiffness_of(phases), kind);
+    CellPlanes(box.grid, cells.view(), communicator), phases, kind);
 }
 
 bool is_enough_for(const BrickBox &box, const MPI_Comm communicator)

@@ -1,7 +1,6 @@
 #include "body/brick_body.h"
 #include "body/brick_solver.h"
 #include "elasticity/brick/brick_matrices.h"
-#include "elasticity/brick/coefficients.h"
 
 #include <algorithm>
 
@@ -12,15 +11,10 @@ namespace
 /** Stiffness of a brick of each phase (N/m). */
 std::vector<BrickMatrix> brick_matrices_of(const voxel::Stiffness &stiffness)
 {
-  const auto units = brick_matrices(stiffness.grid.spacing, n_general);
+  const BrickStiffness of_brick(stiffness.grid.spacing);
   std::vector<BrickMatrix> result;
-  for (const VoigtMatrix<3> &of_phase : stiffness.of_phases)
-    {
-      const auto coefficients = coefficients_of(of_phase, n_general);
-      BrickMatrix &sum        = result.emplace_back(BrickMatrix::Zero());
-      for (unsigned int m = 0; m < n_general; ++m)
-        sum += coefficients[m] * stiffness.grid.factor() * stiffness.length * units[m];
-    }
+  for (const ElasticPhase<3> &phase : stiffness.of_phases)
+    result.emplace_back(stiffness.grid.factor() * stiffness.length * of_brick(phase));
   return result;
 }
 

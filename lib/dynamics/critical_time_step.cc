@@ -28,27 +28,6 @@ double critical_time_step(const double omega, const double beta2, const double b
 
 namespace
 {
-using CellMatrix = Eigen::Matrix<double, 8, 8>;
-
-/** Stiffness of one cell from its constant-strain part and its hourglass part. */
-CellMatrix cell_stiffness(const VoigtMatrix<2> &D, const double hx, const double hy)
-{
-  Eigen::Matrix<double, 3, 8> B = Eigen::Matrix<double, 3, 8>::Zero();
-  Eigen::Matrix<double, 2, 8> G = Eigen::Matrix<double, 2, 8>::Zero();
-  for (Eigen::Index n = 0; n < 4; ++n)
-    {
-      const double x = n % 2 ? 1. : -1., y = n / 2 ? 1. : -1.;
-      B(0, 2 * n) = B(2, 2 * n + 1) = x / (2. * hx);
-      B(1, 2 * n + 1) = B(2, 2 * n) = y / (2. * hy);
-      G(0, 2 * n) = G(1, 2 * n + 1) = x * y;
-    }
-  const double xx = hx * hx, yy = hy * hy;
-  Eigen::Matrix2d H;
-  H << D(0, 0) / xx + D(2, 2) / yy, D(0, 2) / xx + D(1, 2) / yy,
-    D(0, 2) / xx + D(1, 2) / yy, D(1, 1) / yy + D(2, 2) / xx;
-  return hx * hy * (B.transpose() * D * B + G.transpose() * H * G / 12.);
-}
-
 /** Largest eigenpair of the leading Lanczos matrix: value and last component. */
 std::pair<double, double> largest_ritz_pair(const std::vector<double> &diagonal,
                                             const std::vector<double> &off)
@@ -161,7 +140,7 @@ double element_frequency_bound(const UniformMaterial &material)
     {
       const ElasticPhase<2> &phase = material.phases()[k];
       const double stiffest =
-        symmetric_eigenvalues(cell_stiffness(phase.stiffness, hx, hy))[7];
+        symmetric_eigenvalues(cell_stiffness(phase, {{hx, hy}}))[7];
       largest = std::max(largest, stiffest / (phase.density * hx * hy / 4.));
     }
   return std::sqrt(largest);

@@ -66,6 +66,10 @@ struct CellBatches
   /** Voigt stiffness (Pa) of the phases, or the element matrices, one after the other. */
   const double *stiffness = nullptr;
 
+  /** What the mean strain of a quadrilateral or hexahedron meets more (Pa), phase by phase, where
+   * `stiffness` is that about the mean (ElasticPhase); null: nothing. */
+  const double *excess = nullptr;
+
   /** Without a common matrix: see ShapeFunction. */
   const double *shapes = nullptr;
 };

@@ -131,13 +131,24 @@ ElementOperator<dim>::ElementOperator(const std::vector<dealii::Point<dim>> &poi
   AssertThrow(points.size() + lanes<double> <
                 std::numeric_limits<std::uint32_t>::max() / kernels::node_stride<dim>,
               dealii::ExcMessage("indices into fields have 32 bits"));
+  bool any_excess = false;
   for (const ElasticPhase<dim> &phase : phases)
     {
-      const double *C = phase.stiffness.data();
-      stiffness.insert(stiffness.end(), C, C + phase.stiffness.size());
+      const VoigtMatrix<dim> apart = phase.stiffness_about_mean(),
+                             more  = phase.stiffness - apart;
+      const auto append = [](std::vector<double> &to, const VoigtMatrix<dim> &C) {
+        to.insert(to.end(), C.data(), C.data() + C.size());
+      };
+      append(stiffness, phase.stiffness);
+      append(about_mean, apart);
+      append(excess, more);
+      any_excess |= phase.mean_dilatation;
       if (!is_orthotropic<dim>(phase.stiffness))
         phase_material = Material::anisotropic;
     }
+
+  if (!any_excess)
+    excess.clear();
 
   // Behind the nodes the corners of a unit cell, which fills up batches; in the plane
   // they are followed by nothing up to the end of a vector.
@@ -174,9 +185,13 @@ void ElementOperator<dim>::add_product(const unsigned int part,
 template <int dim>
 kernels::CellBatches ElementOperator<dim>::batches(const Group &group) const
 {
-  const bool shared = group.common == Material::matrix;
-  const double *K   = (shared ? matrices[group.kind] : stiffness).data();
-  return {group.material.size(), group.nodes.data(), group.material.data(), K,
+  const bool shared = group.common == Material::matrix, simplices = group.kind == 0;
+  const double *K = (shared ? matrices[group.kind] : simplices ? stiffness : about_mean).data();
+  return {group.material.size(),
+          group.nodes.data(),
+          group.material.data(),
+          K,
+          shared || simplices || excess.empty() ? nullptr : excess.data(),
           group.shapes.data()};
 }
 

@@ -90,7 +90,10 @@ private:
   const kernels::CellKernels kernels;
   const std::uint32_t first_dummy; ///< node of a cell without displacement
   Material phase_material;         ///< orthotropic, or one phase is not
-  std::vector<double> stiffness;   ///< of the phases
+
+  /** Of the phases, see CellBatches; simplices have that of the mean strain all over. */
+  std::vector<double> stiffness, about_mean, excess;
+
   LineVector<double> coordinates;  ///< of the nodes
 
   std::array<std::vector<double>, 2> matrices; ///< of elements, by kind

@@ -46,6 +46,55 @@ MESOSLIP_INLINE void from_derivatives(const GaussDerivatives &value, vdouble (&m
   });
 }
 
+/** Number among the distinct values along axis @p d of Gauss point @p q. */
+constexpr int edge_of(const int d, const int q)
+{
+  return (q & ((1 << d) - 1)) | ((q >> (d + 1)) << d);
+}
+
+/** Jacobian matrix at Gauss point @p q from the derivatives of the coordinates. */
+MESOSLIP_INLINE void
+jacobian(const GaussDerivatives (&x)[3], const int q, vdouble (&J)[3][3])
+{
+  for (int c = 0; c < 3; ++c)
+    for (int d = 0; d < 3; ++d)
+      J[c][d] = x[c][d][edge_of(d, q)];
+}
+
+/** Adds to the forces those of the stress that @p excess makes of the mean strain. */
+template <bool anisotropic>
+__attribute__((noinline)) static void
+add_mean_stress(const double *excess,
+                const GaussDerivatives (&x)[3],
+                const GaussDerivatives (&v)[3],
+                GaussDerivatives (&force)[3])
+{
+  vdouble A[8][3][3], sum[6] = {}, stress[6], volume = {};
+  for (int q = 0; q < 8; ++q)
+    {
+      vdouble J[3][3], gradient[3][3], strain[6];
+      jacobian(x, q, J);
+      for (int d = 0; d < 3; ++d)
+        for (int c = 0; c < 3; ++c)
+          gradient[d][c] = v[c][d][edge_of(d, q)];
+      volume += adjugate(J, A[q]);
+      strain_from_gradients<3>(gradient, A[q], strain);
+      for (int i = 0; i < 6; ++i)
+        sum[i] += strain[i];
+    }
+  for (vdouble &component : sum)
+    component *= splat(1. / 512.) / volume;
+  multiply_stiffness<3, anisotropic>(excess, sum, stress);
+  for (int q = 0; q < 8; ++q)
+    {
+      vdouble gradient[3][3];
+      forces_from_stress<3>(stress, A[q], gradient);
+      for (int c = 0; c < 3; ++c)
+        for (int d = 0; d < 3; ++d)
+          force[c][d][edge_of(d, q)] += gradient[d][c];
+    }
+}
+
 template <bool anisotropic>
 static void multiply_hexahedron(const CellBatches &cells, const double *u, double *f)
 {
@@ -71,15 +120,10 @@ static void multiply_hexahedron(const CellBatches &cells, const double *u, doubl
 
       // The division takes so long that it is begun one point ahead. Modes are eight times
       // coefficients, hence 512.
-      constexpr auto edge = [](const int d, const int q) {
-        return (q & ((1 << d) - 1)) | ((q >> (d + 1)) << d);
-      };
       vdouble next_A[3][3], next_scale;
       const auto prepare = [&](const int q) {
         vdouble J[3][3];
-        for (int c = 0; c < 3; ++c)
-          for (int d = 0; d < 3; ++d)
-            J[c][d] = x[c][d][edge(d, q)];
+        jacobian(x, q, J);
         next_scale = splat(1. / 512.) / adjugate(J, next_A);
       };
       prepare(0);
@@ -96,7 +140,7 @@ static void multiply_hexahedron(const CellBatches &cells, const double *u, doubl
           vdouble gradient[3][3], strain[6], stress[6];
           for (int d = 0; d < 3; ++d)
             for (int c = 0; c < 3; ++c)
-              gradient[d][c] = v[c][d][edge(d, q)];
+              gradient[d][c] = v[c][d][edge_of(d, q)];
           strain_from_gradients<3>(gradient, A, strain);
           for (vdouble &component : strain)
             component *= scale;
@@ -105,9 +149,12 @@ static void multiply_hexahedron(const CellBatches &cells, const double *u, doubl
           forces_from_stress<3>(stress, A, gradient);
           for (int c = 0; c < 3; ++c)
             for (int d = 0; d < 3; ++d)
-              force[c][d][edge(d, q)] += gradient[d][c];
+              force[c][d][edge_of(d, q)] += gradient[d][c];
           stream.move(q);
         }
+      if (cells.excess != nullptr)
+        add_mean_stress<anisotropic>(
+          cells.excess + std::size_t{36} * cells.material[k], x, v, force);
 
       for (int c = 0; c < 3; ++c)
         {

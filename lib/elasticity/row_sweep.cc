@@ -13,10 +13,12 @@ namespace
  * (g_x Y/hx, g_y X/hy, g_x X/hy + g_y Y/hx), mean of X^2 = Y^2 = 1/12, gives the energy
  *
  *     hx hy / 24 [   (D11/hx^2 + D33/hy^2) g_x^2 + (D22/hy^2 + D33/hx^2) g_y^2
- *                  + 2 (D13/hx^2 + D23/hy^2) g_x g_y ].
+ *                  + 2 (D13/hx^2 + D23/hy^2) g_x g_y ]
+ *
+ * with the stiffness about the mean, see hourglass_stiffness().
  */
 template <typename Number>
-void set_coefficients(const VoigtMatrix<2> &D,
+void set_coefficients(const ElasticPhase<2> &phase,
                       const double hx,
                       const double hy,
                       const unsigned int c,
@@ -26,15 +28,17 @@ void set_coefficients(const VoigtMatrix<2> &D,
   const auto set = [&](const CoefficientIndex k, const double value) {
     constants.coefficient[k][c] = static_cast<Number>(value);
   };
+  const VoigtMatrix<2> &D = phase.stiffness;
+  const Eigen::Matrix2d H = hourglass_stiffness(phase, {{hx, hy}});
   set(c11, D(0, 0) * hy * hy / (2. * hx * hx * hx));
   set(c12, D(0, 1) / (2. * hx));
   set(c22, D(1, 1) * hx / (2. * hy * hy));
   set(c33, D(2, 2) / (2. * hx));
   set(c13, D(0, 2) * hy / (2. * hx * hx));
   set(c23, D(1, 2) / (2. * hy));
-  set(gx, hy / 6. * (D(0, 0) / (hx * hx) + D(2, 2) / (hy * hy)));
-  set(gy, hx / 6. * (D(1, 1) / (hy * hy) + D(2, 2) / (hx * hx)));
-  set(gxy, hy / 6. * (D(0, 2) / (hx * hx) + D(1, 2) / (hy * hy)));
+  set(gx, hy / 6. * H(0, 0));
+  set(gy, hx / 6. * H(1, 1));
+  set(gxy, hy / 6. * H(0, 1));
 }
 
 template <typename Number>
@@ -53,7 +57,7 @@ make_constants(const UniformMaterial &material)
     std::fill(std::begin(row), std::end(row), Number(0));
   const auto &occurring = material.phases_that_occur();
   for (const unsigned int k : occurring)
-    set_coefficients(material.phases()[k].stiffness, hx, hy,
+    set_coefficients(material.phases()[k], hx, hy,
                      material.is_homogeneous() ? 0 : k, c);
   return constants;
 }

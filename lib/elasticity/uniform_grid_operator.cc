@@ -110,15 +110,16 @@ void UniformGridOperator::vmult(NodalField<Number> &dst,
     material.copy_duplicates(dst);
 }
 
-// A cell gives the entries of the diagonal at two opposite corners the same numbers.
 void UniformGridOperator::diagonal(NodalField<double> &diagonal) const
 {
   check(diagonal);
   const UniformGrid<2> &grid = material.grid();
   const unsigned int nx = grid.cells[0], ny = grid.cells[1];
   const bool periodic_y = material.periodicity().y;
-  const double hx = grid.spacing[0], hy = grid.spacing[1];
-  const double Ixx = hy / (3. * hx), Iyy = hx / (3. * hy);
+  std::vector<Eigen::Matrix<double, 8, 1>> of_phases;
+  for (const ElasticPhase<2> &phase : material.phases())
+    of_phases.push_back(
+      cell_stiffness(phase, {{grid.spacing[0], grid.spacing[1]}}).diagonal());
   diagonal.set_zero();
   for (unsigned int j = rows.begin; j < rows.end; ++j)
     {
@@ -127,14 +128,12 @@ void UniformGridOperator::diagonal(NodalField<double> &diagonal) const
         for (unsigned int i = 0; i < nx && (periodic_y || (above ? j < ny : j > 0)); ++i)
           {
             const unsigned int cell_row = (above ? j : j + ny - 1) % ny;
-            const VoigtMatrix<2> &D =
-              material.phases()[material.phase_of(i, cell_row)].stiffness;
-            // The sign of dN/dx dN/dy: lower left and upper right corner are positive.
-            for (const bool right : {false, true})
+            const auto &of_cell = of_phases[material.phase_of(i, cell_row)];
+            for (const unsigned int right : {0, 1})
               {
-                const double Ixy = (above == right ? -1. : 1.) / 4.;
-                x[i + right] += D(0, 0) * Ixx + D(2, 2) * Iyy + 2. * D(0, 2) * Ixy;
-                y[i + right] += D(1, 1) * Iyy + D(2, 2) * Ixx + 2. * D(1, 2) * Ixy;
+                const unsigned int corner = right + (above ? 0 : 2);
+                x[i + right] += of_cell[2 * corner];
+                y[i + right] += of_cell[2 * corner + 1];
               }
           }
       if (material.periodicity().x)

@@ -30,6 +30,33 @@ void check(const ElasticPhase<2> &phase, const unsigned int k)
 }
 } // namespace
 
+Eigen::Matrix2d hourglass_stiffness(const ElasticPhase<2> &phase,
+                                    const std::array<double, 2> &h)
+{
+  const VoigtMatrix<2> D = phase.stiffness_about_mean();
+  const double xx = h[0] * h[0], yy = h[1] * h[1], mixed = D(0, 2) / xx + D(1, 2) / yy;
+  Eigen::Matrix2d H;
+  H << D(0, 0) / xx + D(2, 2) / yy, mixed, mixed, D(1, 1) / yy + D(2, 2) / xx;
+  return H;
+}
+
+Eigen::Matrix<double, 8, 8> cell_stiffness(const ElasticPhase<2> &phase,
+                                           const std::array<double, 2> &h)
+{
+  Eigen::Matrix<double, 3, 8> B = Eigen::Matrix<double, 3, 8>::Zero();
+  Eigen::Matrix<double, 2, 8> G = Eigen::Matrix<double, 2, 8>::Zero();
+  for (Eigen::Index n = 0; n < 4; ++n)
+    {
+      const double x = n % 2 ? 1. : -1., y = n / 2 ? 1. : -1.;
+      B(0, 2 * n) = B(2, 2 * n + 1) = x / (2. * h[0]);
+      B(1, 2 * n + 1) = B(2, 2 * n) = y / (2. * h[1]);
+      G(0, 2 * n) = G(1, 2 * n + 1) = x * y;
+    }
+  return h[0] * h[1] *
+         (B.transpose() * phase.stiffness * B +
+          G.transpose() * hourglass_stiffness(phase, h) * G / 12.);
+}
+
 UniformMaterial::UniformMaterial(const UniformGrid<2> &grid,
                                  const std::vector<ElasticPhase<2>> &phases,
                                  const std::vector<std::uint8_t> &phase_id,

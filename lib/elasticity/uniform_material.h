@@ -3,8 +3,10 @@
 
 #include "grid/nodal_field.h"
 #include "grid/uniform_grid.h"
+#include "material/stiffness.h"
 #include "material/voigt.h"
 
+#include <array>
 #include <cassert>
 #include <cstdint>
 #include <vector>
@@ -20,7 +22,42 @@ struct ElasticPhase
 
   /** kg/m^3 */
   double density = 0.;
+
+  /** Whether quadrilaterals and hexahedra have their mean change of volume (in 2D of area)
+   * everywhere, so that they do not lock (Hughes 1980, "B-bar"). */
+  bool mean_dilatation = false;
+
+  /**
+   * Stiffness (Pa) against what the strain of a quadrilateral or hexahedron differs from its mean.
+   * The cell's energy is that of the mean strain and that of the differences.
+   */
+  VoigtMatrix<dim> stiffness_about_mean() const
+  {
+    return mean_dilatation ? without_dilatation<dim>(stiffness) : stiffness;
+  }
 };
+
+/** What operators need to know about @p phases. */
+template <int dim>
+std::vector<ElasticPhase<dim>> elastic_phases(const std::vector<Phase<dim>> &phases,
+                                              const MeanDilatation choice)
+{
+  std::vector<ElasticPhase<dim>> result;
+  for (const Phase<dim> &phase : phases)
+    result.push_back(
+      {phase.stiffness, phase.density, has_mean_dilatation<dim>(phase.stiffness, choice)});
+  return result;
+}
+
+/** Stiffness (Pa/m^2) of a rectangle with edges @p h (m) against the hourglass modes of x and y, whose
+ * energy is h_x h_y / 24 g.H g; g: the sum of the displacements at two opposite corners less that
+ * at the others. */
+Eigen::Matrix2d hourglass_stiffness(const ElasticPhase<2> &phase,
+                                    const std::array<double, 2> &h);
+
+/** Stiffness (Pa) of that rectangle: node x + 2 y of its corners, two components a node. */
+Eigen::Matrix<double, 8, 8> cell_stiffness(const ElasticPhase<2> &phase,
+                                           const std::array<double, 2> &h);
 
 /**
  * Opposite sides that are one and the same. Fields keep the duplicate last column (row);

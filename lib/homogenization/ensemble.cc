@@ -184,15 +184,14 @@ morphology_warnings(const std::vector<EnsembleMember<dim>> &members)
   return sentences;
 }
 
-UniformMaterial make_material(const Microstructure &microstructure)
+UniformMaterial make_material(const PhaseMap<2> &map,
+                              std::vector<ElasticPhase<2>> phases)
 {
-  std::vector<ElasticPhase<2>> classes;
-  // Statics need no density; a phase may come without one.
-  for (const Phase<2> &phase : microstructure.phases)
-    classes.push_back({phase.stiffness, phase.density > 0. ? phase.density : 1.});
+  for (ElasticPhase<2> &phase : phases)
+    phase.density = 1.; // statics need none
   try
     {
-      return UniformMaterial(microstructure.map.grid, classes, microstructure.map.id);
+      return UniformMaterial(map.grid, phases, map.id);
     }
   catch (const std::invalid_argument &e)
     {

@@ -22,6 +22,7 @@ struct RveParameters
   MeshParameters mesh;                       ///< Dimension and section Mesh
   MicrostructureParameters microstructure;   ///< sections Grid, Phases, Microstructure
   std::vector<BoundaryCondition> conditions; ///< in the order of the .prm
+  MeanDilatation mean_dilatation = MeanDilatation::automatic; ///< of which phases
   StaticSolverKind solver =
     StaticSolverKind::multigrid; ///< which solver solves the load cases
   double tolerance = 1e-8;       ///< relative residual of a solve
@@ -106,7 +107,8 @@ std::vector<std::string>
 morphology_warnings(const std::vector<EnsembleMember<dim>> &members);
 
 /** The material of a morphology on its grid. */
-UniformMaterial make_material(const Microstructure &microstructure);
+UniformMaterial make_material(const PhaseMap<2> &map,
+                              std::vector<ElasticPhase<2>> phases);
 
 /** Mean stiffness (Pa) over all members and those of their responses whose condition is
  * one of @p conditions; zero if there are none. */

@@ -204,8 +204,8 @@ protected:
   {
     if (!division.divided)
       return std::make_unique<GridVolume>(
-        *grid, make_material(*microstructure), parameters.solver, parameters.conditions,
-        parameters.tolerance, parameters.n_members > 1 ? MPI_COMM_SELF : MPI_COMM_WORLD,
+        *grid, make_material(microstructure->map, phases), parameters.solver,
+        parameters.conditions, parameters.tolerance, parameters.n_members > 1 ? MPI_COMM_SELF : MPI_COMM_WORLD,
         case_done, &timer);
     rows = scatter_planes(in_space(*grid), CellView(microstructure->map.id),
                           phases.size(), MPI_COMM_WORLD);

@@ -70,6 +70,13 @@ protected:
     return results;
   }
 
+  bool has_simplices() const override
+  {
+    return std::any_of(volumes.begin(), volumes.end(), [](const auto &volume) {
+      return mesoslip::has_simplices(volume.mesh);
+    });
+  }
+
   bool are_cells_divided() const override
   {
     return false;

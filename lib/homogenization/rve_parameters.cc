@@ -59,6 +59,7 @@ void RveParameters::bind(Keys &keys)
       "the rows of cells among themselves, with the least memory, which is taken "
       "instead of multigrid if that does not fit into the memory [-]");
     keys.renamed("Solver = assembled", "ml");
+    bind_mean_dilatation(keys, mean_dilatation);
     keys.bind("Tolerance", tolerance, Range::open(0., 1.),
               "Norm of the residual over that of the load at which conjugate gradients "
               "stop. Lower it if the run warns that few digits hold [-]");

@@ -108,7 +108,7 @@ std::vector<std::string> VolumeAnalysis<dim>::slips() const
     ranges.push_back(
       plausible_length("Grid/Size along " + std::string(1, "xyz"[d]), grid->extent(d)));
   auto sentences = implausible(ranges);
-  for (const std::string &one : stiffness_warnings<dim>(phases))
+  for (const std::string &one : stiffness_warnings<dim>(phases, {parameters.mean_dilatation, has_simplices()}))
     sentences.push_back(one);
   return sentences;
 }

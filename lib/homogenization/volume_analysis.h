@@ -41,6 +41,12 @@ protected:
     return grid->n_cells();
   }
 
+  /** Whether some cells are triangles or tetrahedra; on rank 0. */
+  virtual bool has_simplices() const
+  {
+    return false;
+  }
+
   /** How much memory the load cases take, and what the ranks divide, for --validate. */
   virtual std::string memory() const = 0;
 

@@ -88,7 +88,9 @@ void VolumeAnalysis<dim>::solve_member(const unsigned int m,
   std::vector<unsigned int> part;
   for (const LoadedPhase<dim> &material : of_cells)
     {
-      phases.push_back({material.stiffness, 0.}); // at rest
+      phases.push_back( // at rest
+        {material.stiffness, 0.,
+         has_mean_dilatation<dim>(material.stiffness, parameters.mean_dilatation)});
       part.push_back(material.part);
     }
   std::uint64_t done   = m * n_cases();

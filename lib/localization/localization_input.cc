@@ -99,7 +99,7 @@ LocalizationInput<dim>::LocalizationInput(const LocalizationParameters &p,
     check_direct();
   choose_window();
   for (const auto &sentences :
-       {slips(p, volume.box()), locking_warnings<dim>(files.rve.constituents())})
+       {slips(p, volume.box()), pressure_warnings<dim>(files.rve.constituents())})
     warnings.insert(warnings.end(), sentences.begin(), sentences.end());
   find_points(in_body);
   plan_probes(in_volume);

@@ -41,23 +41,34 @@ auto extremes(const std::vector<Phase<dim>> &phases)
                              });
 }
 
-/** lambda / mu of an isotropic phase; of another one that of the isotropic phase whose compliance
- * against pressure is as small a part of those against normal stresses. */
+/** lambda / mu of an isotropic phase with the apparent Poisson's ratio. */
 template <int dim>
 double incompressibility(const Phase<dim> &phase)
 {
-  const VoigtMatrix<dim> compliance = inverse<dim>(phase.stiffness);
-  const double share = compliance.template topLeftCorner<dim, dim>().sum() /
-                       compliance.template topLeftCorner<dim, dim>().trace();
-  return (dim == 2 ? 2. : 1.) * (1. - share) / share;
+  const double ratio = apparent_poisson_ratio<dim>(phase.stiffness);
+  return 2. * ratio / (1. - 2. * ratio);
 }
 
-/** Poisson's ratio of such an isotropic phase. */
+/** The apparent Poisson's ratio. */
 template <int dim>
 std::string ratio_text(const Phase<dim> &phase)
 {
-  const double ratio = incompressibility<dim>(phase);
-  return brief_text(7, ratio / (2. * (1. + ratio)));
+  return brief_text(7, apparent_poisson_ratio<dim>(phase.stiffness));
+}
+
+/** The nearly incompressible phase with the largest Poisson's ratio among those that @p counts(); null: there is
+ * none. */
+template <int dim, typename Counts>
+const Phase<dim> *least_compressible(const std::vector<Phase<dim>> &phases,
+                                     const Counts &counts)
+{
+  const Phase<dim> *worst = nullptr;
+  for (const Phase<dim> &phase : phases)
+    if (counts(phase) && incompressibility<dim>(phase) >= locks_from &&
+        (worst == nullptr ||
+         incompressibility<dim>(phase) > incompressibility<dim>(*worst)))
+      worst = &phase;
+  return worst;
 }
 } // namespace
 
@@ -164,29 +175,53 @@ std::string unit_warning(const std::vector<Phase<dim>> &phases)
 }
 
 template <int dim>
-std::vector<std::string> locking_warnings(const std::vector<Phase<dim>> &phases)
+std::vector<std::string> locking_warnings(const std::vector<Phase<dim>> &phases,
+                                          const CellKinds &cells)
 {
-  const auto worst = std::max_element(
-    phases.begin(), phases.end(), [](const Phase<dim> &a, const Phase<dim> &b) {
-      return incompressibility<dim>(a) < incompressibility<dim>(b);
-    });
-  if (worst == phases.end() || !(incompressibility<dim>(*worst) >= locks_from))
+  const Phase<dim> *worst = least_compressible<dim>(phases, [&](const Phase<dim> &phase) {
+    return cells.simplices || !has_mean_dilatation<dim>(phase.stiffness, cells.choice);
+  });
+  if (worst == nullptr)
     return {};
+  const char *which = dim == 2 ? "triangles" : "tetrahedra",
+             *other = dim == 2 ? "; quadrilaterals do not" : "; hexahedra do not";
+  if (!cells.simplices)
+    {
+      which = "fully integrated cells";
+      other = "; Mean dilatation = auto prevents it";
+    }
   // As measured around stiff inclusions, n cells from one to the next: doc/limits.md.
   const double factor = 2. * incompressibility<dim>(*worst);
   return {
     brief_text(2, "phase '", worst->name, "' is nearly incompressible (Poisson's ratio ",
-               ratio_text<dim>(*worst),
-               "): linear cells lock in it, so that what varies over n cells comes out "
+               ratio_text<dim>(*worst), "): ", which,
+               " lock in it, so that what varies over n cells comes out "
                "up to about 1 + ",
                factor, " / n^2 times too stiff, ", 1. + factor / 400.,
-               " times for n = 20; see 'Nearly incompressible phases' in doc/limits.md")};
+               " times for n = 20", other,
+               ", see 'Nearly incompressible phases' in doc/limits.md")};
 }
 
 template <int dim>
-std::vector<std::string> stiffness_warnings(const std::vector<Phase<dim>> &phases)
+std::vector<std::string> pressure_warnings(const std::vector<Phase<dim>> &phases)
 {
-  std::vector<std::string> sentences = locking_warnings<dim>(phases);
+  const Phase<dim> *worst =
+    least_compressible<dim>(phases, [](const Phase<dim> &) { return true; });
+  if (worst == nullptr)
+    return {};
+  return {brief_text(2, "phase '", worst->name,
+                     "' is nearly incompressible (Poisson's ratio ",
+                     ratio_text<dim>(*worst),
+                     "): errors of the localized strains make errors of the pressure ",
+                     incompressibility<dim>(*worst),
+                     " times those of the shear stresses in it; compare with a direct run")};
+}
+
+template <int dim>
+std::vector<std::string> stiffness_warnings(const std::vector<Phase<dim>> &phases,
+                                            const CellKinds &cells)
+{
+  std::vector<std::string> sentences = locking_warnings<dim>(phases, cells);
   if (const std::string one = unit_warning<dim>(phases); !one.empty())
     sentences.push_back(one);
   return sentences;
@@ -225,9 +260,11 @@ std::string hard_to_solve(const std::vector<Phase<dim>> &phases, const double as
     const std::vector<Phase<dim>> &);                                      \
   template std::string unit_warning<dim>(const std::vector<Phase<dim>> &); \
   template std::vector<std::string> locking_warnings<dim>(                 \
+    const std::vector<Phase<dim>> &, const CellKinds &);                   \
+  template std::vector<std::string> pressure_warnings<dim>(                \
     const std::vector<Phase<dim>> &);                                      \
   template std::vector<std::string> stiffness_warnings<dim>(               \
-    const std::vector<Phase<dim>> &);                                      \
+    const std::vector<Phase<dim>> &, const CellKinds &);                   \
   template std::string hard_to_solve<dim>(const std::vector<Phase<dim>> &, const double);
 MESOSLIP_INSTANTIATE(2)
 MESOSLIP_INSTANTIATE(3)

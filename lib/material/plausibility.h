@@ -1,6 +1,7 @@
 #ifndef mesoslip_material_plausibility_h
 #define mesoslip_material_plausibility_h
 
+#include "material/stiffness.h"
 #include "material/voigt.h"
 
 #include <limits>
@@ -65,14 +66,28 @@ std::vector<PlausibleRange> plausible_phases(const std::vector<Phase<dim>> &phas
 template <int dim>
 std::string unit_warning(const std::vector<Phase<dim>> &phases);
 
-/** That linear cells lock in the least compressible phase, from a Poisson's ratio of 0.49 on, with
+/** What the cells of a body are, as far as it matters for locking. */
+struct CellKinds
+{
+  MeanDilatation choice = MeanDilatation::automatic; ///< of quadrilaterals and hexahedra
+  bool simplices        = false; ///< whether there are triangles or tetrahedra, which lock
+};
+
+/** That cells lock in the least compressible phase, from a Poisson's ratio of 0.49 on, with
  * an estimate of the error: one sentence or none. */
 template <int dim>
-std::vector<std::string> locking_warnings(const std::vector<Phase<dim>> &phases);
+std::vector<std::string> locking_warnings(const std::vector<Phase<dim>> &phases,
+                                          const CellKinds &cells);
 
-/** These two. */
+/** That local pressures are less certain than strains in the least compressible phase, from the same Poisson's
+ * ratio on: one sentence or none. */
 template <int dim>
-std::vector<std::string> stiffness_warnings(const std::vector<Phase<dim>> &phases);
+std::vector<std::string> pressure_warnings(const std::vector<Phase<dim>> &phases);
+
+/** unit_warning() and locking_warnings(). */
+template <int dim>
+std::vector<std::string> stiffness_warnings(const std::vector<Phase<dim>> &phases,
+                                            const CellKinds &cells);
 
 /** What makes a static solve hard: phases that differ much, or one that resists some strains much
  * more than others, and cells @p aspect times as long as wide; empty if there is nothing. */

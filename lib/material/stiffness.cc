@@ -183,6 +183,24 @@ VoigtMatrix<dim> inverse(const VoigtMatrix<dim> &tensor)
 }
 
 template <int dim>
+VoigtMatrix<dim> without_dilatation(const VoigtMatrix<dim> &stiffness)
+{
+  VoigtMatrix<dim> P = VoigtMatrix<dim>::Identity();
+  P.template topLeftCorner<dim, dim>().array() -= 1. / dim;
+  const VoigtMatrix<dim> result = P * stiffness * P;
+  return 0.5 * (result + result.transpose());
+}
+
+template <int dim>
+double apparent_poisson_ratio(const VoigtMatrix<dim> &stiffness)
+{
+  const VoigtMatrix<dim> compliance = inverse<dim>(stiffness);
+  const double share = compliance.template topLeftCorner<dim, dim>().sum() /
+                       compliance.template topLeftCorner<dim, dim>().trace();
+  return (1. - share) / (dim == 2 ? 2. - share : 2.);
+}
+
+template <int dim>
 double stiffness_norm(const VoigtMatrix<dim> &stiffness)
 {
   return stiffness_to_mandel<dim>(stiffness).norm();
@@ -266,6 +284,10 @@ template VoigtMatrix<3> stiffness_to_mandel<3>(const VoigtMatrix<3> &);
 template VoigtMatrix<2> stiffness_from_mandel<2>(const VoigtMatrix<2> &);
 template VoigtMatrix<3> stiffness_from_mandel<3>(const VoigtMatrix<3> &);
 template VoigtVector<2> stiffness_eigenvalues<2>(const VoigtMatrix<2> &);
+template VoigtMatrix<2> without_dilatation<2>(const VoigtMatrix<2> &);
+template VoigtMatrix<3> without_dilatation<3>(const VoigtMatrix<3> &);
+template double apparent_poisson_ratio<2>(const VoigtMatrix<2> &);
+template double apparent_poisson_ratio<3>(const VoigtMatrix<3> &);
 template VoigtMatrix<2> inverse<2>(const VoigtMatrix<2> &);
 template VoigtMatrix<3> inverse<3>(const VoigtMatrix<3> &);
 template VoigtVector<3> stiffness_eigenvalues<3>(const VoigtMatrix<3> &);

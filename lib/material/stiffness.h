@@ -78,6 +78,41 @@ VoigtVector<dim> stiffness_eigenvalues(const VoigtMatrix<dim> &stiffness);
 template <int dim>
 VoigtMatrix<dim> inverse(const VoigtMatrix<dim> &tensor);
 
+/**
+ * P^T C P (Pa), P taking the mean of the normal strains from each of them: the stiffness against
+ * strains without their change of volume, in 2D of area. Of an isotropic solid lambda becomes
+ * -2 mu / dim.
+ */
+template <int dim>
+VoigtMatrix<dim> without_dilatation(const VoigtMatrix<dim> &stiffness);
+
+/**
+ * Poisson's ratio of an isotropic solid; of another one that of the isotropic solid whose
+ * compliance against pressure is as small a part of the sum of those against normal stresses.
+ */
+template <int dim>
+double apparent_poisson_ratio(const VoigtMatrix<dim> &stiffness);
+
+/** The phases in which the mean change of volume of a quadrilateral or hexahedron is that of all of it. */
+enum class MeanDilatation
+{
+  automatic, ///< those that are nearly incompressible, see least_poisson_ratio
+  always,    ///< all
+  never      ///< none
+};
+
+/** Apparent Poisson's ratio from which on a phase counts as nearly incompressible. */
+constexpr double least_poisson_ratio = 0.45;
+
+/** Whether that holds for a phase. */
+template <int dim>
+bool has_mean_dilatation(const VoigtMatrix<dim> &stiffness, const MeanDilatation choice)
+{
+  return choice == MeanDilatation::always ||
+         (choice == MeanDilatation::automatic &&
+          apparent_poisson_ratio<dim>(stiffness) >= least_poisson_ratio);
+}
+
 /** Frobenius norm of the tensor (Pa), independent of the axes. */
 template <int dim>
 double stiffness_norm(const VoigtMatrix<dim> &stiffness);

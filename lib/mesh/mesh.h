@@ -5,6 +5,7 @@
 
 #include <deal.II/base/point.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -88,6 +89,14 @@ struct Mesh
     serialize_members<8>(archive, *this);
   }
 };
+
+/** Whether some cells are triangles or tetrahedra. */
+template <int dim>
+bool has_simplices(const Mesh<dim> &mesh)
+{
+  return std::any_of(mesh.cells.begin(), mesh.cells.end(),
+                     [](const Cell &cell) { return cell.vertices.size() == dim + 1; });
+}
 } // namespace mesoslip
 
 #endif

@@ -2,6 +2,7 @@
 #define mesoslip_morphology_microstructure_parameters_h
 
 #include "grid/uniform_grid.h"
+#include "material/stiffness.h"
 #include "material/voigt.h"
 #include "morphology/image_map.h"
 #include "morphology/orientations/orientation_reading.h"
@@ -74,6 +75,9 @@ struct PhaseParameters
  * whatever its name. Throws UserError for names that are not unique or cannot be names.
  */
 void bind_phases(Keys &keys, std::vector<PhaseParameters> &phases);
+
+/** Key Mean dilatation of the section that is open. */
+void bind_mean_dilatation(Keys &keys, MeanDilatation &choice);
 
 /** Stiffness and density of each phase; check() has passed. */
 template <int dim>

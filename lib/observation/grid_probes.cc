@@ -148,8 +148,15 @@ void GridProbes::update_ghosts(NodalField<double> &field) const
 
 void GridProbes::sample_strain(const std::size_t k, ProbeHistory &history) const
 {
-  VoigtVector<2> e = strain(places[k]);
-  VoigtVector<2> s = material.phases()[history.phase].stiffness * e;
+  const ElasticPhase<2> &phase = material.phases()[history.phase];
+  VoigtVector<2> e             = strain(places[k]);
+  if (phase.mean_dilatation)
+    {
+      Place middle = places[k];
+      middle.xi    = {{0.5, 0.5}};
+      e.head<2>().array() += (strain(middle) - e).head<2>().mean();
+    }
+  VoigtVector<2> s = phase.stiffness * e;
   e[2] *= upwards;
   s[2] *= upwards;
   history.strain.insert(history.strain.end(), e.data(), e.data() + 3);

@@ -43,7 +43,12 @@ MeshPlace place_in(const Mesh<dim> &mesh,
                    const ProbePoint &point)
 {
   const unsigned int material = mesh.cells[cell].material_id;
-  MeshPlace place{point, cell, material, material, mesh.cells[cell].vertices, {}, {}};
+  MeshPlace place{point, cell, material, material, mesh.cells[cell].vertices, {}, {}, {}};
+  const auto integrated = integrated_gradients(mesh, place.corners);
+  const double volume   = cell_measure(mesh, place.corners).volume;
+  for (const auto &gradient : integrated)
+    for (unsigned int d = 0; d < dim; ++d)
+      place.mean_gradient.push_back(gradient[d] / volume);
   for (unsigned int d = 0; d < dim; ++d)
     place.point.position[d] = at[d];
   const CellShapes<dim> shapes = shapes_at(mesh, place.corners, at);
@@ -171,13 +176,22 @@ ProbeRecorder::Vector MeshProbes<dim>::interpolate(const NodalField<double> &fie
 template <int dim>
 void MeshProbes<dim>::sample_strain(const std::size_t k, ProbeHistory &history) const
 {
-  VoigtVector<dim> strain = VoigtVector<dim>::Zero();
+  const MeshPlace &place           = places[k];
+  const ElasticPhase<dim> &phase   = phases[place.material];
+  VoigtVector<dim> strain          = VoigtVector<dim>::Zero();
+  double more_dilatation           = 0.; // in the mean of the cell
   for (unsigned int c = 0; c < dim; ++c)
-    for (unsigned int d = 0; d < dim; ++d)
-      for (std::size_t v = 0; v < corners[k].size(); ++v)
-        strain[voigt_index<dim>(c, d)] +=
-          places[k].gradient[v * dim + d] * stepper.u.row(c, 0)[corners[k][v]];
-  const VoigtVector<dim> stress = phases[places[k].material].stiffness * strain;
+    for (std::size_t v = 0; v < corners[k].size(); ++v)
+      {
+        const double u = stepper.u.row(c, 0)[corners[k][v]];
+        for (unsigned int d = 0; d < dim; ++d)
+          strain[voigt_index<dim>(c, d)] += place.gradient[v * dim + d] * u;
+        more_dilatation +=
+          (place.mean_gradient[v * dim + c] - place.gradient[v * dim + c]) * u;
+      }
+  if (phase.mean_dilatation)
+    strain.template head<dim>().array() += more_dilatation / dim;
+  const VoigtVector<dim> stress = phase.stiffness * strain;
   history.strain.insert(history.strain.end(), strain.data(),
                         strain.data() + n_voigt<dim>);
   history.stress.insert(history.stress.end(), stress.data(),

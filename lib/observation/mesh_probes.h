@@ -21,13 +21,14 @@ struct MeshPlace
   std::vector<unsigned int> corners; ///< of this cell, originals of the whole mesh
   std::vector<double> shape;         ///< of the corners at the point [-]
   std::vector<double> gradient;      ///< of the shapes, [corner][d] (1/m)
+  std::vector<double> mean_gradient; ///< of these in the cell (1/m)
 
   /** Of boost::serialization. */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
     archive &point.name &point.position &point.nearest_node &cell &phase;
-    archive &material &corners &shape &gradient;
+    archive &material &corners &shape &gradient &mean_gradient;
   }
 };
 

@@ -45,6 +45,7 @@ struct BodyParameters
     false;              ///< every phase with its own stiffness, else the effective one
   std::string rve_file; ///< empty: the material in stiffness and density
   std::string stiffness_name             = "effective"; ///< dataset of /stiffness
+  MeanDilatation mean_dilatation         = MeanDilatation::automatic; ///< of which phases
   std::vector<double> stiffness          = {36.54e9, 9.1e9, 47.26e9,
                                             13.785e9}; ///< 4, 6, in 3D 9, 21 numbers (Pa)
   double density                         = 1770.;      ///< kg/m^3

@@ -164,7 +164,8 @@ void GivenBody<dim>::add_implausible(std::vector<std::string> &sentences,
       ranges.push_back(range);
   for (const std::string &sentence : implausible(ranges))
     sentences.push_back(sentence);
-  for (const std::string &sentence : stiffness_warnings<dim>(known.phases))
+  for (const std::string &sentence : stiffness_warnings<dim>(
+         known.phases, {parameters.body.mean_dilatation, known.has_simplices}))
     sentences.push_back(sentence);
 }
 

@@ -40,6 +40,7 @@ struct BodyFacts
   std::vector<std::string> warnings; ///< sentences on what looks like a slip
   std::uint64_t n_points = 0;        ///< of the whole body
   bool heterogeneous     = false;    ///< whether it is made of several phases
+  bool has_simplices     = false;    ///< whether some cells are triangles or tetrahedra, on rank 0
   std::vector<Phase<dim>> phases;    ///< without their orientations
 
   std::vector<double> volume_fractions; ///< of the phases, on rank 0

@@ -93,7 +93,7 @@ GivenGrid::GivenGrid(const ContactParameters &given)
 GivenGrid::GivenGrid(const ContactParameters &given, const BodyDescription &described)
   : GivenBody<2>(given)
   , body(described)
-  , material(make_material(body, given.periodic))
+  , material(make_material(body, given.body.mean_dilatation, given.periodic))
 {
   check_probes(parameters.observation.probes, body.grid, parameters.is_turned_over());
   check_reference(parameters.observation.reference_x, body.grid);

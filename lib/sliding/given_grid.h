@@ -24,7 +24,9 @@ BodyDescription make_body(const ContactParameters &parameters,
                           const unsigned int n_copies);
 
 /** The grid of the body with the materials of its cells. @throws UserError */
-UniformMaterial make_material(const BodyDescription &body, const bool periodic);
+UniformMaterial make_material(const BodyDescription &body,
+                              const MeanDilatation choice,
+                              const bool periodic);
 
 /** What sides and top hold, of a platen u_x and u_y; with @p bottom_held u_y of the bottom. */
 DofMask held_by_supports(const UniformMaterial &material,

@@ -65,14 +65,13 @@ std::vector<double> friction_of_nodes(const BodyDescription &body,
 }
 } // namespace
 
-UniformMaterial make_material(const BodyDescription &body, const bool periodic)
+UniformMaterial make_material(const BodyDescription &body,
+                              const MeanDilatation choice,
+                              const bool periodic)
 {
-  std::vector<ElasticPhase<2>> classes;
-  for (const Phase<2> &phase : body.phases)
-    classes.push_back({phase.stiffness, phase.density});
   try
     {
-      return UniformMaterial(body.grid, classes, body.phase_id, {periodic, false});
+      return UniformMaterial(body.grid, elastic_phases<2>(body.phases, choice), body.phase_id, {periodic, false});
     }
   catch (const std::invalid_argument &e)
     {

@@ -27,6 +27,7 @@ struct Case
     many ///< materials, more than a byte can number
   } symmetry;
   std::array<bool, 2> periodic;
+  bool mean_dilatation = false; ///< of all phases but the second
 };
 
 std::vector<ElasticPhase<3>> phases_of(const Case &c)
@@ -54,6 +55,8 @@ std::vector<ElasticPhase<3>> phases_of(const Case &c)
         turn_stiffness(phases[1].stiffness, bunge_rotation(k, 2. * k, 3. * k));
       phases.back().density += k;
     }
+  for (std::size_t k = 0; k < phases.size(); ++k)
+    phases[k].mean_dilatation = c.mean_dilatation && k != 1;
   return phases;
 }
 
@@ -166,7 +169,12 @@ std::vector<Case> cases()
           {{{6, 5, 9}}, cube, Case::orthotropic, {{true, false}}},
           {{{7, 4, 1}}, brick, Case::any, {{true, true}}},
           {{{9, 6, 8}}, brick, Case::many, {{false, false}}},
-          {{{17, 5, 4}}, cube, Case::many, {{true, true}}}};
+          {{{17, 5, 4}}, cube, Case::many, {{true, true}}},
+          {{{9, 6, 5}}, cube, Case::isotropic, {{false, false}}, true},
+          {{{9, 6, 5}}, brick, Case::isotropic, {{true, false}}, true},
+          {{{10, 6, 4}}, brick, Case::orthotropic, {{false, true}}, true},
+          {{{8, 5, 40}}, brick, Case::any, {{false, true}}, true},
+          {{{9, 6, 8}}, brick, Case::many, {{false, false}}, true}};
 }
 
 /** What is compared after some steps with surfaces and held components. */

@@ -55,12 +55,15 @@ TestMesh<dim> make_mesh(const unsigned int n, const bool simplices, const double
 }
 
 template <int dim>
-std::vector<ElasticPhase<dim>> make_phases(const bool anisotropic)
+std::vector<ElasticPhase<dim>> make_phases(const bool anisotropic,
+                                           const bool mean_dilatation = false)
 {
   std::vector<ElasticPhase<dim>> phases(2);
   for (unsigned int p = 0; p < 2; ++p)
     {
       phases[p].density = 2. + p;
+      // One of two, so that both are met.
+      phases[p].mean_dilatation = mean_dilatation && p == 0;
       auto &C           = phases[p].stiffness;
       C.diagonal().setConstant(1. + p);
       C.template topLeftCorner<dim, dim>().array() += 0.7;
@@ -73,6 +76,42 @@ std::vector<ElasticPhase<dim>> make_phases(const bool anisotropic)
     }
   return phases;
 }
+
+/** Gradients of the shape functions at all quadrature points, or those whose sum of diagonals is its mean. */
+template <int dim>
+struct Gradients
+{
+  Gradients(const dealii::FEValues<dim> &values, const bool mean_dilatation)
+    : values(values)
+    , mean_dilatation(mean_dilatation)
+    , means(values.dofs_per_cell)
+  {
+    double volume = 0.;
+    for (const unsigned int q : values.quadrature_point_indices())
+      {
+        volume += values.JxW(q);
+        for (const unsigned int i : values.dof_indices())
+          means[i] += values.JxW(q) * values.shape_grad(i, q);
+      }
+    for (auto &mean : means)
+      mean /= volume;
+  }
+
+  /** Of the displacement of component @p c by shape function @p i. */
+  dealii::Tensor<2, dim>
+  operator()(const unsigned int i, const unsigned int c, const unsigned int q) const
+  {
+    dealii::Tensor<2, dim> gradient;
+    gradient[c] = values.shape_grad(i, q);
+    for (unsigned int d = 0; mean_dilatation && d < dim; ++d)
+      gradient[d][d] += (means[i][c] - values.shape_grad(i, q)[c]) / dim;
+    return gradient;
+  }
+
+  const dealii::FEValues<dim> &values;
+  const bool mean_dilatation;
+  std::vector<dealii::Tensor<1, dim>> means;
+};
 
 /** Forces and row sums of the mass matrix as deal.II integrates them. */
 template <int dim>
@@ -104,12 +143,13 @@ void assemble(const TestMesh<dim> &mesh,
     {
       values.reinit(cell);
       const ElasticPhase<dim> &phase = phases[cell->material_id()];
+      const Gradients<dim> gradients(values, phase.mean_dilatation);
       for (const unsigned int q : values.quadrature_point_indices())
         {
           dealii::Tensor<2, dim> grad, stress;
           for (const unsigned int i : values.dof_indices())
             for (unsigned int c = 0; c < dim; ++c)
-              grad[c] += u[dim * cell->vertex_index(i) + c] * values.shape_grad(i, q);
+              grad += u[dim * cell->vertex_index(i) + c] * gradients(i, c, q);
           VoigtVector<dim> e;
           const auto index = [](const unsigned int i, const unsigned int j) {
             return i == j ? i : dim == 2 ? 2 : 6 - i - j;
@@ -123,9 +163,9 @@ void assemble(const TestMesh<dim> &mesh,
               stress[i][j] = s[index(i, j)];
           for (const unsigned int i : values.dof_indices())
             {
-              const auto force = stress * values.shape_grad(i, q) * values.JxW(q);
               for (unsigned int c = 0; c < dim; ++c)
-                f[dim * cell->vertex_index(i) + c] += force[c];
+                f[dim * cell->vertex_index(i) + c] +=
+                  scalar_product(stress, gradients(i, c, q)) * values.JxW(q);
               mass[cell->vertex_index(i)] +=
                 phase.density * values.shape_value(i, q) * values.JxW(q);
             }
@@ -167,10 +207,11 @@ void compare(const unsigned int n)
   std::uniform_real_distribution<> random(-1., 1.);
   for (const bool simplices : {false, true})
     for (const double shift : {0., simplices ? 0.05 : 0.2})
-      for (const bool anisotropic : {false, true})
+      for (const auto &[anisotropic, mean_dilatation] :
+           {std::pair(false, false), {true, false}, {false, true}, {true, true}})
         {
           const auto mesh   = make_mesh<dim>(n, simplices, shift);
-          const auto phases = make_phases<dim>(anisotropic);
+          const auto phases = make_phases<dim>(anisotropic, mean_dilatation);
           std::vector<double> u(mesh.points.size() * dim), expected, mass;
           for (double &x : u)
             x = random(generator);
@@ -185,6 +226,7 @@ void compare(const unsigned int n)
             {
               SCOPED_TRACE(to_string(isa) + (simplices ? ", simplices" : "") +
                            (anisotropic ? ", anisotropic" : "") +
+                           (mean_dilatation ? ", mean dilatation" : "") +
                            (shift > 0. ? ", distorted" : ""));
               std::size_t n_congruent = 0;
               const auto f            = product(mesh, phases, u, isa, n_congruent);

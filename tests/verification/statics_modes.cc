@@ -233,7 +233,7 @@ TEST(Modes, OfThePaperPin)
   phase.density   = 1770.;
   body.phases     = {phase};
 
-  const auto material = make_material(body, false);
+  const auto material = make_material(body, MeanDilatation::never, false);
   const double free =
     modes(material,
           held_by_supports(material, parameters.sides, top_at_start(parameters), false),

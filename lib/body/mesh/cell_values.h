@@ -2,6 +2,7 @@
 #define mesoslip_body_mesh_cell_values_h
 
 #include "body/mesh/distributed_mesh.h"
+#include "elasticity/uniform_material.h"
 #include "material/voigt.h"
 
 #include <deal.II/hp/fe_values.h>
@@ -30,6 +31,34 @@ ShapeStrains<dim> shape_strains(const dealii::FEValues<dim> &values, const unsig
       for (unsigned int d = 0; d < dim; ++d)
         B(voigt_index<dim>(c, d), i) = gradient[d];
     }
+  return B;
+}
+
+/** Strains of the shape functions at all quadrature points of a cell of @p phase, with what the
+ * phase makes of changes of volume (ElasticPhase::mean_dilatation). */
+template <int dim>
+std::vector<ShapeStrains<dim>> cell_strains(const dealii::FEValues<dim> &values,
+                                            const ElasticPhase<dim> &phase)
+{
+  std::vector<ShapeStrains<dim>> B;
+  for (const unsigned int q : values.quadrature_point_indices())
+    B.push_back(shape_strains(values, q));
+  if (!phase.mean_dilatation)
+    return B;
+  const auto dilatation = [](const ShapeStrains<dim> &strains) {
+    return strains.template topRows<dim>().colwise().sum().eval();
+  };
+  Eigen::RowVectorXd mean = Eigen::RowVectorXd::Zero(B[0].cols());
+  double volume           = 0.;
+  for (const unsigned int q : values.quadrature_point_indices())
+    {
+      mean += values.JxW(q) * dilatation(B[q]);
+      volume += values.JxW(q);
+    }
+  mean /= volume;
+  for (ShapeStrains<dim> &strains : B)
+    strains.template topRows<dim>().rowwise() +=
+      ((mean - dilatation(strains)) / dim).eval();
   return B;
 }
 

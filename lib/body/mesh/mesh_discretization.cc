@@ -63,10 +63,10 @@ void MeshDiscretization<dim>::assemble()
       const ElasticPhase<dim> &phase = body.phases()[cell.material_id()];
       Eigen::MatrixXd K              = Eigen::MatrixXd::Zero(n, n);
       Eigen::VectorXd cell_mass      = Eigen::VectorXd::Zero(n);
+      const auto B                   = cell_strains(values, phase);
       for (const unsigned int q : values.quadrature_point_indices())
         {
-          const auto B = shape_strains(values, q);
-          K.noalias() += values.JxW(q) * B.transpose() * phase.stiffness * B;
+          K.noalias() += values.JxW(q) * B[q].transpose() * phase.stiffness * B[q];
           for (unsigned int i = 0; i < n; ++i)
             cell_mass(i) += phase.density * values.shape_value(i, q) * values.JxW(q);
         }

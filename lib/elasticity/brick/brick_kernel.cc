@@ -27,10 +27,12 @@ BrickKernels brick_kernels()
 {
   return {{advance<OfPhases<n_cubes>>, advance<OfPhases<n_isotropic>>,
            advance<OfPhases<n_orthotropic>>, advance<OfPhases<n_general>>,
-           advance<OfMaterials>},
+           advance<OfMaterials<n_general>>, advance<OfPhases<n_isotropic_apart>>,
+           advance<OfPhases<n_general_apart>>, advance<OfMaterials<n_general_apart>>},
           {multiply<OfPhases<n_cubes>>, multiply<OfPhases<n_isotropic>>,
            multiply<OfPhases<n_orthotropic>>, multiply<OfPhases<n_general>>,
-           multiply<OfMaterials>},
+           multiply<OfMaterials<n_general>>, multiply<OfPhases<n_isotropic_apart>>,
+           multiply<OfPhases<n_general_apart>>, multiply<OfMaterials<n_general_apart>>},
           copy_plane};
 }
 } // namespace mesoslip::kernels::MESOSLIP_VARIANT

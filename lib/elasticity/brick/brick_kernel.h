@@ -48,7 +48,7 @@ struct BrickSweep
   unsigned int n_phases;         ///< with that without stiffness, the last one
 
   /** Times volume / (16 edge_rows^2): [coefficient][256], of materials instead of phases
-   * [n_phases][n_of_material]. */
+   * [n_phases][n_of_material()]. */
   const double *stiffness;
 
   unsigned int rows_at_once; ///< rows of cells of a tile
@@ -94,10 +94,11 @@ constexpr std::size_t scratch_size(const std::size_t stride,
   return stride * (15 + 12 * (std::size_t{rows_at_once} + 1)) + 64;
 }
 
-constexpr unsigned int n_brick_kinds = 5; ///< see BrickKernels
+constexpr unsigned int n_brick_kinds = 8; ///< see BrickKernels
 
 /** Kernels of one instruction set; [0]: isotropic phases and cubes, [1]: isotropic, [2]:
- * orthotropic, [3]: any ones, [4]: any materials instead of phases. */
+ * orthotropic, [3]: any ones, [4]: any materials instead of phases; apart (coefficients.h) [5]:
+ * isotropic, [6]: any ones, [7]: any materials. */
 struct BrickKernels
 {
   /** One time step of the box. */

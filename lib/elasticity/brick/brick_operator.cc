@@ -13,14 +13,14 @@ namespace mesoslip
 {
 namespace
 {
-/** The stiffness in the axes of the sweep. */
-VoigtMatrix<3> turned(const VoigtMatrix<3> &stiffness)
+/** The phase in the axes of the sweep. */
+ElasticPhase<3> turned(const ElasticPhase<3> &phase)
 {
   constexpr int place[6] = {0, 2, 1, 3, 5, 4};
-  VoigtMatrix<3> result;
+  ElasticPhase<3> result = phase;
   for (int i = 0; i < 6; ++i)
     for (int j = 0; j < 6; ++j)
-      result(i, j) = stiffness(place[i], place[j]);
+      result.stiffness(i, j) = phase.stiffness(place[i], place[j]);
   return result;
 }
 
@@ -40,22 +40,35 @@ enum Kind : unsigned int
   isotropic,
   orthotropic,
   general,
-  materials
+  materials,
+  isotropic_apart,
+  general_apart,
+  materials_apart
 };
+
+/** Coefficients of each kind. */
+constexpr unsigned int n_coefficients_of[kernels::n_brick_kinds] = {
+  n_cubes,   n_isotropic,       n_orthotropic,   n_general,
+  n_general, n_isotropic_apart, n_general_apart, n_general_apart};
 
 Kind kind_of(const std::vector<ElasticPhase<3>> &phases, const std::array<double, 3> &h)
 {
+  const bool apart =
+    std::any_of(phases.begin(), phases.end(),
+                [](const ElasticPhase<3> &phase) { return phase.mean_dilatation; });
   if (CellIndices::is_wide(phases.size()))
-    return materials;
+    return apart ? materials_apart : materials;
   Kind kind = isotropic;
   for (const ElasticPhase<3> &phase : phases)
     if (!is_orthotropic<3>(phase.stiffness))
-      return general;
+      return apart ? general_apart : general;
     else if (!is_isotropic(phase.stiffness))
-      kind = orthotropic;
+      kind = apart ? general_apart : orthotropic;
   const bool equal =
     std::abs(h[0] - h[1]) <= 1e-14 * h[0] && std::abs(h[0] - h[2]) <= 1e-14 * h[0];
-  return kind == isotropic && equal ? cubes : kind;
+  if (kind != isotropic)
+    return kind;
+  return equal ? cubes : apart ? isotropic_apart : isotropic;
 }
 
 kernels::BrickKernels kernels_for(const InstructionSet isa)
@@ -109,29 +122,21 @@ void BrickOperator::set_stiffness(const std::vector<ElasticPhase<3>> &phases)
 {
   const auto &h                     = the_slab.box.grid.spacing;
   kind                              = kind_of(phases, h);
-  const unsigned int n_coefficients = kind >= general       ? n_general
-                                      : kind == orthotropic ? n_orthotropic
-                                                            : n_isotropic;
+  const unsigned int n_coefficients = n_coefficients_of[kind],
+                     n_together     = n_of_material(n_coefficients);
   // [coefficient][phase], or [material][coefficient]; zero behind the last one.
-  const bool together = kind == materials;
-  stiffness.resize(together ? (phases.size() + 1) * n_of_material
-                            : std::size_t{256} * std::max(n_coefficients, n_cubes));
+  const bool together = kind == materials || kind == materials_apart;
+  stiffness.resize(together ? (phases.size() + 1) * n_together
+                            : std::size_t{256} * n_coefficients);
   const double volume = h[0] * h[1] * h[2], factor = volume / (16. * h[2] * h[2]);
-  const std::vector<BrickMatrix> matrices = brick_matrices(h, n_general);
+  const BrickStiffness of_brick(h);
   for (std::size_t p = 0; p < phases.size(); ++p)
     {
-      std::vector<double> c =
-        coefficients_of(turned(phases[p].stiffness), n_coefficients);
-      if (kind == cubes)
-        c.insert(c.end(), {c[0] / 3., (c[0] + 4. * c[1]) / 9.});
+      const std::vector<double> c = coefficients_of(turned(phases[p]), n_coefficients);
       for (std::size_t m = 0; m < c.size(); ++m)
-        stiffness[together ? p * n_of_material + m : 256 * m + p] = factor * c[m];
-      BrickMatrix K                 = BrickMatrix::Zero();
-      const std::vector<double> all = coefficients_of(phases[p].stiffness, n_general);
-      for (std::size_t m = 0; m < all.size(); ++m)
-        K += all[m] * matrices[m];
+        stiffness[together ? p * n_together + m : 256 * m + p] = factor * c[m];
       bound = std::max(
-        bound, std::sqrt(symmetric_eigenvalues(K)[23] * volume / (16. * h[1] * h[1]) /
+        bound, std::sqrt(symmetric_eigenvalues(of_brick(phases[p]))[23] * volume / (16. * h[1] * h[1]) /
                          (phases[p].density * volume / 8.)));
     }
   sweep.stiffness = stiffness.data();
@@ -221,7 +226,10 @@ std::string BrickOperator::kernel_name() const
   const std::string kinds[] = {"cubes of isotropic phases", "bricks of isotropic phases",
                                "bricks of orthotropic phases",
                                "bricks of anisotropic phases",
-                               "bricks of many materials"};
+                               "bricks of many materials",
+                               "bricks of isotropic phases with mean dilatation",
+                               "bricks of phases with mean dilatation",
+                               "bricks of many materials with mean dilatation"};
   return to_string(isa) + " " + kinds[kind];
 }
 } // namespace mesoslip

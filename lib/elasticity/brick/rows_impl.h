@@ -66,9 +66,10 @@ struct OfPhases
 
 /** The same by their materials, of which there may be too many for a byte. Coefficients of
  * one lie together, as those of many are not all in the first cache. */
+template <unsigned int n>
 struct OfMaterials
 {
-  static constexpr unsigned int n_coefficients = n_general;
+  static constexpr unsigned int n_coefficients = n;
   static constexpr bool adds_stress            = false;
   static constexpr bool cubes                  = false;
 
@@ -88,11 +89,10 @@ struct OfMaterials
     prefetch_row(source, place + i);
   }
 
-  inline __attribute__((always_inline)) Stiffness<double, n_general>
-  at(const std::size_t i) const
+  inline __attribute__((always_inline)) Stiffness<double, n> at(const std::size_t i) const
   {
-    const vint64 index = load_words(first + i, vint64{}) * int{n_of_material};
-    return Stiffness<double, n_general>::of([&](const unsigned int m) __attribute__((
+    const vint64 index = load_words(first + i, vint64{}) * int{n_of_material(n)};
+    return Stiffness<double, n>::of([&](const unsigned int m) __attribute__((
       always_inline)) { return gather(table + m, index); });
   }
 

@@ -28,14 +28,15 @@ void MeshVolume<dim>::assemble()
   mesoslip::for_each_cell(
     mesh, [&](const auto &cell, const auto &values, const auto &indices) {
       const unsigned int n      = indices.size();
-      const VoigtMatrix<dim> &C = phases[cell.material_id()].stiffness;
+      const ElasticPhase<dim> &phase = phases[cell.material_id()];
+      const VoigtMatrix<dim> &C      = phase.stiffness;
+      const auto B                   = cell_strains(values, phase);
       Eigen::MatrixXd K         = Eigen::MatrixXd::Zero(n, n),
                       f         = Eigen::MatrixXd::Zero(n, n_loads);
       for (const unsigned int q : values.quadrature_point_indices())
         {
-          const auto B = shape_strains(values, q);
-          K.noalias() += values.JxW(q) * B.transpose() * C * B;
-          f.noalias() -= values.JxW(q) * B.transpose() * C;
+          K.noalias() += values.JxW(q) * B[q].transpose() * C * B[q];
+          f.noalias() -= values.JxW(q) * B[q].transpose() * C;
         }
       cells.add(K, indices, matrix);
       for (unsigned int k = 0; k < n_loads && condition != BoundaryCondition::SUBC; ++k)
@@ -65,9 +66,9 @@ void MeshVolume<dim>::for_each_point(const Visit &visit) const
       for (unsigned int i = 0; i < indices.size(); ++i)
         for (unsigned int k = 0; k < n_loads; ++k)
           u(i, k) = solutions[k](indices[i]);
+      const auto B = cell_strains(values, phases[cell.material_id()]);
       for (const unsigned int q : values.quadrature_point_indices())
-        visit(cell, VoigtMatrix<dim>(applied + shape_strains(values, q) * u),
-              values.JxW(q));
+        visit(cell, VoigtMatrix<dim>(applied + B[q] * u), values.JxW(q));
     });
 }
 

@@ -81,7 +81,8 @@ VoxelVolume<dim>::VoxelVolume(const UniformGrid<dim> &the_grid,
   , cells(the_cells)
 {
   for (const ElasticPhase<dim> &phase : the_phases)
-    stiffness.push_back(in_space<dim>(phase.stiffness));
+    phases.push_back(
+      {in_space<dim>(phase.stiffness), phase.density, phase.mean_dilatation});
 }
 
 template <int dim>
@@ -92,7 +93,7 @@ VolumeSums<dim> VoxelVolume<dim>::solve(const BoundaryCondition wanted,
   condition = wanted;
   solver.reset();
   solver =
-    std::make_unique<voxel::Solver>(cells, stiffness, sides_of(condition), dim == 2);
+    std::make_unique<voxel::Solver>(cells, phases, sides_of(condition), dim == 2);
   std::array<SolverReport, n_voigt<dim>> reports;
   for (unsigned int k = 0; k < n_voigt<dim>; ++k)
     try

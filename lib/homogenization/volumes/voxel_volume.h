@@ -56,7 +56,7 @@ private:
 
   const UniformGrid<dim> grid;
   const CellPlanes cells;
-  std::vector<VoigtMatrix<3>> stiffness;                 ///< of each phase, in space (Pa)
+  std::vector<ElasticPhase<3>> phases;                   ///< in space
   BoundaryCondition condition = BoundaryCondition::KUBC; ///< solved last
   std::unique_ptr<voxel::Solver> solver;                 ///< of it
 };

@@ -1,6 +1,7 @@
 #include "sliding/keys/body_keys.h"
 
 #include "base/files.h"
+#include "morphology/microstructure_parameters.h"
 #include "parameters/keys.h"
 
 #include <algorithm>
@@ -70,6 +71,7 @@ void bind_material(Keys &keys,
     "D33; by default that of eq. (10). In 3D, order xx, yy, zz, yz, xz, xy: D11, D12, "
     "D13, D22, D23, D33, D44, D55, D66 or all 21 of the upper triangle [Pa]",
     4, 21);
+  bind_mean_dilatation(keys, body.mean_dilatation);
   keys.bind("Density", body.density, Range::density(),
             "Density of a homogeneous body without RVE file [kg/m^3]");
   keys.bind_list(

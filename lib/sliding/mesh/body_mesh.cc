@@ -57,10 +57,8 @@ double BodyMesh<dim>::smallest_edge() const
 template <int dim>
 double BodyMesh<dim>::mass(const double /*of_box*/) const
 {
-  std::vector<ElasticPhase<dim>> of_cells;
-  for (const Phase<dim> &phase : materials())
-    of_cells.push_back({phase.stiffness, phase.density});
-  const auto of_points = lumped_mass(this->mesh.points, this->mesh.cells, of_cells);
+  const auto of_points = lumped_mass(this->mesh.points, this->mesh.cells,
+                                     elastic_phases<dim>(materials(), MeanDilatation::never));
   return std::accumulate(of_points.begin(), of_points.end(), 0.);
 }
 

@@ -39,6 +39,7 @@ GivenMesh<dim>::GivenMesh(const ContactParameters &given,
       mesh->warnings.push_back(sentence);
     if (!parameters.mesh.rve_note.empty())
       mesh->warnings.push_back(parameters.mesh.rve_note);
+    known.has_simplices = has_simplices(mesh->mesh);
     this->add_implausible(mesh->warnings, plausible_phases<dim>(mesh->phases),
                           body.scales);
   });
@@ -46,8 +47,8 @@ GivenMesh<dim>::GivenMesh(const ContactParameters &given,
   broadcast_object(MPI_COMM_WORLD, known.memory);
   broadcast_object(MPI_COMM_WORLD, mesh->oriented);
   mesh->share(parameters.body);
-  for (const Phase<dim> &phase : oriented_phases(known.phases, mesh->oriented))
-    phases.push_back({phase.stiffness, phase.density});
+  phases = elastic_phases<dim>(oriented_phases(known.phases, mesh->oriented),
+                               parameters.body.mean_dilatation);
   if (n_ranks > body.n_cells)
     throw UserError("the mesh has " + std::to_string(body.n_cells) +
                     " cells, which are divided among the processes; start at most " +

@@ -11,9 +11,11 @@ namespace
  */
 constexpr double rotation_stiffness = 0.02;
 
-std::array<double, n_finest_coefficients> finest_coefficients(const VoigtMatrix<2> &D,
+std::array<double, n_finest_coefficients> finest_coefficients(const ElasticPhase<2> &phase,
                                                               const double height)
 {
+  const VoigtMatrix<2> &D = phase.stiffness;
+  const Eigen::Matrix2d H = hourglass_stiffness(phase, {{1., height}}) * height / 12.;
   std::array<double, n_finest_coefficients> k;
   k[d11] = D(0, 0) * height;
   k[d12] = D(0, 1) * height;
@@ -21,9 +23,9 @@ std::array<double, n_finest_coefficients> finest_coefficients(const VoigtMatrix<
   k[d22] = D(1, 1) * height;
   k[d23] = D(1, 2) * height;
   k[d33] = D(2, 2) * height;
-  k[h11] = (D(0, 0) * height + D(2, 2) / height) / 12.;
-  k[h12] = (D(0, 2) * height + D(1, 2) / height) / 12.;
-  k[h22] = (D(2, 2) * height + D(1, 1) / height) / 12.;
+  k[h11] = H(0, 0);
+  k[h12] = H(0, 1);
+  k[h22] = H(1, 1);
   return k;
 }
 
@@ -55,25 +57,6 @@ void clear_constrained(const std::vector<ConstrainedUnknowns::Node> &nodes,
 }
 } // namespace
 
-Eigen::Matrix<double, 8, 8> finest_cell_matrix(const VoigtMatrix<2> &stiffness,
-                                               const double cell_height)
-{
-  const auto k                  = finest_coefficients(stiffness, cell_height);
-  Eigen::Matrix<double, 5, 8> B = Eigen::Matrix<double, 5, 8>::Zero();
-  for (Eigen::Index n = 0; n < 4; ++n)
-    {
-      const double dx = n % 2 == 0 ? -0.5 : 0.5;
-      const double dy = (n < 2 ? -0.5 : 0.5) / cell_height;
-      B(0, 2 * n) = B(2, 2 * n + 1) = dx;
-      B(1, 2 * n + 1) = B(2, 2 * n) = dy;
-      B(3, 2 * n) = B(4, 2 * n + 1) = n == 0 || n == 3 ? 1. : -1.;
-    }
-  Eigen::Matrix<double, 5, 5> D = Eigen::Matrix<double, 5, 5>::Zero();
-  D.topLeftCorner<3, 3>()       = stiffness * cell_height;
-  D.bottomRightCorner<2, 2>() << k[h11], k[h12], k[h12], k[h22];
-  return B.transpose() * D * B;
-}
-
 Galerkin::Galerkin(const UniformMaterial &material,
                    const std::vector<Interpolation> &interpolations,
                    const std::vector<ConstrainedUnknowns> &constrained)
@@ -83,7 +66,7 @@ Galerkin::Galerkin(const UniformMaterial &material,
   , cell_height(material.grid().spacing[1] / material.grid().spacing[0])
 {
   for (const ElasticPhase<2> &phase : material.phases())
-    coefficients.push_back(finest_coefficients(phase.stiffness, cell_height));
+    coefficients.push_back(finest_coefficients(phase, cell_height));
   rows.resize(interpolations.size());
   for (unsigned int l = 1; l < rows.size(); ++l)
     for (NodalField<double> &row : rows[l])

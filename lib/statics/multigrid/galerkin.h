@@ -52,10 +52,6 @@ private:
   /** rows[l][b]: matrices of row b of the current pair of cell rows of grid l. */
   std::vector<std::array<NodalField<double>, 2>> rows;
 };
-
-/** Matrix of a cell of the finest grid: unknown 2 node + component, lengths in widths. */
-Eigen::Matrix<double, 8, 8> finest_cell_matrix(const VoigtMatrix<2> &stiffness,
-                                               const double cell_height);
 } // namespace mesoslip::multigrid
 
 #endif

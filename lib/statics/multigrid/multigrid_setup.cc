@@ -25,9 +25,8 @@ public:
     , arrays(the_x.n_nodes() + 1, 1, n_arrays)
   {
     for (const ElasticPhase<2> &phase : material.phases())
-      cells.emplace_back(
-        finest_cell_matrix(phase.stiffness, y.position[1] / x.position[1])
-          .template cast<Number>());
+      cells.emplace_back(cell_stiffness(phase, {{1., y.position[1] / x.position[1]}})
+                           .template cast<Number>());
   }
 
   LineBlocks<Number> operator()(const unsigned int j)

@@ -34,10 +34,21 @@ const Kernels &kernels()
 
 Cells cells_of(const VoxelGrid &grid, const unsigned int n_coefficients)
 {
-  if (grid.flat)
-    return Cells::flat;
-  if (n_coefficients == n_general)
-    return Cells::general;
+  switch (n_coefficients)
+    {
+      case n_plane:
+        return Cells::flat;
+      case n_plane_apart:
+        return Cells::flat_apart;
+      case n_general:
+        return Cells::general;
+      case n_general_apart:
+        return Cells::general_apart;
+      case n_isotropic_apart:
+        return Cells::isotropic_apart;
+      default:
+        break;
+    }
   for (const unsigned int axis : {0U, 2U})
     if (std::abs(grid.ratio(axis) - 1.) > equal_edges)
       return Cells::isotropic;
@@ -254,13 +265,17 @@ std::vector<BrickMatrix> cell_matrices(const VoxelGrid &grid,
   if (!grid.flat)
     return brick_matrices(grid.spacing, n_coefficients);
   // A quarter, as the coefficients are four times those of bricks.
-  const std::vector<BrickMatrix> all = brick_matrices(grid.spacing, n_general);
+  const bool apart = n_coefficients == n_plane_apart;
+  const std::vector<BrickMatrix> all =
+    brick_matrices(grid.spacing, apart ? n_general_apart : n_general);
+  const auto entries = stiffness_entries<3>();
   std::vector<BrickMatrix> result;
-  for (const StiffnessEntry &entry : stiffness_entries<2>())
-    for (std::size_t m = 0; m < all.size(); ++m)
-      if (stiffness_entries<3>()[m].row == grid.load_case(entry.row) &&
-          stiffness_entries<3>()[m].column == grid.load_case(entry.column))
-        result.emplace_back(all[m] / 4.);
+  for (std::size_t first = 0; first < all.size(); first += entries.size())
+    for (const StiffnessEntry &entry : stiffness_entries<2>())
+      for (std::size_t m = 0; m < entries.size(); ++m)
+        if (entries[m].row == grid.load_case(entry.row) &&
+            entries[m].column == grid.load_case(entry.column))
+          result.emplace_back(all[first + m] / 4.);
   return result;
 }
 

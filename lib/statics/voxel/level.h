@@ -14,7 +14,7 @@ namespace mesoslip::voxel
 /** Coefficients of the cells of a grid, as in kernels.h: [z][y][coefficient][stride]. */
 struct CellStiffness
 {
-  unsigned int n_coefficients = 0; ///< n_isotropic, n_general or n_plane
+  unsigned int n_coefficients = 0; ///< n_isotropic, n_general or n_plane, apart or not
   LineVector<float> numbers;       ///< zero outside of the body
 
   /** Coefficient @p m of a row of cells. */

@@ -31,12 +31,12 @@ VoxelGrid kind_of(const Sides sides, const bool flat)
 } // namespace
 
 Solver::Solver(const CellPlanes &cells,
-               const std::vector<VoigtMatrix<3>> &the_stiffness,
+               const std::vector<ElasticPhase<3>> &the_phases,
                const Sides sides,
                const bool flat)
-  : K(cells, the_stiffness, kind_of(sides, flat))
+  : K(cells, the_phases, kind_of(sides, flat))
   , iteration(K)
-  , strains(the_stiffness.size(), VoigtMatrix<3>::Zero())
+  , strains(the_phases.size(), VoigtMatrix<3>::Zero())
 {
   bool has_unknowns = true;
   for (unsigned int d = 0; d < 3; ++d)
@@ -79,7 +79,7 @@ double Solver::gross_load(const unsigned int k) const
           const double stress =
             grid.sides == Sides::free
               ? (voigt_index<3>(c, d) == k ? 1. : 0.)
-              : K.of_phases[phase](voigt_index<3>(c, d), k) / K.modulus;
+              : K.of_phases[phase].stiffness(voigt_index<3>(c, d), k) / K.modulus;
           // On each of eight nodes, or of four that have twice as much.
           const double force = stress * volume / (4. * grid.spacing[d]);
           sum += K.n_cells[phase] * (grid.flat ? 16. : 8.) * force * force;

@@ -35,24 +35,24 @@ class Solver
 public:
   /** Cells of @p map, which all ranks have. See below. */
   Solver(const PhaseMap<3> &map,
-         const std::vector<VoigtMatrix<3>> &the_stiffness,
+         const std::vector<ElasticPhase<3>> &the_phases,
          const Sides sides,
          const MPI_Comm communicator = MPI_COMM_SELF)
     : Solver(CellPlanes::of_whole(map.grid, CellView(map.id), communicator),
-             the_stiffness,
+             the_phases,
              sides)
   {
   }
 
   /**
-   * Phases of the cells of a box, which are needed no longer, have @p the_stiffness (Pa); at
+   * Phases of the cells of a box, which are needed no longer, have @p the_phases; at
    * most 65535 of them. From 256 on they are called materials: cells take two bytes
    * instead of one, and all count as anisotropic. @p flat: see VoxelGrid; the box has one cell
    * along y, and there are at most 255 phases.
    * @throws std::invalid_argument for a phase without a stiffness
    */
   Solver(const CellPlanes &cells,
-         const std::vector<VoigtMatrix<3>> &the_stiffness,
+         const std::vector<ElasticPhase<3>> &the_phases,
          const Sides sides,
          const bool flat = false);
 

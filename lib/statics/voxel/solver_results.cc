@@ -145,7 +145,7 @@ VoigtMatrix<3> Solver::mean_stiffness() const
   const double all    = std::accumulate(K.n_cells.begin(), K.n_cells.end(), 0.);
   VoigtMatrix<3> mean = VoigtMatrix<3>::Zero();
   for (std::size_t id = 0; id < K.of_phases.size(); ++id)
-    mean += K.n_cells[id] / all * K.of_phases[id] / K.modulus;
+    mean += K.n_cells[id] / all * K.of_phases[id].stiffness / K.modulus;
   return mean;
 }
 
@@ -163,7 +163,7 @@ VoigtMatrix<3> Solver::effective_stiffness() const
     if (K.grid.sides == Sides::free)
       work_of_load += strains[id] / cells;
     else
-      work_of_load -= K.of_phases[id] / K.modulus * strains[id] / cells;
+      work_of_load -= K.of_phases[id].stiffness / K.modulus * strains[id] / cells;
   for (unsigned int k = 0; k < 6; ++k)
     for (unsigned int l = k; l < 6; ++l)
       work_of_load(k, l) = work_of_load(l, k) =

@@ -19,17 +19,17 @@ constexpr double strong_ratio = 400.;
 /** Largest over smallest entry of the diagonals among the phases that occur: grows with the
  *  contrast and where a phase is nearly incompressible. */
 double stiffness_ratio(const std::vector<double> &n_cells,
-                       const std::vector<VoigtMatrix<3>> &stiffness,
+                       const std::vector<ElasticPhase<3>> &phases,
                        const VoxelGrid &grid)
 {
   double smallest = 1e300, largest = 0.;
-  for (std::size_t phase = 0; phase < stiffness.size(); ++phase)
+  for (std::size_t phase = 0; phase < phases.size(); ++phase)
     if (n_cells[phase] > 0.)
       for (unsigned int n = 0; n < grid.n_load_cases(); ++n)
         {
           const unsigned int m = grid.load_case(n);
-          smallest             = std::min(smallest, stiffness[phase](m, m));
-          largest              = std::max(largest, stiffness[phase](m, m));
+          smallest             = std::min(smallest, phases[phase].stiffness(m, m));
+          largest              = std::max(largest, phases[phase].stiffness(m, m));
         }
   return largest / smallest;
 }
@@ -84,17 +84,42 @@ padded_phases(const CellPlanes &cells, const VoxelGrid &grid, const std::size_t 
   return phases;
 }
 
-/** The coefficients of a stiffness that the kernels have. */
+/** The coefficients of a phase that the kernels have. */
 std::vector<double> coefficients_in(const VoxelGrid &grid,
-                                    const VoigtMatrix<3> &stiffness,
+                                    const ElasticPhase<3> &phase,
                                     const unsigned int n_coefficients)
 {
   if (!grid.flat)
-    return coefficients_of(stiffness, n_coefficients);
+    return coefficients_of(phase, n_coefficients);
+  ElasticPhase<2> plane{VoigtMatrix<2>::Zero(), 0., phase.mean_dilatation};
+  for (unsigned int i = 0; i < n_voigt<2>; ++i)
+    for (unsigned int j = 0; j < n_voigt<2>; ++j)
+      plane.stiffness(i, j) = phase.stiffness(grid.load_case(i), grid.load_case(j));
   std::vector<double> result;
-  for (const StiffnessEntry &entry : stiffness_entries<2>())
-    result.push_back(stiffness(grid.load_case(entry.row), grid.load_case(entry.column)));
+  for (const VoigtMatrix<2> &D : {plane.stiffness, plane.stiffness_about_mean()})
+    for (const StiffnessEntry &entry : stiffness_entries<2>())
+      result.push_back(D(entry.row, entry.column));
+  result.resize(n_coefficients);
   return result;
+}
+
+/** How many coefficients describe all phases that occur. */
+unsigned int n_coefficients_for(const std::vector<ElasticPhase<3>> &phases,
+                                const std::vector<double> &n_cells,
+                                const bool flat)
+{
+  bool general = CellIndices::is_wide(phases.size()), apart = false;
+  for (std::size_t phase = 0; phase < phases.size(); ++phase)
+    if (n_cells[phase] > 0.)
+      {
+        general |= !is_isotropic(phases[phase].stiffness);
+        apart |= phases[phase].mean_dilatation;
+      }
+  if (flat)
+    return apart ? n_plane_apart : n_plane;
+  if (general)
+    return apart ? n_general_apart : n_general;
+  return apart ? n_isotropic_apart : n_isotropic;
 }
 
 Multigrid::Options options_for(const double ratio)
@@ -115,18 +140,18 @@ VoxelGrid divided_grid(VoxelGrid grid, const CellPlanes &cells)
 }
 
 double largest_modulus(const std::vector<double> &n_cells,
-                       const std::vector<VoigtMatrix<3>> &stiffness)
+                       const std::vector<ElasticPhase<3>> &phases)
 {
   double largest = 0.;
-  for (std::size_t phase = 0; phase < stiffness.size(); ++phase)
+  for (std::size_t phase = 0; phase < phases.size(); ++phase)
     if (n_cells[phase] > 0.)
-      largest = std::max(largest, stiffness[phase].cwiseAbs().maxCoeff());
+      largest = std::max(largest, phases[phase].stiffness.cwiseAbs().maxCoeff());
   return largest;
 }
 } // namespace
 
 Stiffness::Stiffness(const CellPlanes &cells,
-                     const std::vector<VoigtMatrix<3>> &of_phases,
+                     const std::vector<ElasticPhase<3>> &of_phases,
                      const VoxelGrid &kind)
   : of_phases(of_phases)
   , length(cells.grid.spacing[1])
@@ -143,38 +168,30 @@ std::size_t Stiffness::in_table(const unsigned int coefficient,
                                 const std::size_t phase) const
 {
   if (source == Source::materials)
-    return phase * n_of_material + coefficient;
+    return phase * n_of_material(n_coefficients) + coefficient;
   return std::size_t{256} * coefficient + phase;
 }
 
 /** What phases have of each coefficient, in units. */
 void Stiffness::set_table()
 {
-  n_coefficients = n_isotropic;
-  for (std::size_t phase = 0; phase < of_phases.size(); ++phase)
-    if (n_cells[phase] > 0. && !is_isotropic(of_phases[phase]))
-      n_coefficients = n_general;
-  if (grid.flat)
-    n_coefficients = n_plane;
+  n_coefficients = n_coefficients_for(of_phases, n_cells, grid.flat);
   source =
     of_phases.size() + 1 <= kernels().few_phases ? Source::few_phases : Source::phases;
   if (CellIndices::is_wide(of_phases.size()))
     {
       if (grid.flat)
         throw std::invalid_argument("A flat box has more than 255 phases.");
-      source         = Source::materials;
-      n_coefficients = n_general;
+      source = Source::materials;
     }
   const unsigned int n = n_in_table(cells_of(grid, n_coefficients));
-  table.assign(source == Source::materials ? (of_phases.size() + 1) * n_of_material
+  table.assign(source == Source::materials ? (of_phases.size() + 1) * n_of_material(n)
                                            : std::size_t{256} * (n + 1),
                0.);
   for (std::size_t phase = 0; phase < of_phases.size(); ++phase)
     if (n_cells[phase] > 0.)
       {
-        std::vector<double> c = coefficients_in(grid, of_phases[phase], n_coefficients);
-        if (n == n_cubes)
-          c.insert(c.end(), {c[0] / 3., (c[0] + 4. * c[1]) / 9.});
+        const std::vector<double> c = coefficients_in(grid, of_phases[phase], n);
         for (unsigned int m = 0; m < n; ++m)
           table[in_table(m, phase)] = c[m] / modulus * grid.factor();
         table[in_table(n, phase)] = 1.;

@@ -2,7 +2,7 @@
 #define mesoslip_statics_voxel_stiffness_h
 
 #include "grid/cell_planes.h"
-#include "material/voigt.h"
+#include "elasticity/uniform_material.h"
 #include "statics/voxel/multigrid.h"
 
 #include <array>
@@ -27,15 +27,15 @@ class Stiffness
 {
 public:
   /**
-   * Phases of the @p cells, which are needed no longer, have the stiffness @p of_phases (Pa). @p kind
+   * Phases of the @p cells, which are needed no longer, are those @p of_phases; densities are not read. @p kind
    * gives sides, periodic axes and whether it is flat; planes of nodes are divided among the ranks
    * of the cells. Collective. @throws std::invalid_argument for a phase without a stiffness
    */
   Stiffness(const CellPlanes &cells,
-            const std::vector<VoigtMatrix<3>> &of_phases,
+            const std::vector<ElasticPhase<3>> &of_phases,
             const VoxelGrid &kind);
 
-  const std::vector<VoigtMatrix<3>> of_phases; ///< Pa
+  const std::vector<ElasticPhase<3>> of_phases; ///< of flat grids in plane strain
   const double length;                         ///< unit of length, an edge along y (m)
   const VoxelGrid grid;                        ///< cells and nodes, edges in this unit
   const std::vector<double> n_cells;           ///< of each phase, on all ranks

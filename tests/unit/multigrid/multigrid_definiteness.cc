@@ -69,9 +69,8 @@ struct Assembly
     const UniformGrid<2> &grid = material.grid();
     for (unsigned int j = 0; j < grid.cells[1]; ++j)
       for (unsigned int i = 0; i < grid.cells[0]; ++i)
-        add(multigrid::finest_cell_matrix(
-              material.phases()[material.phase_of(i, j)].stiffness,
-              grid.spacing[1] / grid.spacing[0]),
+        add(cell_stiffness(material.phases()[material.phase_of(i, j)],
+                           {{1., grid.spacing[1] / grid.spacing[0]}}),
             i, j);
   }
 

@@ -27,17 +27,21 @@ inline PhaseMap<3> random_map(const std::array<unsigned int, 3> cells,
   return map;
 }
 
-/** Isotropic ones (Pa), and one that couples everything if asked for. */
-inline std::vector<VoigtMatrix<3>> stiffnesses(const bool general)
+/** Isotropic ones, the first of which may have mean dilatation, and one that couples everything if
+ * asked for. */
+inline std::vector<ElasticPhase<3>> phases_of(const bool general,
+                                              const bool mean_dilatation = false)
 {
-  std::vector<VoigtMatrix<3>> result = {isotropic_stiffness<3>(3e9, 0.35),
-                                        isotropic_stiffness<3>(24e9, 0.2)};
+  std::vector<ElasticPhase<3>> result = {
+    {isotropic_stiffness<3>(3e9, mean_dilatation ? 0.48 : 0.35), 0., mean_dilatation},
+    {isotropic_stiffness<3>(24e9, 0.2), 0.}};
   if (general)
     {
       VoigtMatrix<3> A;
       for (unsigned int i = 0; i < 36; ++i)
         A(i / 6, i % 6) = std::sin(1. + 7. * i);
-      result.emplace_back(5e9 * (VoigtMatrix<3>::Identity() + 0.3 * A * A.transpose()));
+      result.push_back({5e9 * (VoigtMatrix<3>::Identity() + 0.3 * A * A.transpose()), 0.,
+                        mean_dilatation});
     }
   return result;
 }
@@ -47,10 +51,10 @@ class Assembled
 {
 public:
   Assembled(const PhaseMap<3> &map,
-            const std::vector<VoigtMatrix<3>> &stiffness,
+            const std::vector<ElasticPhase<3>> &phases,
             const Sides sides)
     : map(map)
-    , stiffness(stiffness)
+    , phases(phases)
     , sides(sides)
   {
     for (unsigned int d = 0; d < 3; ++d)
@@ -183,14 +187,23 @@ private:
                 b << gx, 0, 0, 0, gy, 0, 0, 0, gz, 0, gz, gy, gz, 0, gx, gy, gx, 0;
                 B.middleCols<3>(3 * r) = b;
               }
-            function(index, B, stiffness[map.id[cell]],
+            const ElasticPhase<3> &phase = phases[map.id[cell]];
+            if (phase.mean_dilatation)
+              for (unsigned int r = 0; r < 24; ++r)
+                {
+                  // A brick has its mean change of volume in the middle.
+                  const double middle =
+                    ((r / 3 >> r % 3 & 1U) != 0 ? 1. : -1.) / (4. * h[r % 3]);
+                  B.col(r).head<3>().array() += (middle - B(r % 3, r)) / 3.;
+                }
+            function(index, B, phase.stiffness,
                      w[p[0]] * w[p[1]] * w[p[2]] / 8. * h[0] * h[1] * h[2]);
           }
       }
   }
 
   const PhaseMap<3> map;
-  const std::vector<VoigtMatrix<3>> stiffness;
+  const std::vector<ElasticPhase<3>> phases;
   const Sides sides;
   std::array<unsigned int, 3> n = {};
 };

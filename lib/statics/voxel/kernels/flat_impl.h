@@ -27,6 +27,26 @@ struct Stiffness<Number, n_plane>
   }
 };
 
+/** That about the mean strain. */
+template <typename Number>
+MESOSLIP_INLINE const Stiffness<Number, n_plane> &
+of_changing_strains(const Stiffness<Number, n_plane> &stiffness)
+{
+  return stiffness;
+}
+
+template <typename Number>
+struct Stiffness<Number, n_plane_apart> : ApartStiffness<Number, n_plane, n_plane_apart>
+{
+};
+
+template <typename Number>
+MESOSLIP_INLINE const Stiffness<Number, n_plane> &
+of_changing_strains(const Stiffness<Number, n_plane_apart> &stiffness)
+{
+  return stiffness.about;
+}
+
 /** Place of the components of the plane in Voigt order. */
 constexpr int place_in_plane[3] = {0, 2, 4};
 
@@ -52,8 +72,8 @@ MESOSLIP_INLINE void flat_forces(const Layer<Number> &layer,
   const Vector along_z[3] = {v[0][3], Vector{}, v[1][3]},
                along_x[3] = {Vector{}, v[1][3], v[0][3]};
   Vector of_z[3], of_x[3];
-  stiffness.stress(along_z, of_z);
-  stiffness.stress(along_x, of_x);
+  of_changing_strains(stiffness).stress(along_z, of_z);
+  of_changing_strains(stiffness).stress(along_x, of_x);
   h[0][0] = h[1][0] = Vector{};
   h[0][1]           = s[0];
   h[0][2] = h[1][1] = s[2];

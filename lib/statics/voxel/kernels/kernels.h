@@ -28,16 +28,26 @@ enum class Cells : unsigned int
   isotropic, ///< n_isotropic coefficients
   cubes,     ///< isotropic, and their edges are equal
   general,   ///< n_general coefficients
-  flat       ///< n_plane coefficients, see VoxelGrid::flat
+  flat,      ///< n_plane coefficients, see VoxelGrid::flat
+  isotropic_apart, ///< n_isotropic_apart coefficients
+  general_apart,   ///< n_general_apart
+  flat_apart       ///< n_plane_apart
 };
-constexpr unsigned int n_cells_kinds = 4; ///< see Cells
+constexpr unsigned int n_cells_kinds = 7; ///< see Cells
+
+/** Whether cells are VoxelGrid::flat. */
+constexpr bool is_flat(const Cells cells)
+{
+  return cells == Cells::flat || cells == Cells::flat_apart;
+}
 
 /** Coefficients of a cell that are stored. */
 constexpr unsigned int n_stored(const Cells cells)
 {
-  return cells == Cells::flat      ? n_plane
-         : cells == Cells::general ? n_general
-                                   : n_isotropic;
+  constexpr unsigned int n[n_cells_kinds] = {
+    n_isotropic,       n_isotropic,     n_general,    n_plane,
+    n_isotropic_apart, n_general_apart, n_plane_apart};
+  return n[static_cast<unsigned int>(cells)];
 }
 
 /** Coefficients of a phase in tables. */
@@ -52,7 +62,7 @@ enum class Source : unsigned int
   stored,     ///< coefficients of each cell
   few_phases, ///< a table by the phase of the cell, of at most Kernels::few_phases
   phases,     ///< the same of up to 256
-  materials   ///< of more, of which each has its numbers together; Cells::general alone
+  materials   ///< of more, of which each has its numbers together; Cells::general and apart
 };
 constexpr unsigned int n_sources = 4; ///< see Source
 
@@ -82,7 +92,7 @@ struct SweepArguments
   const std::uint8_t *phase;
   const std::uint16_t *material; ///< instead of them, with Source::materials
   /** What a phase has of each coefficient and, for outer, last whether it is one:
-   * [n_in_table + 1][256], of materials [][n_of_material]. */
+   * [n_in_table + 1][256], of materials [][n_of_material()]. */
   const Number *table;
   const float *b;           ///< right-hand side
   const float *inverse;     ///< D^-1: [n[2] + 2][n[1] + 2][n_diagonals][stride]

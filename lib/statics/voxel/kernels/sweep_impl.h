@@ -33,7 +33,7 @@ struct Stored
   Stored(const SweepArguments<Number> &a, const std::size_t row)
     : first(a.stiffness + row * n * a.stride)
     , stride(a.stride)
-    , next(cells == Cells::flat ? nullptr : next_nodes(a, row))
+    , next(is_flat(cells) ? nullptr : next_nodes(a, row))
   {
   }
   inline __attribute__((always_inline)) Stiffness<Number, n_in_table(cells)>
@@ -102,7 +102,7 @@ struct OfPhases
     : first(a.phase + row * a.stride)
     , table(a.table)
     , stride(a.stride)
-    , next(cells == Cells::flat ? nullptr : next_nodes(a, row))
+    , next(is_flat(cells) ? nullptr : next_nodes(a, row))
   {
   }
   inline __attribute__((always_inline)) Vector of(const unsigned int m,
@@ -136,13 +136,14 @@ struct OfPhases
 };
 
 /** The same by the material of the cell, of which there may be too many for a byte. */
-template <typename Number>
+template <typename Number, Cells cells>
 struct OfMaterials
 {
   using Vector                      = typename Simd<Number>::Vector;
   using Index                       = typename Simd<Number>::Index;
   static constexpr bool cubes       = false;
   static constexpr bool adds_stress = sizeof(Number) == sizeof(double);
+  static constexpr unsigned int n   = n_in_table(cells);
 
   OfMaterials(const SweepArguments<Number> &a, const std::size_t row)
     : first(a.material + row * a.stride)
@@ -153,18 +154,17 @@ struct OfMaterials
   }
   inline __attribute__((always_inline)) Index place(const std::size_t i) const
   {
-    return load_words(first + i, Index{}) * int{n_of_material};
+    return load_words(first + i, Index{}) * int{n_of_material(n)};
   }
-  inline __attribute__((always_inline)) Stiffness<Number, n_general>
-  at(const std::size_t i) const
+  inline __attribute__((always_inline)) Stiffness<Number, n> at(const std::size_t i) const
   {
     const Index index = place(i);
-    return Stiffness<Number, n_general>::of([&](const unsigned int m) __attribute__((
+    return Stiffness<Number, n>::of([&](const unsigned int m) __attribute__((
       always_inline)) { return gather(table + m, index); });
   }
   Vector inside(const std::size_t i) const
   {
-    return gather(table + n_general, place(i));
+    return gather(table + n, place(i));
   }
 
   inline __attribute__((always_inline)) void prefetch(const std::size_t i) const

@@ -21,22 +21,37 @@ namespace mesoslip::voxel::MESOSLIP_VARIANT
 //
 #include "statics/voxel/kernels/vectors_impl.h"
 
-#define MESOSLIP_KINDS(Material, Number, kind, ...)                              \
-  {                                                                              \
-    sweep<Number, Material<Number, Cells::isotropic __VA_ARGS__>, Sweep::kind>,  \
-      sweep<Number, Material<Number, Cells::cubes __VA_ARGS__>, Sweep::kind>,    \
-      sweep<Number, Material<Number, Cells::general __VA_ARGS__>, Sweep::kind>,  \
-      flat_sweep<Number, Material<Number, Cells::flat __VA_ARGS__>, Sweep::kind> \
+#define MESOSLIP_SWEEP(Material, Number, kind, kind_of_cells, ...) \
+  sweep<Number, Material<Number, Cells::kind_of_cells __VA_ARGS__>, Sweep::kind>
+#define MESOSLIP_FLAT_SWEEP(Material, Number, kind, kind_of_cells, ...) \
+  flat_sweep<Number, Material<Number, Cells::kind_of_cells __VA_ARGS__>, Sweep::kind>
+#define MESOSLIP_APART(Material, Number, kind, ...)                        \
+  MESOSLIP_SWEEP(Material, Number, kind, isotropic_apart, __VA_ARGS__),    \
+    MESOSLIP_SWEEP(Material, Number, kind, general_apart, __VA_ARGS__),    \
+    MESOSLIP_FLAT_SWEEP(Material, Number, kind, flat_apart, __VA_ARGS__)
+#define MESOSLIP_KINDS(Material, Number, kind, ...)                 \
+  MESOSLIP_SWEEP(Material, Number, kind, isotropic, __VA_ARGS__),   \
+    MESOSLIP_SWEEP(Material, Number, kind, cubes, __VA_ARGS__),     \
+    MESOSLIP_SWEEP(Material, Number, kind, general, __VA_ARGS__),   \
+    MESOSLIP_FLAT_SWEEP(Material, Number, kind, flat, __VA_ARGS__)
+// Few phases that are apart are not worth kernels of their own: these look up any.
+#define MESOSLIP_OF_PHASES(Number, kind)                      \
+  {MESOSLIP_KINDS(OfPhases, Number, kind, , true),            \
+   MESOSLIP_APART(OfPhases, Number, kind, , false)},          \
+  {                                                           \
+    MESOSLIP_KINDS(OfPhases, Number, kind, , false),          \
+      MESOSLIP_APART(OfPhases, Number, kind, , false)         \
   }
-#define MESOSLIP_MATERIALS(Number, kind)                                       \
-  {                                                                            \
-    nullptr, nullptr, sweep<Number, OfMaterials<Number>, Sweep::kind>, nullptr \
+#define MESOSLIP_MATERIALS(Number, kind)                                        \
+  {                                                                             \
+    nullptr, nullptr, MESOSLIP_SWEEP(OfMaterials, Number, kind, general, ),     \
+      nullptr, nullptr, MESOSLIP_SWEEP(OfMaterials, Number, kind, general_apart, ), \
+      nullptr                                                                   \
   }
-#define MESOSLIP_SOURCES(kind)                                                        \
-  {                                                                                   \
-    MESOSLIP_KINDS(Stored, float, kind, ),                                            \
-      MESOSLIP_KINDS(OfPhases, float, kind, , true),                                  \
-      MESOSLIP_KINDS(OfPhases, float, kind, , false), MESOSLIP_MATERIALS(float, kind) \
+#define MESOSLIP_SOURCES(kind)                                                       \
+  {                                                                                  \
+    {MESOSLIP_KINDS(Stored, float, kind, ), MESOSLIP_APART(Stored, float, kind, )},  \
+      MESOSLIP_OF_PHASES(float, kind), MESOSLIP_MATERIALS(float, kind)               \
   }
 
 const Kernels &kernels()
@@ -44,9 +59,8 @@ const Kernels &kernels()
   static const Kernels table = {MESOSLIP_SOURCES(product),
                                 MESOSLIP_SOURCES(residual),
                                 MESOSLIP_SOURCES(chebyshev),
-                                {{nullptr, nullptr, nullptr, nullptr},
-                                 MESOSLIP_KINDS(OfPhases, double, outer, , true),
-                                 MESOSLIP_KINDS(OfPhases, double, outer, , false),
+                                {{}, // of stored ones
+                                 MESOSLIP_OF_PHASES(double, outer),
                                  MESOSLIP_MATERIALS(double, outer)},
                                 few_phases,
                                 first_step,
@@ -58,5 +72,9 @@ const Kernels &kernels()
 }
 #undef MESOSLIP_SOURCES
 #undef MESOSLIP_MATERIALS
+#undef MESOSLIP_OF_PHASES
 #undef MESOSLIP_KINDS
+#undef MESOSLIP_APART
+#undef MESOSLIP_FLAT_SWEEP
+#undef MESOSLIP_SWEEP
 } // namespace mesoslip::voxel::MESOSLIP_VARIANT
