@@ -7,8 +7,7 @@ std::vector<MatrixEntry> GridBody<2>::stiffness_entries() const
   const UniformGrid<2> &grid = material.grid();
   std::vector<Eigen::Matrix<double, 8, 8>> of_phases;
   for (const ElasticPhase<2> &phase : phases())
-    of_phases.push_back(
-      cell_stiffness(phase, {{grid.spacing[0], grid.spacing[1]}}));
+    of_phases.push_back(cell_stiffness(phase, {{grid.spacing[0], grid.spacing[1]}}));
   std::vector<MatrixEntry> entries;
   entries.reserve(64 * grid.n_cells());
   for (unsigned int j = 0; j < grid.cells[1]; ++j)

@@ -139,8 +139,7 @@ double element_frequency_bound(const UniformMaterial &material)
   for (const unsigned int k : material.phases_that_occur())
     {
       const ElasticPhase<2> &phase = material.phases()[k];
-      const double stiffest =
-        symmetric_eigenvalues(cell_stiffness(phase, {{hx, hy}}))[7];
+      const double stiffest = symmetric_eigenvalues(cell_stiffness(phase, {{hx, hy}}))[7];
       largest = std::max(largest, stiffest / (phase.density * hx * hy / 4.));
     }
   return std::sqrt(largest);

@@ -186,7 +186,10 @@ template <int dim>
 kernels::CellBatches ElementOperator<dim>::batches(const Group &group) const
 {
   const bool shared = group.common == Material::matrix, simplices = group.kind == 0;
-  const double *K = (shared ? matrices[group.kind] : simplices ? stiffness : about_mean).data();
+  const double *K = (shared      ? matrices[group.kind]
+                     : simplices ? stiffness
+                                 : about_mean)
+                      .data();
   return {group.material.size(),
           group.nodes.data(),
           group.material.data(),

@@ -94,7 +94,7 @@ private:
   /** Of the phases, see CellBatches; simplices have that of the mean strain all over. */
   std::vector<double> stiffness, about_mean, excess;
 
-  LineVector<double> coordinates;  ///< of the nodes
+  LineVector<double> coordinates; ///< of the nodes
 
   std::array<std::vector<double>, 2> matrices; ///< of elements, by kind
   std::vector<std::vector<Group>> parts;

@@ -63,11 +63,10 @@ jacobian(const GaussDerivatives (&x)[3], const int q, vdouble (&J)[3][3])
 
 /** Adds to the forces those of the stress that @p excess makes of the mean strain. */
 template <bool anisotropic>
-__attribute__((noinline)) static void
-add_mean_stress(const double *excess,
-                const GaussDerivatives (&x)[3],
-                const GaussDerivatives (&v)[3],
-                GaussDerivatives (&force)[3])
+__attribute__((noinline)) static void add_mean_stress(const double *excess,
+                                                      const GaussDerivatives (&x)[3],
+                                                      const GaussDerivatives (&v)[3],
+                                                      GaussDerivatives (&force)[3])
 {
   vdouble A[8][3][3], sum[6] = {}, stress[6], volume = {};
   for (int q = 0; q < 8; ++q)
@@ -153,8 +152,8 @@ static void multiply_hexahedron(const CellBatches &cells, const double *u, doubl
           stream.move(q);
         }
       if (cells.excess != nullptr)
-        add_mean_stress<anisotropic>(
-          cells.excess + std::size_t{36} * cells.material[k], x, v, force);
+        add_mean_stress<anisotropic>(cells.excess + std::size_t{36} * cells.material[k],
+                                     x, v, force);
 
       for (int c = 0; c < 3; ++c)
         {

@@ -79,8 +79,8 @@ static void multiply_quadrilateral(const CellBatches &cells, const double *u, do
       const QuadrilateralModes x = shape(0), y = shape(1);
       to_modes<2>(value);
       scale_modes<2>(value);
-      const QuadrilateralModes ux = {value[1][0], value[2][0], value[3][0]},
-                               uy = {value[1][1], value[2][1], value[3][1]};
+      const QuadrilateralModes ux     = {value[1][0], value[2][0], value[3][0]},
+                               uy     = {value[1][1], value[2][1], value[3][1]};
       const LinearFunction det        = bracket(x, y);
       const LinearFunction gradient[] = {bracket(ux, y), bracket(x, uy),
                                          bracket(x, ux, bracket(uy, y))};

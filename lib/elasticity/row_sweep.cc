@@ -57,8 +57,7 @@ make_constants(const UniformMaterial &material)
     std::fill(std::begin(row), std::end(row), Number(0));
   const auto &occurring = material.phases_that_occur();
   for (const unsigned int k : occurring)
-    set_coefficients(material.phases()[k], hx, hy,
-                     material.is_homogeneous() ? 0 : k, c);
+    set_coefficients(material.phases()[k], hx, hy, material.is_homogeneous() ? 0 : k, c);
   return constants;
 }
 } // namespace

@@ -128,7 +128,7 @@ void UniformGridOperator::diagonal(NodalField<double> &diagonal) const
         for (unsigned int i = 0; i < nx && (periodic_y || (above ? j < ny : j > 0)); ++i)
           {
             const unsigned int cell_row = (above ? j : j + ny - 1) % ny;
-            const auto &of_cell = of_phases[material.phase_of(i, cell_row)];
+            const auto &of_cell         = of_phases[material.phase_of(i, cell_row)];
             for (const unsigned int right : {0, 1})
               {
                 const unsigned int corner = right + (above ? 0 : 2);

@@ -37,6 +37,20 @@ struct ElasticPhase
   }
 };
 
+/**
+ * Phase of a preconditioner: with mean dilatation it is less stiff against that. Then a multigrid smooths what
+ * keeps the volume, and the other motions are a second cluster of eigenvalues, which costs conjugate gradients some
+ * iterations whatever Poisson's ratio.
+ */
+template <int dim>
+ElasticPhase<dim> phase_to_precondition(ElasticPhase<dim> phase)
+{
+  constexpr double largest_ratio = 0.45;
+  if (phase.mean_dilatation)
+    phase.stiffness = with_poisson_ratio_at_most<dim>(phase.stiffness, largest_ratio);
+  return phase;
+}
+
 /** What operators need to know about @p phases. */
 template <int dim>
 std::vector<ElasticPhase<dim>> elastic_phases(const std::vector<Phase<dim>> &phases,
@@ -44,8 +58,8 @@ std::vector<ElasticPhase<dim>> elastic_phases(const std::vector<Phase<dim>> &pha
 {
   std::vector<ElasticPhase<dim>> result;
   for (const Phase<dim> &phase : phases)
-    result.push_back(
-      {phase.stiffness, phase.density, has_mean_dilatation<dim>(phase.stiffness, choice)});
+    result.push_back({phase.stiffness, phase.density,
+                      has_mean_dilatation<dim>(phase.stiffness, choice)});
   return result;
 }
 

@@ -184,8 +184,7 @@ morphology_warnings(const std::vector<EnsembleMember<dim>> &members)
   return sentences;
 }
 
-UniformMaterial make_material(const PhaseMap<2> &map,
-                              std::vector<ElasticPhase<2>> phases)
+UniformMaterial make_material(const PhaseMap<2> &map, std::vector<ElasticPhase<2>> phases)
 {
   for (ElasticPhase<2> &phase : phases)
     phase.density = 1.; // statics need none

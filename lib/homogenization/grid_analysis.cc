@@ -205,8 +205,8 @@ protected:
     if (!division.divided)
       return std::make_unique<GridVolume>(
         *grid, make_material(microstructure->map, phases), parameters.solver,
-        parameters.conditions, parameters.tolerance, parameters.n_members > 1 ? MPI_COMM_SELF : MPI_COMM_WORLD,
-        case_done, &timer);
+        parameters.conditions, parameters.tolerance,
+        parameters.n_members > 1 ? MPI_COMM_SELF : MPI_COMM_WORLD, case_done, &timer);
     rows = scatter_planes(in_space(*grid), CellView(microstructure->map.id),
                           phases.size(), MPI_COMM_WORLD);
     microstructure.reset(); // each rank has its rows

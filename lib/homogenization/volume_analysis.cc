@@ -62,6 +62,8 @@ void VolumeAnalysis<dim>::describe(std::ostream &out) const
   std::vector<std::string> warnings;
   for (const std::string &line : describe_morphologies(warnings))
     out << line << '\n';
+  for (const std::string &line : lines_of_cells())
+    out << line << '\n';
   out << n_cases() * parameters.n_members << " load cases, about " << memory() << '\n'
       << bytes_text(need().bytes) << " on the disk\n";
   for (const std::vector<std::string> &sentences : {warnings, slips()})
@@ -100,6 +102,13 @@ void VolumeAnalysis<dim>::write_draft(const std::string &folder) const
 }
 
 template <int dim>
+std::vector<std::string> VolumeAnalysis<dim>::lines_of_cells() const
+{
+  return lines_on_cells<dim>(make_phases<dim>(parameters.microstructure.phases),
+                             {parameters.mean_dilatation, has_simplices()});
+}
+
+template <int dim>
 std::vector<std::string> VolumeAnalysis<dim>::slips() const
 {
   const auto phases = make_phases<dim>(parameters.microstructure.phases);
@@ -108,7 +117,8 @@ std::vector<std::string> VolumeAnalysis<dim>::slips() const
     ranges.push_back(
       plausible_length("Grid/Size along " + std::string(1, "xyz"[d]), grid->extent(d)));
   auto sentences = implausible(ranges);
-  for (const std::string &one : stiffness_warnings<dim>(phases, {parameters.mean_dilatation, has_simplices()}))
+  for (const std::string &one :
+       stiffness_warnings<dim>(phases, {parameters.mean_dilatation, has_simplices()}))
     sentences.push_back(one);
   return sentences;
 }

@@ -114,6 +114,9 @@ private:
     return grid ? shape_of_cells(*grid) : Shape{n_cells()};
   }
 
+  /** On the phases with mean dilatation; on rank 0. */
+  std::vector<std::string> lines_of_cells() const;
+
   /** Sentences on what looks like another unit. */
   std::vector<std::string> slips() const;
 

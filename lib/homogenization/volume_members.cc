@@ -64,8 +64,9 @@ void VolumeAnalysis<dim>::begin_member(const unsigned int m,
     return;
   if (m == 0)
     {
-      for (const std::string &line : lines)
-        context.log(line);
+      for (const std::vector<std::string> &some : {lines, lines_of_cells()})
+        for (const std::string &line : some)
+          context.log(line);
       results = morphology();
       if (are_cells_divided())
         results.first.phase_id.clear();

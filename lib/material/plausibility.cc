@@ -175,6 +175,20 @@ std::string unit_warning(const std::vector<Phase<dim>> &phases)
 }
 
 template <int dim>
+std::vector<std::string> lines_on_cells(const std::vector<Phase<dim>> &phases,
+                                        const CellKinds &cells)
+{
+  std::string names;
+  for (const Phase<dim> &phase : phases)
+    if (!cells.simplices && has_mean_dilatation<dim>(phase.stiffness, cells.choice))
+      names += (names.empty() ? "" : ", ") + phase.name + " (Poisson's ratio " +
+               ratio_text<dim>(phase) + ")";
+  if (names.empty())
+    return {};
+  return {"Mean dilatation of the cells of " + names};
+}
+
+template <int dim>
 std::vector<std::string> locking_warnings(const std::vector<Phase<dim>> &phases,
                                           const CellKinds &cells)
 {
@@ -192,14 +206,13 @@ std::vector<std::string> locking_warnings(const std::vector<Phase<dim>> &phases,
     }
   // As measured around stiff inclusions, n cells from one to the next: doc/limits.md.
   const double factor = 2. * incompressibility<dim>(*worst);
-  return {
-    brief_text(2, "phase '", worst->name, "' is nearly incompressible (Poisson's ratio ",
-               ratio_text<dim>(*worst), "): ", which,
-               " lock in it, so that what varies over n cells comes out "
-               "up to about 1 + ",
-               factor, " / n^2 times too stiff, ", 1. + factor / 400.,
-               " times for n = 20", other,
-               ", see 'Nearly incompressible phases' in doc/limits.md")};
+  return {brief_text(
+    2, "phase '", worst->name, "' is nearly incompressible (Poisson's ratio ",
+    ratio_text<dim>(*worst), "): ", which,
+    " lock in it, so that what varies over n cells comes out "
+    "up to about 1 + ",
+    factor, " / n^2 times too stiff, ", 1. + factor / 400., " times for n = 20", other,
+    ", see 'Nearly incompressible phases' in doc/limits.md")};
 }
 
 template <int dim>
@@ -209,12 +222,12 @@ std::vector<std::string> pressure_warnings(const std::vector<Phase<dim>> &phases
     least_compressible<dim>(phases, [](const Phase<dim> &) { return true; });
   if (worst == nullptr)
     return {};
-  return {brief_text(2, "phase '", worst->name,
-                     "' is nearly incompressible (Poisson's ratio ",
-                     ratio_text<dim>(*worst),
-                     "): errors of the localized strains make errors of the pressure ",
-                     incompressibility<dim>(*worst),
-                     " times those of the shear stresses in it; compare with a direct run")};
+  return {
+    brief_text(2, "phase '", worst->name, "' is nearly incompressible (Poisson's ratio ",
+               ratio_text<dim>(*worst),
+               "): errors of the localized strains make errors of the pressure ",
+               incompressibility<dim>(*worst),
+               " times those of the shear stresses in it; compare with a direct run")};
 }
 
 template <int dim>
@@ -255,16 +268,18 @@ std::string hard_to_solve(const std::vector<Phase<dim>> &phases, const double as
   return causes;
 }
 
-#define MESOSLIP_INSTANTIATE(dim)                                          \
-  template std::vector<PlausibleRange> plausible_phases<dim>(              \
-    const std::vector<Phase<dim>> &);                                      \
-  template std::string unit_warning<dim>(const std::vector<Phase<dim>> &); \
-  template std::vector<std::string> locking_warnings<dim>(                 \
-    const std::vector<Phase<dim>> &, const CellKinds &);                   \
-  template std::vector<std::string> pressure_warnings<dim>(                \
-    const std::vector<Phase<dim>> &);                                      \
-  template std::vector<std::string> stiffness_warnings<dim>(               \
-    const std::vector<Phase<dim>> &, const CellKinds &);                   \
+#define MESOSLIP_INSTANTIATE(dim)                                                        \
+  template std::vector<PlausibleRange> plausible_phases<dim>(                            \
+    const std::vector<Phase<dim>> &);                                                    \
+  template std::string unit_warning<dim>(const std::vector<Phase<dim>> &);               \
+  template std::vector<std::string> lines_on_cells<dim>(const std::vector<Phase<dim>> &, \
+                                                        const CellKinds &);              \
+  template std::vector<std::string> locking_warnings<dim>(                               \
+    const std::vector<Phase<dim>> &, const CellKinds &);                                 \
+  template std::vector<std::string> pressure_warnings<dim>(                              \
+    const std::vector<Phase<dim>> &);                                                    \
+  template std::vector<std::string> stiffness_warnings<dim>(                             \
+    const std::vector<Phase<dim>> &, const CellKinds &);                                 \
   template std::string hard_to_solve<dim>(const std::vector<Phase<dim>> &, const double);
 MESOSLIP_INSTANTIATE(2)
 MESOSLIP_INSTANTIATE(3)

@@ -70,8 +70,13 @@ std::string unit_warning(const std::vector<Phase<dim>> &phases);
 struct CellKinds
 {
   MeanDilatation choice = MeanDilatation::automatic; ///< of quadrilaterals and hexahedra
-  bool simplices        = false; ///< whether there are triangles or tetrahedra, which lock
+  bool simplices = false; ///< whether there are triangles or tetrahedra, which lock
 };
+
+/** A line for the log on the phases with mean dilatation; none where there are none or simplices. */
+template <int dim>
+std::vector<std::string> lines_on_cells(const std::vector<Phase<dim>> &phases,
+                                        const CellKinds &cells);
 
 /** That cells lock in the least compressible phase, from a Poisson's ratio of 0.49 on, with
  * an estimate of the error: one sentence or none. */

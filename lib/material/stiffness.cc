@@ -201,6 +201,25 @@ double apparent_poisson_ratio(const VoigtMatrix<dim> &stiffness)
 }
 
 template <int dim>
+VoigtMatrix<dim> with_poisson_ratio_at_most(const VoigtMatrix<dim> &stiffness,
+                                            const double ratio)
+{
+  if (!(apparent_poisson_ratio<dim>(stiffness) > ratio))
+    return stiffness;
+  // With S' = S + k S m m^T S / (1 - k m.S m) for C - k m m^T.
+  const VoigtMatrix<dim> S = inverse<dim>(stiffness);
+  const double share       = (1. - 2. * ratio) / (dim == 2 ? 1. - ratio : 1.),
+               trace       = S.template topLeftCorner<dim, dim>().trace(),
+               pressed     = S.template topLeftCorner<dim, dim>().sum(),
+               square =
+                 S.template topLeftCorner<dim, dim>().rowwise().sum().squaredNorm();
+  VoigtMatrix<dim> result = stiffness;
+  result.template topLeftCorner<dim, dim>().array() -=
+    (trace - pressed / share) / (trace * pressed - square);
+  return result;
+}
+
+template <int dim>
 double stiffness_norm(const VoigtMatrix<dim> &stiffness)
 {
   return stiffness_to_mandel<dim>(stiffness).norm();
@@ -286,6 +305,10 @@ template VoigtMatrix<3> stiffness_from_mandel<3>(const VoigtMatrix<3> &);
 template VoigtVector<2> stiffness_eigenvalues<2>(const VoigtMatrix<2> &);
 template VoigtMatrix<2> without_dilatation<2>(const VoigtMatrix<2> &);
 template VoigtMatrix<3> without_dilatation<3>(const VoigtMatrix<3> &);
+template VoigtMatrix<2> with_poisson_ratio_at_most<2>(const VoigtMatrix<2> &,
+                                                      const double);
+template VoigtMatrix<3> with_poisson_ratio_at_most<3>(const VoigtMatrix<3> &,
+                                                      const double);
 template double apparent_poisson_ratio<2>(const VoigtMatrix<2> &);
 template double apparent_poisson_ratio<3>(const VoigtMatrix<3> &);
 template VoigtMatrix<2> inverse<2>(const VoigtMatrix<2> &);

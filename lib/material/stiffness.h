@@ -93,6 +93,12 @@ VoigtMatrix<dim> without_dilatation(const VoigtMatrix<dim> &stiffness);
 template <int dim>
 double apparent_poisson_ratio(const VoigtMatrix<dim> &stiffness);
 
+/** The stiffness (Pa) less as much of k m m^T, the stiffness against changes of volume (in 2D of area) alone, as brings the
+ * apparent Poisson's ratio down to @p ratio; unchanged where it is not larger. */
+template <int dim>
+VoigtMatrix<dim> with_poisson_ratio_at_most(const VoigtMatrix<dim> &stiffness,
+                                            const double ratio);
+
 /** The phases in which the mean change of volume of a quadrilateral or hexahedron is that of all of it. */
 enum class MeanDilatation
 {
@@ -101,8 +107,9 @@ enum class MeanDilatation
   never      ///< none
 };
 
-/** Apparent Poisson's ratio from which on a phase counts as nearly incompressible. */
-constexpr double least_poisson_ratio = 0.45;
+/** Apparent Poisson's ratio above which a phase counts as nearly incompressible: 0.45, and what keeps this number
+ * itself out on all bodies. */
+constexpr double least_poisson_ratio = 0.450001;
 
 /** Whether that holds for a phase. */
 template <int dim>

@@ -93,11 +93,12 @@ void bind_phase(Keys &keys, PhaseParameters &phase)
 
 void bind_mean_dilatation(Keys &keys, MeanDilatation &choice)
 {
-  keys.bind("Mean dilatation", choice, {"auto", "always", "never"},
-            "Phases in which the change of volume of quadrilaterals and hexahedra is that of "
-            "their mean (B-bar), so that they do not lock: auto, those whose Poisson's ratio "
-            "is 0.45 or more; always, all; never, none, which takes full integration for all "
-            "of them. Triangles and tetrahedra have one strain in any case, and lock [-]");
+  keys.bind(
+    "Mean dilatation", choice, {"auto", "always", "never"},
+    "Phases in which the change of volume of quadrilaterals and hexahedra is that of "
+    "their mean (B-bar), so that they do not lock: auto, those whose Poisson's ratio "
+    "is above 0.45; always, all; never, none, which takes full integration for all "
+    "of them. Triangles and tetrahedra have one strain in any case, and lock [-]");
 }
 
 void bind_phases(Keys &keys, std::vector<PhaseParameters> &phases)

@@ -176,10 +176,10 @@ ProbeRecorder::Vector MeshProbes<dim>::interpolate(const NodalField<double> &fie
 template <int dim>
 void MeshProbes<dim>::sample_strain(const std::size_t k, ProbeHistory &history) const
 {
-  const MeshPlace &place           = places[k];
-  const ElasticPhase<dim> &phase   = phases[place.material];
-  VoigtVector<dim> strain          = VoigtVector<dim>::Zero();
-  double more_dilatation           = 0.; // in the mean of the cell
+  const MeshPlace &place         = places[k];
+  const ElasticPhase<dim> &phase = phases[place.material];
+  VoigtVector<dim> strain        = VoigtVector<dim>::Zero();
+  double more_dilatation         = 0.; // in the mean of the cell
   for (unsigned int c = 0; c < dim; ++c)
     for (std::size_t v = 0; v < corners[k].size(); ++v)
       {

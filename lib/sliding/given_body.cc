@@ -141,6 +141,14 @@ void GivenBody<dim>::write_and_show(std::optional<Hdf5File> &file,
 }
 
 template <int dim>
+void GivenBody<dim>::add_lines_on_cells()
+{
+  for (const std::string &line : lines_on_cells<dim>(
+         known.phases, {parameters.body.mean_dilatation, known.has_simplices}))
+    known.lines.push_back(line);
+}
+
+template <int dim>
 void GivenBody<dim>::add_implausible(std::vector<std::string> &sentences,
                                      std::vector<PlausibleRange> ranges,
                                      const BodyScales &scales) const

@@ -40,8 +40,9 @@ struct BodyFacts
   std::vector<std::string> warnings; ///< sentences on what looks like a slip
   std::uint64_t n_points = 0;        ///< of the whole body
   bool heterogeneous     = false;    ///< whether it is made of several phases
-  bool has_simplices     = false;    ///< whether some cells are triangles or tetrahedra, on rank 0
-  std::vector<Phase<dim>> phases;    ///< without their orientations
+  bool has_simplices =
+    false; ///< whether some cells are triangles or tetrahedra, on rank 0
+  std::vector<Phase<dim>> phases; ///< without their orientations
 
   std::vector<double> volume_fractions; ///< of the phases, on rank 0
   std::string rve_digest;               ///< of the RVE file; empty without one
@@ -297,6 +298,9 @@ protected:
 
   /** Of these parameters. */
   explicit GivenBody(const ContactParameters &parameters);
+
+  /** Adds which phases have mean dilatation to the lines of facts(). */
+  void add_lines_on_cells();
 
   /** Adds sentences on @p ranges, friction, springs of the contact, a static load and facts().phases that
    * look like another unit, in a body of these @p scales. */

@@ -113,10 +113,11 @@ GivenGrid::GivenGrid(const ContactParameters &given, const BodyDescription &desc
   known.volume_fractions = body.fractions(body.grid.n_cells());
   known.scales           = scales();
   known.lines            = lines();
-  known.warnings         = warnings();
-  known.rve_digest       = body.rve_digest;
-  known.place            = cell_text(body.grid);
-  known.size             = size();
+  this->add_lines_on_cells();
+  known.warnings   = warnings();
+  known.rve_digest = body.rve_digest;
+  known.place      = cell_text(body.grid);
+  known.size       = size();
   for (unsigned int i = 0; i < material.n_columns(); ++i)
     known.contact_place[0].push_back(body.grid.origin[0] + i * body.grid.spacing[0]);
   if (parameters.is_counter || parameters.counter)

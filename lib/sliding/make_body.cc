@@ -71,7 +71,8 @@ UniformMaterial make_material(const BodyDescription &body,
 {
   try
     {
-      return UniformMaterial(body.grid, elastic_phases<2>(body.phases, choice), body.phase_id, {periodic, false});
+      return UniformMaterial(body.grid, elastic_phases<2>(body.phases, choice),
+                             body.phase_id, {periodic, false});
     }
   catch (const std::invalid_argument &e)
     {

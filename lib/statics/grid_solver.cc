@@ -12,6 +12,14 @@ namespace
  * likely to suffer from round-off, and needs half as many in double precision. */
 constexpr unsigned int max_single_iterations = 100;
 
+UniformMaterial to_precondition(const UniformMaterial &material)
+{
+  std::vector<ElasticPhase<2>> phases = material.phases();
+  for (ElasticPhase<2> &phase : phases)
+    phase = phase_to_precondition(phase);
+  return material.with_phases(phases);
+}
+
 std::string failure_text(const NotConverged::Reason reason, const SolverReport &report)
 {
   using Reason = NotConverged::Reason;
@@ -38,6 +46,8 @@ GridSolver::GridSolver(const UniformMaterial &material,
   , unique_rows(material.n_rows() - material.periodicity().y)
   , n(whole_vectors<float>(material.n_columns()))
   , stiffness(material)
+  , gentle(to_precondition(material))
+  , gentle_stiffness(gentle)
   , r(material.n_columns(), material.n_rows())
   , p(r)
   , q(r)
@@ -64,7 +74,7 @@ void GridSolver::set_constrained(const DofMask &new_mask)
   else if (single)
     single->multigrid.set_constrained(mask);
   else
-    single = std::make_unique<Cycle<float>>(material, stiffness, mask);
+    single = std::make_unique<Cycle<float>>(gentle, gentle_stiffness, mask);
 }
 
 template <typename Function>
@@ -152,7 +162,7 @@ SolverReport GridSolver::solve(NodalField<double> &u,
           report.iterations == max_iterations)
         throw NotConverged(failure_text(*failure, report), *failure, report.residual);
       single.reset();
-      twice = std::make_unique<Cycle<double>>(material, stiffness, mask);
+      twice = std::make_unique<Cycle<double>>(gentle, gentle_stiffness, mask);
       report.single_iterations = report.iterations;
     }
   material.copy_duplicates(u);

@@ -117,6 +117,8 @@ private:
   const unsigned int unique_columns, unique_rows; ///< without periodic duplicates
   const unsigned int n;                           ///< columns in whole vectors
   const UniformGridOperator stiffness;
+  const UniformMaterial gentle;               ///< of phase_to_precondition()
+  const UniformGridOperator gentle_stiffness; ///< of it, for multigrid
   NodalField<double> r, p, q;
 
   DofMask mask;

@@ -1,4 +1,5 @@
-"""A finite element code for boxes of bricks, in scipy: Q1 with 2x2x2 Gauss points, under KUBC, SUBC and PBC."""
+"""A finite element code for boxes of bricks, in scipy: Q1 with 2x2x2 Gauss points, under KUBC, SUBC and PBC, some phases with mean
+dilatation (B-bar)."""
 
 import numpy as np
 from scipy.sparse import coo_matrix, csr_matrix
@@ -21,7 +22,7 @@ def strain_matrix(at, h):
     return B
 
 
-def effective(phases, stiffness, h, condition):
+def effective(phases, stiffness, h, condition, mean_dilatation=()):
     """The stiffness [6][6] of a box of phases [nz][ny][nx] with stiffnesses [n][6][6] under KUBC, SUBC or PBC, and the concentration
     tensors [nz][ny][nx][6][6]."""
     n = np.array(phases.shape[::-1])
@@ -31,7 +32,10 @@ def effective(phases, stiffness, h, condition):
     dofs = (3 * number(cells[:, None] + CORNERS)[:, :, None] + np.arange(3)).reshape(-1, 24)
     points = [0.5 - 0.5 / 3**0.5, 0.5 + 0.5 / 3**0.5]
     B = np.array([strain_matrix((x, y, z), h) for x in points for y in points for z in points])
-    brick = np.einsum("qia,pij,qjb->pab", B, stiffness, B) * np.prod(h) / 8
+    means = np.zeros((6, 6))
+    means[:3, :3] = 1 / 3
+    kinds = np.array([B + means @ (B.mean(axis=0) - B) if phase in mean_dilatation else B for phase in range(len(stiffness))])
+    brick = np.einsum("pqia,pij,pqjb->pab", kinds, stiffness, kinds) * np.prod(h) / 8
     values, id = brick[phases.ravel()], phases.ravel()
     K = coo_matrix((values.ravel(), (np.repeat(dofs, 24, axis=1).ravel(), np.tile(dofs, 24).ravel()))).tocsr()
     given, loads = np.zeros((2, K.shape[0], 6))

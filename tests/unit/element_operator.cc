@@ -64,7 +64,7 @@ std::vector<ElasticPhase<dim>> make_phases(const bool anisotropic,
       phases[p].density = 2. + p;
       // One of two, so that both are met.
       phases[p].mean_dilatation = mean_dilatation && p == 0;
-      auto &C           = phases[p].stiffness;
+      auto &C                   = phases[p].stiffness;
       C.diagonal().setConstant(1. + p);
       C.template topLeftCorner<dim, dim>().array() += 0.7;
       C(0, 0) += 2.;

@@ -1,6 +1,7 @@
 #ifndef mesoslip_body_mesh_cell_values_h
 #define mesoslip_body_mesh_cell_values_h
 
+#include "base/exchange.h"
 #include "body/mesh/distributed_mesh.h"
 #include "elasticity/uniform_material.h"
 #include "material/voigt.h"
@@ -60,6 +61,39 @@ std::vector<ShapeStrains<dim>> cell_strains(const dealii::FEValues<dim> &values,
     strains.template topRows<dim>().rowwise() +=
       ((mean - dilatation(strains)) / dim).eval();
   return B;
+}
+
+/** Stiffness of a cell of @p phase, of which @p B are the cell_strains(). */
+template <int dim>
+Eigen::MatrixXd cell_matrix(const dealii::FEValues<dim> &values,
+                            const std::vector<ShapeStrains<dim>> &B,
+                            const ElasticPhase<dim> &phase)
+{
+  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(B[0].cols(), B[0].cols());
+  for (const unsigned int q : values.quadrature_point_indices())
+    K.noalias() += values.JxW(q) * B[q].transpose() * phase.stiffness * B[q];
+  return K;
+}
+
+/** What a cell of @p phase is for a preconditioner: simplices have one strain and thus no mean dilatation. */
+template <int dim>
+ElasticPhase<dim> phase_in_cell(const dealii::FEValues<dim> &values,
+                                const ElasticPhase<dim> &phase)
+{
+  return values.get_fe().reference_cell().is_simplex() ? phase
+                                                       : phase_to_precondition(phase);
+}
+
+/** Whether phase_in_cell() changes some cell. Collective. */
+template <int dim>
+bool has_two_matrices(const DistributedMesh<dim> &mesh,
+                      const std::vector<ElasticPhase<dim>> &phases)
+{
+  unsigned int changed = 0;
+  for (const auto &cell : mesh.dofs().active_cell_iterators())
+    changed |= cell->is_locally_owned() && phases[cell->material_id()].mean_dilatation &&
+               !cell->reference_cell().is_simplex();
+  return mpi::max(changed, mesh.communicator()) > 0;
 }
 
 /** Calls @p action (cell, FEValues, degrees of freedom) for each cell of this rank. */

@@ -13,6 +13,7 @@ MeshDiscretization<dim>::MeshDiscretization(MeshShare<dim> &&share,
   : body(the_body)
   , distributed(std::move(share.all_ranks))
   , dofs(std::move(share.dofs))
+  , is_apart(mesoslip::has_two_matrices(*distributed, body.phases()))
 {
   std::vector<std::array<Index, 2>> duplicates;
   for (std::size_t k = 0; k < share.duplicates.size(); k += 2UL * dim)
@@ -54,6 +55,8 @@ void MeshDiscretization<dim>::assemble()
   using namespace dealii;
   CondensedCells cells(constraints);
   cells.reinit(matrix, *distributed);
+  if (is_apart)
+    cells.reinit(gentle, *distributed);
   mass.reinit(distributed->dofs().locally_owned_dofs(), constraints.get_local_lines(),
               distributed->communicator());
 
@@ -61,19 +64,19 @@ void MeshDiscretization<dim>::assemble()
     *distributed, [&](const auto &cell, const auto &values, const auto &indices) {
       const unsigned int n           = indices.size();
       const ElasticPhase<dim> &phase = body.phases()[cell.material_id()];
-      Eigen::MatrixXd K              = Eigen::MatrixXd::Zero(n, n);
       Eigen::VectorXd cell_mass      = Eigen::VectorXd::Zero(n);
       const auto B                   = cell_strains(values, phase);
       for (const unsigned int q : values.quadrature_point_indices())
-        {
-          K.noalias() += values.JxW(q) * B[q].transpose() * phase.stiffness * B[q];
-          for (unsigned int i = 0; i < n; ++i)
-            cell_mass(i) += phase.density * values.shape_value(i, q) * values.JxW(q);
-        }
-      cells.add(K, indices, matrix);
+        for (unsigned int i = 0; i < n; ++i)
+          cell_mass(i) += phase.density * values.shape_value(i, q) * values.JxW(q);
+      cells.add(cell_matrix(values, B, phase), indices, matrix);
+      if (is_apart)
+        cells.add(cell_matrix(values, B, phase_in_cell(values, phase)), indices, gentle);
       cells.add(cell_mass, indices, mass);
     });
   matrix.compress();
+  if (is_apart)
+    gentle.compress();
   mass.compress(VectorOperation::add);
 }
 

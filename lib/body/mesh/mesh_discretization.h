@@ -37,6 +37,18 @@ public:
     return matrix;
   }
 
+  /** The same of phase_to_precondition(), which is K where no phase has mean dilatation. */
+  const DistributedMatrix &to_precondition() const
+  {
+    return is_apart ? gentle : matrix;
+  }
+
+  /** Whether to_precondition() is another matrix than stiffness(). */
+  bool has_two_matrices() const
+  {
+    return is_apart;
+  }
+
   /** Row sums of the consistent mass matrix (kg, in 2D kg/m). */
   const Vector &lumped_mass() const
   {
@@ -91,7 +103,8 @@ private:
   std::vector<int> in_owned; ///< places of dofs in a Vector
   std::vector<unsigned int> in_needed; ///< places of dofs in needed
   mutable Vector needed;               ///< all that fields have
-  DistributedMatrix matrix;
+  const bool is_apart;                 ///< see has_two_matrices()
+  DistributedMatrix matrix, gentle;
   Vector mass;
 };
 } // namespace mesoslip

@@ -108,7 +108,12 @@ void MlSolver<dim>::set_constrained_on_springs(const DofMask &mask,
   if (!motions.empty())
     support(springs);
   constrained.copy_without(discretization.stiffness(), fixed);
-  add_springs(springs);
+  add_springs(springs, constrained);
+  if (discretization.has_two_matrices())
+    {
+      gentle.copy_without(discretization.to_precondition(), fixed);
+      add_springs(springs, gentle);
+    }
   set_up_preconditioner();
 }
 
@@ -138,7 +143,8 @@ void MlSolver<dim>::support(const std::vector<SpringEntry> &springs)
 
 // A rank adds those of the nodes whose rows it owns.
 template <int dim>
-void MlSolver<dim>::add_springs(const std::vector<SpringEntry> &springs)
+void MlSolver<dim>::add_springs(const std::vector<SpringEntry> &springs,
+                                DistributedMatrix &matrix) const
 {
   const auto owned = discretization.lumped_mass().locally_owned_elements();
   for (const SpringEntry &spring : springs)
@@ -148,9 +154,9 @@ void MlSolver<dim>::add_springs(const std::vector<SpringEntry> &springs)
       if (body.is_counted(spring.node) && owned.is_element(row) &&
           owned.is_element(column) && !fixed[owned.index_within_set(row)] &&
           !fixed[owned.index_within_set(column)])
-        constrained.add(row, {column}, {spring.stiffness});
+        matrix.add(row, {column}, {spring.stiffness});
     }
-  constrained.compress();
+  matrix.compress();
 }
 
 template <int dim>
@@ -163,7 +169,8 @@ void MlSolver<dim>::set_up_preconditioner()
       rigid.push_back(discretization.to_vector(field));
       clear_fixed(rigid.back());
     }
-  preconditioner.initialize(constrained, rigid);
+  preconditioner.initialize(discretization.has_two_matrices() ? gentle : constrained,
+                            rigid);
 }
 
 template <int dim>

@@ -33,7 +33,8 @@ private:
   using Vector = typename MeshDiscretization<dim>::Vector;
 
   void support(const std::vector<SpringEntry> &springs);
-  void add_springs(const std::vector<SpringEntry> &springs);
+  void add_springs(const std::vector<SpringEntry> &springs,
+                   DistributedMatrix &matrix) const;
   void set_up_preconditioner();
   void clear_fixed(Vector &x) const;
   void remove_motions(Vector &x) const;
@@ -49,6 +50,7 @@ private:
 
   /** Rows and columns of fixed degrees of freedom have only their diagonal. */
   DistributedMatrix constrained;
+  DistributedMatrix gentle; ///< the same of to_precondition(), if that is another matrix
   AlgebraicMultigrid preconditioner;
 };
 } // namespace mesoslip

@@ -228,9 +228,11 @@ struct ApartStiffness
   MESOSLIP_INLINE Stiffness<Number, n_both> of(const Load &load_one)
   {
     Stiffness<Number, n_both> result;
-    result.mean  = Stiffness<Number, n>::of(load_one);
-    result.about = Stiffness<Number, n>::of([&](const unsigned int m) __attribute__((
-      always_inline)) { return load_one(about_mean<n>(m)); });
+    result.mean = Stiffness<Number, n>::of(load_one);
+    result.about =
+      Stiffness<Number, n>::of([&](const unsigned int m) __attribute__((always_inline)) {
+        return load_one(about_mean<n>(m));
+      });
     return result;
   }
 

@@ -75,9 +75,9 @@ std::vector<double> triangle_of(const VoigtMatrix<3> &stiffness)
 std::vector<BrickMatrix> brick_matrices(const std::array<double, 3> &spacing,
                                         const unsigned int n_coefficients)
 {
-  const double volume = spacing[0] * spacing[1] * spacing[2],
-               factor = volume / (16. * spacing[1] * spacing[1]),
-               gauss  = 1. / std::sqrt(3.);
+  const double volume     = spacing[0] * spacing[1] * spacing[2],
+               factor     = volume / (16. * spacing[1] * spacing[1]),
+               gauss      = 1. / std::sqrt(3.);
   const StrainMatrix mean = strain_at({{0., 0., 0.}}, spacing);
   std::vector<BrickMatrix> matrices;
   for (unsigned int m = 0; m < n_coefficients; ++m)
@@ -106,23 +106,23 @@ std::vector<double> coefficients_of(const ElasticPhase<3> &phase,
   const double lambda = C(0, 1), mu = C(5, 5), other = about(0, 1);
   switch (n_coefficients)
     {
-      case n_isotropic:
-        return {lambda, mu};
-      case n_isotropic_apart:
-        return {lambda, mu, other};
-      case n_cubes:
-        return {lambda, mu, other / 3., (other + 4. * mu) / 9.};
-      case n_orthotropic:
-        return {C(0, 0), C(0, 1), C(0, 2), C(1, 1), C(1, 2),
-                C(2, 2), C(3, 3), C(4, 4), C(5, 5)};
-      default:
-        std::vector<double> result = triangle_of(C);
-        if (n_coefficients == n_general_apart)
-          {
-            const std::vector<double> more = triangle_of(about);
-            result.insert(result.end(), more.begin(), more.end());
-          }
-        return result;
+    case n_isotropic:
+      return {lambda, mu};
+    case n_isotropic_apart:
+      return {lambda, mu, other};
+    case n_cubes:
+      return {lambda, mu, other / 3., (other + 4. * mu) / 9.};
+    case n_orthotropic:
+      return {C(0, 0), C(0, 1), C(0, 2), C(1, 1), C(1, 2),
+              C(2, 2), C(3, 3), C(4, 4), C(5, 5)};
+    default:
+      std::vector<double> result = triangle_of(C);
+      if (n_coefficients == n_general_apart)
+        {
+          const std::vector<double> more = triangle_of(about);
+          result.insert(result.end(), more.begin(), more.end());
+        }
+      return result;
     }
 }
 

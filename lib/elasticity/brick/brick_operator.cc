@@ -135,9 +135,9 @@ void BrickOperator::set_stiffness(const std::vector<ElasticPhase<3>> &phases)
       const std::vector<double> c = coefficients_of(turned(phases[p]), n_coefficients);
       for (std::size_t m = 0; m < c.size(); ++m)
         stiffness[together ? p * n_together + m : 256 * m + p] = factor * c[m];
-      bound = std::max(
-        bound, std::sqrt(symmetric_eigenvalues(of_brick(phases[p]))[23] * volume / (16. * h[1] * h[1]) /
-                         (phases[p].density * volume / 8.)));
+      bound = std::max(bound, std::sqrt(symmetric_eigenvalues(of_brick(phases[p]))[23] *
+                                        volume / (16. * h[1] * h[1]) /
+                                        (phases[p].density * volume / 8.)));
     }
   sweep.stiffness = stiffness.data();
 }
@@ -223,7 +223,8 @@ void BrickOperator::set_points_of_others(NodalField<double> &field) const
 
 std::string BrickOperator::kernel_name() const
 {
-  const std::string kinds[] = {"cubes of isotropic phases", "bricks of isotropic phases",
+  const std::string kinds[] = {"cubes of isotropic phases",
+                               "bricks of isotropic phases",
                                "bricks of orthotropic phases",
                                "bricks of anisotropic phases",
                                "bricks of many materials",

@@ -17,7 +17,7 @@ constexpr unsigned int n_cubes = 4;
 /** Of phases whose axes are those of the body: D11, D12, D13, D22, D23, D33, D44, D55, D66. */
 constexpr unsigned int n_orthotropic = 9;
 
-constexpr unsigned int n_plane       = 6;  ///< in the plane: the upper triangle of xx, zz, xz
+constexpr unsigned int n_plane = 6; ///< in the plane: the upper triangle of xx, zz, xz
 constexpr unsigned int n_plane_apart = 12; ///< the same for the mean, then about it
 
 constexpr unsigned int n_general       = 21; ///< the upper triangle of the Voigt matrix

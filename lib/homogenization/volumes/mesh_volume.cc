@@ -2,6 +2,7 @@
 
 #include "base/errors.h"
 #include "base/exchange.h"
+#include "body/mesh/cell_values.h"
 #include "body/mesh/conjugate_gradients.h"
 #include "mesh/boundary.h"
 #include "mesh/cell_quality.h"
@@ -50,6 +51,7 @@ MeshVolume<dim>::MeshVolume(const Mesh<dim> &given,
                             const MPI_Comm communicator)
   : phases(the_phases)
   , mesh(given, communicator)
+  , is_apart(has_two_matrices(mesh, phases))
 {
   mesh.require_cells();
   std::array<BoundaryPoints<dim>, 2UL * dim> points;
@@ -213,7 +215,7 @@ VolumeSums<dim> MeshVolume<dim>::solve(const BoundaryCondition wanted,
           assemble();
           if (condition == BoundaryCondition::SUBC)
             add_tractions();
-          preconditioner.initialize(matrix, rigid_motions());
+          preconditioner.initialize(is_apart ? gentle : matrix, rigid_motions());
         }
       reports[k] = solve_case(k, tolerance);
       if (case_done)

@@ -88,7 +88,9 @@ private:
   std::string not_periodic;
 
   dealii::AffineConstraints<double> constraints;
-  DistributedMatrix matrix;
+  const bool is_apart; ///< whether a phase has mean dilatation
+  DistributedMatrix matrix,
+    gentle; ///< the second one of phase_to_precondition(), if that is another one
   AlgebraicMultigrid preconditioner;
   std::vector<Vector> loads;
   std::array<double, n_loads> gross_loads; ///< norms of the loads before they cancel

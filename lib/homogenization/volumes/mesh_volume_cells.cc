@@ -20,6 +20,8 @@ void MeshVolume<dim>::assemble()
   // MUBC hold some components of a point and leave others free: ML wants all of them in the
   // columns of other ranks.
   cells.reinit(matrix, mesh, condition == BoundaryCondition::MUBC);
+  if (is_apart)
+    cells.reinit(gentle, mesh, condition == BoundaryCondition::MUBC);
   loads = std::vector<Vector>(n_loads);
   for (Vector &load : loads)
     load.reinit(owned, constraints.get_local_lines(), mesh.communicator());
@@ -27,18 +29,15 @@ void MeshVolume<dim>::assemble()
 
   mesoslip::for_each_cell(
     mesh, [&](const auto &cell, const auto &values, const auto &indices) {
-      const unsigned int n      = indices.size();
       const ElasticPhase<dim> &phase = phases[cell.material_id()];
       const VoigtMatrix<dim> &C      = phase.stiffness;
       const auto B                   = cell_strains(values, phase);
-      Eigen::MatrixXd K         = Eigen::MatrixXd::Zero(n, n),
-                      f         = Eigen::MatrixXd::Zero(n, n_loads);
+      Eigen::MatrixXd f              = Eigen::MatrixXd::Zero(indices.size(), n_loads);
       for (const unsigned int q : values.quadrature_point_indices())
-        {
-          K.noalias() += values.JxW(q) * B[q].transpose() * C * B[q];
-          f.noalias() -= values.JxW(q) * B[q].transpose() * C;
-        }
-      cells.add(K, indices, matrix);
+        f.noalias() -= values.JxW(q) * B[q].transpose() * C;
+      cells.add(cell_matrix(values, B, phase), indices, matrix);
+      if (is_apart)
+        cells.add(cell_matrix(values, B, phase_in_cell(values, phase)), indices, gentle);
       for (unsigned int k = 0; k < n_loads && condition != BoundaryCondition::SUBC; ++k)
         {
           gross_loads[k] += f.col(k).squaredNorm();
@@ -46,6 +45,8 @@ void MeshVolume<dim>::assemble()
         }
     });
   matrix.compress();
+  if (is_apart)
+    gentle.compress();
   for (unsigned int k = 0; k < n_loads; ++k)
     loads[k].compress(VectorOperation::add);
   for (double &gross : gross_loads)

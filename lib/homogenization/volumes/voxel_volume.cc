@@ -92,8 +92,7 @@ VolumeSums<dim> VoxelVolume<dim>::solve(const BoundaryCondition wanted,
 {
   condition = wanted;
   solver.reset();
-  solver =
-    std::make_unique<voxel::Solver>(cells, phases, sides_of(condition), dim == 2);
+  solver = std::make_unique<voxel::Solver>(cells, phases, sides_of(condition), dim == 2);
   std::array<SolverReport, n_voigt<dim>> reports;
   for (unsigned int k = 0; k < n_voigt<dim>; ++k)
     try

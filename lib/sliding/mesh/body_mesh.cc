@@ -57,8 +57,9 @@ double BodyMesh<dim>::smallest_edge() const
 template <int dim>
 double BodyMesh<dim>::mass(const double /*of_box*/) const
 {
-  const auto of_points = lumped_mass(this->mesh.points, this->mesh.cells,
-                                     elastic_phases<dim>(materials(), MeanDilatation::never));
+  const auto of_points =
+    lumped_mass(this->mesh.points, this->mesh.cells,
+                elastic_phases<dim>(materials(), MeanDilatation::never));
   return std::accumulate(of_points.begin(), of_points.end(), 0.);
 }
 

@@ -63,7 +63,8 @@ GivenMesh<dim>::GivenMesh(const ContactParameters &given,
       if (parameters.map.interval > 0. || parameters.wants_node_loads())
         require_contact_area(body);
     }
-  known.lines            = lines();
+  known.lines = lines();
+  this->add_lines_on_cells();
   known.warnings         = mesh->warnings;
   known.n_points         = body.n_points;
   known.heterogeneous    = phases.size() > 1;

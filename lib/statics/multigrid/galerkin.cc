@@ -11,8 +11,8 @@ namespace
  */
 constexpr double rotation_stiffness = 0.02;
 
-std::array<double, n_finest_coefficients> finest_coefficients(const ElasticPhase<2> &phase,
-                                                              const double height)
+std::array<double, n_finest_coefficients>
+finest_coefficients(const ElasticPhase<2> &phase, const double height)
 {
   const VoigtMatrix<2> &D = phase.stiffness;
   const Eigen::Matrix2d H = hourglass_stiffness(phase, {{1., height}}) * height / 12.;

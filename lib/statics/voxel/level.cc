@@ -36,18 +36,18 @@ Cells cells_of(const VoxelGrid &grid, const unsigned int n_coefficients)
 {
   switch (n_coefficients)
     {
-      case n_plane:
-        return Cells::flat;
-      case n_plane_apart:
-        return Cells::flat_apart;
-      case n_general:
-        return Cells::general;
-      case n_general_apart:
-        return Cells::general_apart;
-      case n_isotropic_apart:
-        return Cells::isotropic_apart;
-      default:
-        break;
+    case n_plane:
+      return Cells::flat;
+    case n_plane_apart:
+      return Cells::flat_apart;
+    case n_general:
+      return Cells::general;
+    case n_general_apart:
+      return Cells::general_apart;
+    case n_isotropic_apart:
+      return Cells::isotropic_apart;
+    default:
+      break;
     }
   for (const unsigned int axis : {0U, 2U})
     if (std::abs(grid.ratio(axis) - 1.) > equal_edges)
@@ -170,11 +170,13 @@ SweepArguments<float> Level::arguments(VoxelField<float> &x)
 
 void Level::take_phases(const CellIndices &phases,
                         const Source kind_of_phases,
-                        LineVector<float> &&the_table)
+                        LineVector<float> &&the_table,
+                        LineVector<float> &&of_product)
 {
   phase             = &phases;
   source            = kind_of_phases;
   table             = std::move(the_table);
+  product_table     = std::move(of_product);
   stiffness.numbers = LineVector<float>();
 }
 
@@ -191,7 +193,9 @@ double Level::product(VoxelField<float> &x, VoxelField<float> &out)
 {
   SweepArguments<float> a = arguments(x);
   a.out                   = out.data();
-  double energy           = sweep_of<float>(kernels().product, source, cells)(a);
+  if (phase != nullptr)
+    a.table = product_table.data();
+  double energy = sweep_of<float>(kernels().product, source, cells)(a);
   for (const Spring &spring : all_springs)
     {
       const float force = spring.stiffness * x.data()[spring.column];

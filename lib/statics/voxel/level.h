@@ -65,10 +65,12 @@ public:
   void clear_held(float *field) const;
 
   /** From now on the stiffness is that of the phases of the cells, which have to outlive it,
-   *  as in kernels.h; what is stored is given back. @p table: as SweepArguments has it. */
+   *  as in kernels.h; what is stored is given back. @p table: as SweepArguments has it, @p
+   *  of_product: that of product(). */
   void take_phases(const CellIndices &phases,
                    const Source kind_of_phases,
-                   LineVector<float> &&table);
+                   LineVector<float> &&table,
+                   LineVector<float> &&of_product);
 
   /** out = K x, ghosts of x set; returns x.K x over all ranks. Collective. */
   double product(VoxelField<float> &x, VoxelField<float> &out);
@@ -125,7 +127,7 @@ private:
   std::vector<std::pair<std::size_t, float>> replaced; ///< of inverse, by springs or zero
   VoxelField<float> left;                              ///< residual of a step on springs
   LineVector<float> work;
-  LineVector<float> table;
+  LineVector<float> table, product_table;
   const CellIndices *phase = nullptr;
   Cells cells;
   Source source  = Source::stored;

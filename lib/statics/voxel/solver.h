@@ -38,9 +38,8 @@ public:
          const std::vector<ElasticPhase<3>> &the_phases,
          const Sides sides,
          const MPI_Comm communicator = MPI_COMM_SELF)
-    : Solver(CellPlanes::of_whole(map.grid, CellView(map.id), communicator),
-             the_phases,
-             sides)
+    : Solver(
+        CellPlanes::of_whole(map.grid, CellView(map.id), communicator), the_phases, sides)
   {
   }
 

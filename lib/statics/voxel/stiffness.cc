@@ -84,6 +84,34 @@ padded_phases(const CellPlanes &cells, const VoxelGrid &grid, const std::size_t 
   return phases;
 }
 
+/** What a phase is in the plane of a flat grid. */
+ElasticPhase<2> in_plane(const VoxelGrid &grid, const ElasticPhase<3> &phase)
+{
+  ElasticPhase<2> plane{VoigtMatrix<2>::Zero(), 0., phase.mean_dilatation};
+  for (unsigned int i = 0; i < n_voigt<2>; ++i)
+    for (unsigned int j = 0; j < n_voigt<2>; ++j)
+      plane.stiffness(i, j) = phase.stiffness(grid.load_case(i), grid.load_case(j));
+  return plane;
+}
+
+/** Phases that a multigrid can smooth. */
+std::vector<ElasticPhase<3>> to_precondition(const VoxelGrid &grid,
+                                             const std::vector<ElasticPhase<3>> &phases)
+{
+  std::vector<ElasticPhase<3>> result = phases;
+  for (ElasticPhase<3> &phase : result)
+    if (!grid.flat)
+      phase = phase_to_precondition(phase);
+    else
+      {
+        const auto plane = phase_to_precondition(in_plane(grid, phase));
+        for (unsigned int i = 0; i < n_voigt<2>; ++i)
+          for (unsigned int j = 0; j < n_voigt<2>; ++j)
+            phase.stiffness(grid.load_case(i), grid.load_case(j)) = plane.stiffness(i, j);
+      }
+  return result;
+}
+
 /** The coefficients of a phase that the kernels have. */
 std::vector<double> coefficients_in(const VoxelGrid &grid,
                                     const ElasticPhase<3> &phase,
@@ -91,10 +119,7 @@ std::vector<double> coefficients_in(const VoxelGrid &grid,
 {
   if (!grid.flat)
     return coefficients_of(phase, n_coefficients);
-  ElasticPhase<2> plane{VoigtMatrix<2>::Zero(), 0., phase.mean_dilatation};
-  for (unsigned int i = 0; i < n_voigt<2>; ++i)
-    for (unsigned int j = 0; j < n_voigt<2>; ++j)
-      plane.stiffness(i, j) = phase.stiffness(grid.load_case(i), grid.load_case(j));
+  const ElasticPhase<2> plane = in_plane(grid, phase);
   std::vector<double> result;
   for (const VoigtMatrix<2> &D : {plane.stiffness, plane.stiffness_about_mean()})
     for (const StiffnessEntry &entry : stiffness_entries<2>())
@@ -160,7 +185,17 @@ Stiffness::Stiffness(const CellPlanes &cells,
   , phases(padded_phases(cells, grid, of_phases.size()))
   , modulus(largest_modulus(n_cells, of_phases))
 {
-  set_table();
+  n_coefficients = n_coefficients_for(of_phases, n_cells, grid.flat);
+  source =
+    of_phases.size() + 1 <= kernels().few_phases ? Source::few_phases : Source::phases;
+  if (CellIndices::is_wide(of_phases.size()))
+    {
+      if (grid.flat)
+        throw std::invalid_argument("A flat box has more than 255 phases.");
+      source = Source::materials;
+    }
+  table          = make_table(of_phases);
+  preconditioner = make_table(to_precondition(grid, of_phases));
 }
 
 /** Place of a number of a phase in the table, see SweepArguments. */
@@ -173,29 +208,22 @@ std::size_t Stiffness::in_table(const unsigned int coefficient,
 }
 
 /** What phases have of each coefficient, in units. */
-void Stiffness::set_table()
+LineVector<double> Stiffness::make_table(const std::vector<ElasticPhase<3>> &of) const
 {
-  n_coefficients = n_coefficients_for(of_phases, n_cells, grid.flat);
-  source =
-    of_phases.size() + 1 <= kernels().few_phases ? Source::few_phases : Source::phases;
-  if (CellIndices::is_wide(of_phases.size()))
-    {
-      if (grid.flat)
-        throw std::invalid_argument("A flat box has more than 255 phases.");
-      source = Source::materials;
-    }
   const unsigned int n = n_in_table(cells_of(grid, n_coefficients));
-  table.assign(source == Source::materials ? (of_phases.size() + 1) * n_of_material(n)
-                                           : std::size_t{256} * (n + 1),
-               0.);
-  for (std::size_t phase = 0; phase < of_phases.size(); ++phase)
+  LineVector<double> result(source == Source::materials
+                              ? (of.size() + 1) * n_of_material(n)
+                              : std::size_t{256} * (n + 1),
+                            0.);
+  for (std::size_t phase = 0; phase < of.size(); ++phase)
     if (n_cells[phase] > 0.)
       {
-        const std::vector<double> c = coefficients_in(grid, of_phases[phase], n);
+        const std::vector<double> c = coefficients_in(grid, of[phase], n);
         for (unsigned int m = 0; m < n; ++m)
-          table[in_table(m, phase)] = c[m] / modulus * grid.factor();
-        table[in_table(n, phase)] = 1.;
+          result[in_table(m, phase)] = c[m] / modulus * grid.factor();
+        result[in_table(n, phase)] = 1.;
       }
+  return result;
 }
 
 std::unique_ptr<Multigrid> Stiffness::make_multigrid(HeldComponents held) const
@@ -208,11 +236,14 @@ std::unique_ptr<Multigrid> Stiffness::make_multigrid(HeldComponents held) const
     for (unsigned int m = 0; m < n_coefficients; ++m)
       for (std::size_t i = 0; i < stride; ++i)
         cells.numbers[(row * n_coefficients + m) * stride + i] =
-          static_cast<float>(table[in_table(m, phases[row * stride + i])]);
+          static_cast<float>(preconditioner[in_table(m, phases[row * stride + i])]);
   auto multigrid = std::make_unique<Multigrid>(
-    grid, std::move(cells), options_for(stiffness_ratio(n_cells, of_phases, grid)),
+    grid, std::move(cells),
+    options_for(stiffness_ratio(n_cells, to_precondition(grid, of_phases), grid)),
     std::move(held));
-  multigrid->finest().take_phases(phases, source, {table.begin(), table.end()});
+  multigrid->finest().take_phases(phases, source,
+                                  {preconditioner.begin(), preconditioner.end()},
+                                  {table.begin(), table.end()});
   return multigrid;
 }
 

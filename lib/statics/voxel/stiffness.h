@@ -1,8 +1,8 @@
 #ifndef mesoslip_statics_voxel_stiffness_h
 #define mesoslip_statics_voxel_stiffness_h
 
-#include "grid/cell_planes.h"
 #include "elasticity/uniform_material.h"
+#include "grid/cell_planes.h"
 #include "statics/voxel/multigrid.h"
 
 #include <array>
@@ -36,10 +36,10 @@ public:
             const VoxelGrid &kind);
 
   const std::vector<ElasticPhase<3>> of_phases; ///< of flat grids in plane strain
-  const double length;                         ///< unit of length, an edge along y (m)
-  const VoxelGrid grid;                        ///< cells and nodes, edges in this unit
-  const std::vector<double> n_cells;           ///< of each phase, on all ranks
-  const CellIndices phases;                    ///< of the cells, [z][y][stride]
+  const double length;                          ///< unit of length, an edge along y (m)
+  const VoxelGrid grid;                         ///< cells and nodes, edges in this unit
+  const std::vector<double> n_cells;            ///< of each phase, on all ranks
+  const CellIndices phases;                     ///< of the cells, [z][y][stride]
   const double modulus; ///< unit of stress, the largest entry of all stiffnesses (Pa)
 
   /** A preconditioner for it, which refers to this, where some components are @p held, whose ghosts
@@ -55,12 +55,13 @@ public:
                 double *exact = nullptr) const;
 
 private:
-  void set_table();
+  LineVector<double> make_table(const std::vector<ElasticPhase<3>> &of) const;
   std::size_t in_table(const unsigned int coefficient, const std::size_t phase) const;
 
   unsigned int n_coefficients = 0;              ///< as in CellStiffness
   Source source               = Source::phases; ///< few, many or materials
-  LineVector<double> table;
+  LineVector<double> table;                     ///< of the phases
+  LineVector<double> preconditioner;            ///< of phases_to_precondition()
   mutable LineVector<double> work;
 };
 } // namespace mesoslip::voxel

@@ -59,7 +59,7 @@ def near(value, expected, relative, what):
 
 def failures():
     case(24, isotropic(30e9, 0.499999999), isotropic(300e9, 0.499999999), square(24))
-    conditions = ["Boundary conditions=SUBC", "Effective=SUBC"]
+    conditions = ["Boundary conditions=SUBC", "Effective=SUBC", "Mean dilatation=never"]
     run(3, ["SUBC xx: ", "set Homogenization/Solver = multigrid"], *conditions, "Solver=ml")
     run(0, ["nearly incompressible"], *conditions, "Solver=multigrid")
 

@@ -35,7 +35,8 @@ TEST(Plausibility, LinearCellsLockInNearlyIncompressiblePhases)
     const auto of_plane = locking_warnings<2>({{"rubber", plane}}, fully_integrated),
                of_solid = locking_warnings<3>({{"rubber", solid}}, fully_integrated);
     EXPECT_TRUE(locking_warnings<2>({{"rubber", plane}}, as_usual).empty());
-    EXPECT_EQ(locking_warnings<3>({{"rubber", solid}}, simplices).size(), of_solid.size());
+    EXPECT_EQ(locking_warnings<3>({{"rubber", solid}}, simplices).size(),
+              of_solid.size());
     EXPECT_EQ(of_plane, of_solid);
     return of_plane.empty() ? std::string() : of_plane[0];
   };
@@ -43,7 +44,8 @@ TEST(Plausibility, LinearCellsLockInNearlyIncompressiblePhases)
     return told(isotropic_stiffness<2>(3e6, nu), isotropic_stiffness<3>(3e6, nu));
   };
   EXPECT_EQ(isotropic(0.48), "");
-  EXPECT_NE(isotropic(0.49).find("ratio 0.49): fully integrated cells lock"), std::string::npos);
+  EXPECT_NE(isotropic(0.49).find("ratio 0.49): fully integrated cells lock"),
+            std::string::npos);
   EXPECT_NE(
     isotropic(0.499).find("1 + 1e+03 / n^2 times too stiff, 3.5 times for n = 20"),
     std::string::npos)

@@ -66,9 +66,10 @@ voxel::Solver make_solver(const PhaseMap<3> &map,
 
 void compare_operator(const Phases kind, const Sides sides)
 {
-  const auto phases     = phases_of_kind(kind);
-  const PhaseMap<3> map = random_map({{19, 3, 7}}, static_cast<unsigned int>(phases.size()));
-  voxel::Solver solver  = make_solver(map, phases, kind, sides);
+  const auto phases = phases_of_kind(kind);
+  const PhaseMap<3> map =
+    random_map({{19, 3, 7}}, static_cast<unsigned int>(phases.size()));
+  voxel::Solver solver = make_solver(map, phases, kind, sides);
   const Assembled assembled(map, phases, sides);
   double modulus = 0.;
   for (const auto &phase : phases)
@@ -226,7 +227,7 @@ TEST(VoxelSolver, OneLayerOfCells)
     compare_solution(Phases::isotropic, sides, {{6, 7, 1}});
   // No node is free.
   const PhaseMap<3> map = random_map({{6, 7, 1}}, 2);
-  const auto phases  = phases_of(false);
+  const auto phases     = phases_of(false);
   voxel::Solver held(map, phases, Sides::held);
   EXPECT_EQ(held.solve_all(1e-8)[0].iterations, 0U);
   VoigtMatrix<3> mean = VoigtMatrix<3>::Zero();
@@ -238,8 +239,7 @@ TEST(VoxelSolver, OneLayerOfCells)
 TEST(VoxelSolver, RefusesAPhaseWithoutStiffness)
 {
   const PhaseMap<3> map = random_map({{3, 3, 3}}, 3);
-  EXPECT_THROW(voxel::Solver(map, phases_of(false), Sides::held),
-               std::invalid_argument);
+  EXPECT_THROW(voxel::Solver(map, phases_of(false), Sides::held), std::invalid_argument);
 }
 
 /** Odd and even sizes, contrasts, incompressible phases and flat cells converge alike. */
@@ -265,11 +265,10 @@ TEST(VoxelSolver, IterationsAreBounded)
             };
             map.id.push_back(std::hypot(part(x), part(y), part(z)) < 0.35 ? 1 : 0);
           }
-        voxel::Solver solver(
-          map,
-          {{isotropic_stiffness<3>(1., c.nu), 0.},
-           {isotropic_stiffness<3>(c.contrast, 0.2), 0.}},
-          sides);
+        voxel::Solver solver(map,
+                             {{isotropic_stiffness<3>(1., c.nu), 0.},
+                              {isotropic_stiffness<3>(c.contrast, 0.2), 0.}},
+                             sides);
         for (const unsigned int load : {0U, 4U})
           EXPECT_LE(solver.solve(load, 1e-8).iterations, c.most)
             << c.n << ' ' << c.contrast << ' ' << c.nu << ' ' << static_cast<int>(sides);

@@ -2,7 +2,7 @@
 
 Equal shear moduli: the effective bulk modulus is exact for any shape (Hill 1964). A coated cylinder or sphere in a medium of its own
 bulk modulus: neutral under every boundary condition, with the strains of Lame's ring and shell (Hashin 1962). A single inclusion: the
-strain of Eshelby (1957).
+strain of Eshelby (1957), also, as to shears, in a nearly incompressible matrix (ratio 0.4999).
 """
 
 import tempfile
@@ -106,9 +106,9 @@ def strain_in_single(folder, dim, radius, core, rest):
     return f, strains[1] + (strains[1] - strains[0]) / 3
 
 
-def check_single(folder, dim):
+def check_single(folder, dim, rest):
     """From the stiffness, the strain in the inclusion over the mean one; what is linear in the fraction of volume falls out of two."""
-    core, rest = Phase(dim, 50 * GPA, 30 * GPA), Phase(dim, 5 * GPA, 3 * GPA)
+    core = Phase(dim, 50 * GPA, 30 * GPA)
     k, G = rest.k, rest.G
     # Eshelby's tensor of a sphere; of a cylinder across its axis in plane strain.
     beta = (k + 2 * G) / (2 * (k + G)) if dim == 2 else 6 * (k + 2 * G) / (5 * (3 * k + 4 * G))
@@ -116,7 +116,8 @@ def check_single(folder, dim):
     shares, strains = zip(*(strain_in_single(folder, dim, radius, core, rest) for radius in ((0.3, 0.15) if dim == 2 else (0.4, 0.25))))
     limit = (strains[1] * shares[0] - strains[0] * shares[1]) / (shares[0] - shares[1])
     print(f"{dim}D, single inclusion: strains over Eshelby's {strains / exact} at fractions {shares}; in the limit {limit / exact}")
-    assert np.abs(strains[0] / exact - 1).max() > 0.01 and np.all(np.abs(limit / exact - 1) < 4e-3), limit / exact
+    first = 0 if rest.k < 10 * rest.G else 1  # the change of volume drowns in that of the matrix
+    assert np.abs(strains[0] / exact - 1).max() > 0.01 and np.all(np.abs(limit / exact - 1)[first:] < 4e-3), limit / exact
 
 
 def main():
@@ -126,7 +127,8 @@ def main():
             check_equal_shear_moduli(folder, dim)
             for core in (Phase(dim, 80 * GPA, 50 * GPA), Phase(dim, 1e-5 * GPA, 1e-5 * GPA)):
                 check_neutral(folder, dim, core)
-            check_single(folder, dim)
+            for rest in (Phase(dim, 5 * GPA, 3 * GPA), Phase(dim, 50000 * GPA, 10 * GPA)):
+                check_single(folder, dim, rest)
 
 
 if __name__ == "__main__":

@@ -25,10 +25,10 @@ namespace mesoslip::voxel
 /** What all cells of a grid are. */
 enum class Cells : unsigned int
 {
-  isotropic, ///< n_isotropic coefficients
-  cubes,     ///< isotropic, and their edges are equal
-  general,   ///< n_general coefficients
-  flat,      ///< n_plane coefficients, see VoxelGrid::flat
+  isotropic,       ///< n_isotropic coefficients
+  cubes,           ///< isotropic, and their edges are equal
+  general,         ///< n_general coefficients
+  flat,            ///< n_plane coefficients, see VoxelGrid::flat
   isotropic_apart, ///< n_isotropic_apart coefficients
   general_apart,   ///< n_general_apart
   flat_apart       ///< n_plane_apart
@@ -62,7 +62,7 @@ enum class Source : unsigned int
   stored,     ///< coefficients of each cell
   few_phases, ///< a table by the phase of the cell, of at most Kernels::few_phases
   phases,     ///< the same of up to 256
-  materials   ///< of more, of which each has its numbers together; Cells::general and apart
+  materials ///< of more, of which each has its numbers together; Cells::general and apart
 };
 constexpr unsigned int n_sources = 4; ///< see Source
 

@@ -25,33 +25,32 @@ namespace mesoslip::voxel::MESOSLIP_VARIANT
   sweep<Number, Material<Number, Cells::kind_of_cells __VA_ARGS__>, Sweep::kind>
 #define MESOSLIP_FLAT_SWEEP(Material, Number, kind, kind_of_cells, ...) \
   flat_sweep<Number, Material<Number, Cells::kind_of_cells __VA_ARGS__>, Sweep::kind>
-#define MESOSLIP_APART(Material, Number, kind, ...)                        \
-  MESOSLIP_SWEEP(Material, Number, kind, isotropic_apart, __VA_ARGS__),    \
-    MESOSLIP_SWEEP(Material, Number, kind, general_apart, __VA_ARGS__),    \
+#define MESOSLIP_APART(Material, Number, kind, ...)                     \
+  MESOSLIP_SWEEP(Material, Number, kind, isotropic_apart, __VA_ARGS__), \
+    MESOSLIP_SWEEP(Material, Number, kind, general_apart, __VA_ARGS__), \
     MESOSLIP_FLAT_SWEEP(Material, Number, kind, flat_apart, __VA_ARGS__)
-#define MESOSLIP_KINDS(Material, Number, kind, ...)                 \
-  MESOSLIP_SWEEP(Material, Number, kind, isotropic, __VA_ARGS__),   \
-    MESOSLIP_SWEEP(Material, Number, kind, cubes, __VA_ARGS__),     \
-    MESOSLIP_SWEEP(Material, Number, kind, general, __VA_ARGS__),   \
+#define MESOSLIP_KINDS(Material, Number, kind, ...)               \
+  MESOSLIP_SWEEP(Material, Number, kind, isotropic, __VA_ARGS__), \
+    MESOSLIP_SWEEP(Material, Number, kind, cubes, __VA_ARGS__),   \
+    MESOSLIP_SWEEP(Material, Number, kind, general, __VA_ARGS__), \
     MESOSLIP_FLAT_SWEEP(Material, Number, kind, flat, __VA_ARGS__)
 // Few phases that are apart are not worth kernels of their own: these look up any.
-#define MESOSLIP_OF_PHASES(Number, kind)                      \
-  {MESOSLIP_KINDS(OfPhases, Number, kind, , true),            \
-   MESOSLIP_APART(OfPhases, Number, kind, , false)},          \
-  {                                                           \
-    MESOSLIP_KINDS(OfPhases, Number, kind, , false),          \
-      MESOSLIP_APART(OfPhases, Number, kind, , false)         \
+#define MESOSLIP_OF_PHASES(Number, kind)              \
+  {MESOSLIP_KINDS(OfPhases, Number, kind, , true),    \
+   MESOSLIP_APART(OfPhases, Number, kind, , false)},  \
+  {                                                   \
+    MESOSLIP_KINDS(OfPhases, Number, kind, , false),  \
+      MESOSLIP_APART(OfPhases, Number, kind, , false) \
   }
-#define MESOSLIP_MATERIALS(Number, kind)                                        \
-  {                                                                             \
-    nullptr, nullptr, MESOSLIP_SWEEP(OfMaterials, Number, kind, general, ),     \
-      nullptr, nullptr, MESOSLIP_SWEEP(OfMaterials, Number, kind, general_apart, ), \
-      nullptr                                                                   \
-  }
-#define MESOSLIP_SOURCES(kind)                                                       \
+#define MESOSLIP_MATERIALS(Number, kind)                                             \
   {                                                                                  \
-    {MESOSLIP_KINDS(Stored, float, kind, ), MESOSLIP_APART(Stored, float, kind, )},  \
-      MESOSLIP_OF_PHASES(float, kind), MESOSLIP_MATERIALS(float, kind)               \
+    nullptr, nullptr, MESOSLIP_SWEEP(OfMaterials, Number, kind, general, ), nullptr, \
+      nullptr, MESOSLIP_SWEEP(OfMaterials, Number, kind, general_apart, ), nullptr   \
+  }
+#define MESOSLIP_SOURCES(kind)                                                      \
+  {                                                                                 \
+    {MESOSLIP_KINDS(Stored, float, kind, ), MESOSLIP_APART(Stored, float, kind, )}, \
+      MESOSLIP_OF_PHASES(float, kind), MESOSLIP_MATERIALS(float, kind)              \
   }
 
 const Kernels &kernels()
