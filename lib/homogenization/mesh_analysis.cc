@@ -18,6 +18,17 @@ constexpr double bytes_per_node = dim == 2 ? 3400. : 15000.;
 template <int dim>
 constexpr double bytes_of_several = dim == 2 ? 1200. : 6000.;
 
+/** Nodes of the displacements of @p degree; of the second one about as many as Euler's formulas say. */
+template <int dim>
+std::uint64_t n_nodes(const Mesh<dim> &mesh, const unsigned int degree)
+{
+  auto n = static_cast<double>(mesh.points.size());
+  for (const Cell &cell : mesh.cells)
+    if (degree > 1)
+      n += cell.vertices.size() == dim + 1 ? (dim == 2 ? 1.5 : 1.) : (dim == 2 ? 3. : 7.);
+  return static_cast<std::uint64_t>(n);
+}
+
 template <int dim>
 class MeshVolumeAnalysis : public VolumeAnalysis<dim>
 {
@@ -93,6 +104,9 @@ protected:
     member.warnings  = volume.warnings;
     member.fractions = volume.fractions;
     std::vector<std::string> lines = volume.description;
+    if (parameters.mesh.degree > 1)
+      lines.push_back("Quadratic displacements (Mesh/Degree), about " +
+                      std::to_string(n_nodes(volume.mesh, 2)) + " nodes");
     lines.push_back(std::string("Solver: conjugate gradients with the multigrid ") +
                     AlgebraicMultigrid::name());
     return lines;
@@ -105,7 +119,8 @@ protected:
   {
     const Mesh<dim> none; // of other ranks
     return std::make_unique<MeshVolume<dim>>(
-      volumes.empty() ? none : volumes[number].mesh, phases, MPI_COMM_WORLD);
+      volumes.empty() ? none : volumes[number].mesh, phases, MPI_COMM_WORLD,
+      parameters.mesh.degree);
   }
 
 private:
@@ -137,7 +152,8 @@ private:
           const bool names_it    = said.find(file) != std::string::npos;
           throw UserError(names_it ? said : file + " of " + said);
         }
-    sizes = {volumes[0].mesh.points.size(), volumes[0].mesh.cells.size()};
+    sizes = {n_nodes(volumes[0].mesh, parameters.mesh.degree),
+             volumes[0].mesh.cells.size()};
   }
 
   std::vector<MeshMorphology<dim>> volumes; ///< on rank 0

@@ -34,6 +34,7 @@ void refuse_keys_of_grids(const Keys &keys, const RveParameters &parameters)
 void RveParameters::bind(Keys &keys)
 {
   mesh.has_grids_in_3d = true;
+  mesh.has_degrees     = true;
   mesh.bind(keys);
   microstructure.has_grids_in_3d = true;
   microstructure.bind(keys, mesh.files.empty() ? mesh.dim : 2);

@@ -102,10 +102,16 @@ void VolumeAnalysis<dim>::write_draft(const std::string &folder) const
 }
 
 template <int dim>
+CellKinds VolumeAnalysis<dim>::kinds_of_cells() const
+{
+  return {parameters.mean_dilatation, has_simplices() && parameters.mesh.degree == 1};
+}
+
+template <int dim>
 std::vector<std::string> VolumeAnalysis<dim>::lines_of_cells() const
 {
   return lines_on_cells<dim>(make_phases<dim>(parameters.microstructure.phases),
-                             {parameters.mean_dilatation, has_simplices()});
+                             kinds_of_cells());
 }
 
 template <int dim>
@@ -117,8 +123,7 @@ std::vector<std::string> VolumeAnalysis<dim>::slips() const
     ranges.push_back(
       plausible_length("Grid/Size along " + std::string(1, "xyz"[d]), grid->extent(d)));
   auto sentences = implausible(ranges);
-  for (const std::string &one :
-       stiffness_warnings<dim>(phases, {parameters.mean_dilatation, has_simplices()}))
+  for (const std::string &one : stiffness_warnings<dim>(phases, kinds_of_cells()))
     sentences.push_back(one);
   return sentences;
 }

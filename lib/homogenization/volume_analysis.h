@@ -4,6 +4,7 @@
 #include "exchange/datasets.h"
 #include "homogenization/rve_program.h"
 #include "homogenization/volumes/volume_element.h"
+#include "material/plausibility.h"
 
 #include <memory>
 #include <optional>
@@ -113,6 +114,9 @@ private:
   {
     return grid ? shape_of_cells(*grid) : Shape{n_cells()};
   }
+
+  /** For sentences on locking; on rank 0. */
+  CellKinds kinds_of_cells() const;
 
   /** On the phases with mean dilatation; on rank 0. */
   std::vector<std::string> lines_of_cells() const;

@@ -198,7 +198,8 @@ std::vector<std::string> locking_warnings(const std::vector<Phase<dim>> &phases,
   if (worst == nullptr)
     return {};
   const char *which = dim == 2 ? "triangles" : "tetrahedra",
-             *other = dim == 2 ? "; quadrilaterals do not" : "; hexahedra do not";
+             *other = dim == 2 ? "; quadrilaterals do not, nor those of Mesh/Degree = 2"
+                               : "; hexahedra do not, nor those of Mesh/Degree = 2";
   if (!cells.simplices)
     {
       which = "fully integrated cells";

@@ -70,7 +70,8 @@ std::string unit_warning(const std::vector<Phase<dim>> &phases);
 struct CellKinds
 {
   MeanDilatation choice = MeanDilatation::automatic; ///< of quadrilaterals and hexahedra
-  bool simplices = false; ///< whether there are triangles or tetrahedra, which lock
+  bool simplices =
+    false; ///< whether there are linear triangles or tetrahedra, which lock
 };
 
 /** A line for the log on the phases with mean dilatation; none where there are none or simplices. */

@@ -228,8 +228,18 @@ void MeshParameters::bind_file(Keys &keys)
     keys.bind("Tolerance", tolerance, Range::closed(1e-9, 0.1),
               "How far points may be off the sides of a volume and off the points "
               "opposite, in edges [-]");
-    keys.only_if(!files.empty(), {"Scale", "Tolerance"}, "there is no mesh",
-                 "set Mesh/File");
+    std::vector<std::string> of_mesh = {"Scale", "Tolerance"};
+    if (has_degrees)
+      {
+        keys.bind(
+          "Degree", degree, 1, 2,
+          "Degree of the displacements in triangles, tetrahedra and, along each axis, "
+          "quadrilaterals and hexahedra. 2: several times the unknowns and, where the "
+          "solution is smooth, far smaller errors; triangles and tetrahedra do not lock "
+          "in nearly incompressible phases [-]");
+        of_mesh.emplace_back("Degree");
+      }
+    keys.only_if(!files.empty(), of_mesh, "there is no mesh", "set Mesh/File");
   }
   scale_typed = keys.is_typed(keys.path("Mesh/Scale"));
 }

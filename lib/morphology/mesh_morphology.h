@@ -21,6 +21,11 @@ struct MeshParameters
   bool scale_typed = false;       ///< whether the .prm says so
   double tolerance = 1e-3;        ///< see Mesh::tolerance
 
+  unsigned int degree = 1; ///< of the displacements in a cell, 1 or 2
+
+  /** Whether the program has cells of degree 2. */
+  bool has_degrees = false;
+
   /** Whether all groups of cells are one phase, whatever their names. */
   bool one_phase = false;
 

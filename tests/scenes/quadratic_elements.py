@@ -1,5 +1,5 @@
 """A finite element code for boxes of quadratic cells with straight sides, in scipy: triangles, tetrahedra, quadrilaterals and hexahedra,
-fully integrated, under KUBC, SUBC and PBC."""
+under KUBC, SUBC and PBC; changes of volume in some phases are projected to linear functions in a cell, of simplices to constants."""
 
 import itertools
 
@@ -55,7 +55,15 @@ class Reference:
         return self._at(self.linear, self.corners.astype(float), x)
 
 
-def effective(mesh, stiffness, condition):
+def project(B, weights, basis, dim):
+    """Replaces in B [q][cell][strain][dof] the sum of normal strains by its projection to the functions `basis` [q][cell][n]."""
+    volume = B[:, :, :dim].sum(axis=2)
+    mass = np.einsum("qc,qci,qcj->cij", weights, basis, basis)
+    projected = np.einsum("qci,cij,rc,rcj,rca->qca", basis, np.linalg.inv(mass), weights, basis, volume, optimize=True)
+    B[:, :, :dim] += ((projected - volume) / dim)[:, :, None]
+
+
+def effective(mesh, stiffness, condition, mean_dilatation=()):
     """The stiffness of a mesh (mesh_files.Cells) whose groups are the keys of `stiffness` [n][n]."""
     dim = mesh.points.shape[1]
     pairs, reference = PAIRS[dim], Reference(mesh.kind, dim)
@@ -65,12 +73,11 @@ def effective(mesh, stiffness, condition):
     points, number = np.unique(np.round(places.reshape(-1, dim) / size, 9), axis=0, return_inverse=True)
     number, points = number.reshape(places.shape[:2]), points * size
     dofs = (dim * number[:, :, None] + np.arange(dim)).reshape(len(number), -1)
-    slopes, shape = reference.straight(reference.points)[1], reference.quadratic(reference.points)[1]
+    (straight, slopes), shape = reference.straight(reference.points), reference.quadratic(reference.points)[1]
     n, m = dim * len(points), dofs.shape[1]
-    rows, loads, given = [], np.zeros((n, len(pairs))), np.zeros((n, len(pairs)))
+    loads, given = np.zeros((n, len(pairs))), np.zeros((n, len(pairs)))
     C = np.array([stiffness[group] for group in mesh.groups])
-    K = np.zeros((len(number), m, m))
-    strains = []
+    all_B, weights, basis = [], [], []
     for q, weight in enumerate(reference.weights):
         J = np.einsum("cad,ae->cde", corners, slopes[q])
         gradient = np.einsum("ne,ced->cnd", shape[q], np.linalg.inv(J))
@@ -79,10 +86,17 @@ def effective(mesh, stiffness, condition):
             B[:, row, c::dim] += gradient[:, :, d]
             if c != d:
                 B[:, row, d::dim] += gradient[:, :, c]
-        w = weight * np.abs(np.linalg.det(J))
-        K += np.einsum("c,cia,cij,cjb->cab", w, B, C, B)
-        strains.append((w, B))
-        np.add.at(loads, dofs, np.einsum("c,cia->cai", w, B))
+        all_B.append(B)
+        weights.append(weight * np.abs(np.linalg.det(J)))
+        x = np.einsum("a,cad->cd", straight[q], corners) - corners[:, 0]
+        basis.append(np.hstack([np.ones((len(number), 1)), x]) if mesh.kind == "cube" else np.ones((len(number), 1)))
+    B, weights, basis = np.array(all_B), np.array(weights), np.array(basis)
+    soft = np.isin(mesh.groups, mean_dilatation)
+    changed = B[:, soft]
+    project(changed, weights[:, soft], basis[:, soft], dim)
+    B[:, soft] = changed
+    K = np.einsum("qc,qcia,cij,qcjb->cab", weights, B, C, B, optimize=True)
+    np.add.at(loads, dofs, np.einsum("qc,qcia->cai", weights, B))
     K = coo_matrix((K.ravel(), (np.repeat(dofs, m, axis=1).ravel(), np.tile(dofs, m).ravel())), shape=(n, n)).tocsr()
     for k, (c, d) in enumerate(pairs):
         for a, b in {(c, d), (d, c)}:
@@ -107,6 +121,6 @@ def effective(mesh, stiffness, condition):
         given[:] = 0
     right = loads if condition == "SUBC" else -(K @ given)
     u = T @ splu((T.T @ K @ T).tocsc()).solve(T.T @ right) + given
-    mean = sum(np.einsum("c,cia,cak->ik", w, B, u[dofs]) for w, B in strains)
-    stress = sum(np.einsum("c,cij,cja,cak->ik", w, C, B, u[dofs]) for w, B in strains)
+    mean = np.einsum("qc,qcia,cak->ik", weights, B, u[dofs], optimize=True)
+    stress = np.einsum("qc,cij,qcja,cak->ik", weights, C, B, u[dofs], optimize=True)
     return stress @ np.linalg.inv(mean)

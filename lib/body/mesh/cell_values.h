@@ -8,6 +8,7 @@
 
 #include <deal.II/hp/fe_values.h>
 
+#include <Eigen/Cholesky>
 #include <Eigen/Core>
 
 #include <vector>
@@ -35,6 +36,32 @@ ShapeStrains<dim> shape_strains(const dealii::FEValues<dim> &values, const unsig
   return B;
 }
 
+/** Whether a cell of a phase with mean dilatation differs from one without: the strain of linear simplices is
+ * its own mean. */
+template <int dim>
+bool may_be_apart(const dealii::FiniteElement<dim> &element)
+{
+  return element.degree > 1 || !element.reference_cell().is_simplex();
+}
+
+/**
+ * Functions whose combinations are the changes of volume of a cell with mean dilatation, at quadrature point @p q: the
+ * constant one, of quadratic quadrilaterals and hexahedra also the coordinates. With these they converge as
+ * others do; of quadratic simplices changes of volume are linear without.
+ */
+template <int dim>
+Eigen::VectorXd dilatation_basis(const dealii::FEValues<dim> &values,
+                                 const unsigned int q)
+{
+  const bool linear =
+    values.get_fe().degree > 1 && !values.get_fe().reference_cell().is_simplex();
+  Eigen::VectorXd basis = Eigen::VectorXd::Ones(linear ? 1 + dim : 1);
+  const auto from       = values.quadrature_point(q) - values.quadrature_point(0);
+  for (unsigned int d = 0; d < dim && linear; ++d)
+    basis(1 + d) = from[d];
+  return basis;
+}
+
 /** Strains of the shape functions at all quadrature points of a cell of @p phase, with what the
  * phase makes of changes of volume (ElasticPhase::mean_dilatation). */
 template <int dim>
@@ -44,22 +71,26 @@ std::vector<ShapeStrains<dim>> cell_strains(const dealii::FEValues<dim> &values,
   std::vector<ShapeStrains<dim>> B;
   for (const unsigned int q : values.quadrature_point_indices())
     B.push_back(shape_strains(values, q));
-  if (!phase.mean_dilatation)
+  if (!phase.mean_dilatation || !may_be_apart(values.get_fe()))
     return B;
   const auto dilatation = [](const ShapeStrains<dim> &strains) {
     return strains.template topRows<dim>().colwise().sum().eval();
   };
-  Eigen::RowVectorXd mean = Eigen::RowVectorXd::Zero(B[0].cols());
-  double volume           = 0.;
+  std::vector<Eigen::VectorXd> basis;
+  for (const unsigned int q : values.quadrature_point_indices())
+    basis.push_back(dilatation_basis(values, q));
+  const Eigen::Index n  = basis[0].size();
+  Eigen::MatrixXd mass  = Eigen::MatrixXd::Zero(n, n),
+                  right = Eigen::MatrixXd::Zero(n, B[0].cols());
   for (const unsigned int q : values.quadrature_point_indices())
     {
-      mean += values.JxW(q) * dilatation(B[q]);
-      volume += values.JxW(q);
+      mass += values.JxW(q) * basis[q] * basis[q].transpose();
+      right += values.JxW(q) * basis[q] * dilatation(B[q]);
     }
-  mean /= volume;
-  for (ShapeStrains<dim> &strains : B)
-    strains.template topRows<dim>().rowwise() +=
-      ((mean - dilatation(strains)) / dim).eval();
+  const Eigen::MatrixXd projected = mass.llt().solve(right);
+  for (const unsigned int q : values.quadrature_point_indices())
+    B[q].template topRows<dim>().rowwise() +=
+      ((basis[q].transpose() * projected - dilatation(B[q])) / dim).eval();
   return B;
 }
 
@@ -75,13 +106,12 @@ Eigen::MatrixXd cell_matrix(const dealii::FEValues<dim> &values,
   return K;
 }
 
-/** What a cell of @p phase is for a preconditioner: simplices have one strain and thus no mean dilatation. */
+/** What a cell of @p phase is for a preconditioner. */
 template <int dim>
 ElasticPhase<dim> phase_in_cell(const dealii::FEValues<dim> &values,
                                 const ElasticPhase<dim> &phase)
 {
-  return values.get_fe().reference_cell().is_simplex() ? phase
-                                                       : phase_to_precondition(phase);
+  return may_be_apart(values.get_fe()) ? phase_to_precondition(phase) : phase;
 }
 
 /** Whether phase_in_cell() changes some cell. Collective. */
@@ -92,7 +122,7 @@ bool has_two_matrices(const DistributedMesh<dim> &mesh,
   unsigned int changed = 0;
   for (const auto &cell : mesh.dofs().active_cell_iterators())
     changed |= cell->is_locally_owned() && phases[cell->material_id()].mean_dilatation &&
-               !cell->reference_cell().is_simplex();
+               may_be_apart(cell->get_fe());
   return mpi::max(changed, mesh.communicator()) > 0;
 }
 
@@ -101,9 +131,9 @@ template <int dim, typename Action>
 void for_each_cell(const DistributedMesh<dim> &mesh, const Action &action)
 {
   using namespace dealii;
-  hp::FEValues<dim> hp_values(mesh.mapping(), mesh.dofs().get_fe_collection(),
-                              mesh.quadrature(),
-                              update_values | update_gradients | update_JxW_values);
+  hp::FEValues<dim> hp_values(
+    mesh.mapping(), mesh.dofs().get_fe_collection(), mesh.quadrature(),
+    update_values | update_gradients | update_JxW_values | update_quadrature_points);
   std::vector<typename DistributedMesh<dim>::Index> indices;
   for (const auto &cell : mesh.dofs().active_cell_iterators())
     if (cell->is_locally_owned())

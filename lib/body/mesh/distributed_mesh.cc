@@ -46,14 +46,16 @@ find_corners(const Mesh<dim> &mesh, const std::vector<unsigned int> &points)
 } // namespace
 
 template <int dim>
-DistributedMesh<dim>::DistributedMesh(const Mesh<dim> &mesh, const MPI_Comm communicator)
+DistributedMesh<dim>::DistributedMesh(const Mesh<dim> &mesh,
+                                      const MPI_Comm communicator,
+                                      const unsigned int degree)
   : ranks(communicator)
   , triangulation(communicator)
-  , elements(dealii::FESystem<dim>(dealii::FE_Q<dim>(1), dim),
-             dealii::FESystem<dim>(dealii::FE_SimplexP<dim>(1), dim))
+  , elements(dealii::FESystem<dim>(dealii::FE_Q<dim>(degree), dim),
+             dealii::FESystem<dim>(dealii::FE_SimplexP<dim>(degree), dim))
   , mappings(dealii::MappingQ<dim>(1),
              dealii::MappingFE<dim>(dealii::FE_SimplexP<dim>(1)))
-  , quadratures(dealii::QGauss<dim>(2), dealii::QGaussSimplex<dim>(2))
+  , quadratures(dealii::QGauss<dim>(degree + 1), dealii::QGaussSimplex<dim>(degree + 1))
   , dof_handler(triangulation)
 {
   using namespace dealii;

@@ -17,9 +17,9 @@
 namespace mesoslip
 {
 /**
- * A mesh divided among the ranks by METIS, with dim degrees of freedom a point, linear
- * displacements on simplices and bilinear or trilinear ones on quadrilaterals and
- * hexahedra.
+ * A mesh divided among the ranks by METIS, with dim degrees of freedom a node, linear or quadratic
+ * displacements on simplices, and such ones along each axis on quadrilaterals and hexahedra.
+ * The sides of its cells are straight.
  *
  * For the few files that work with it: its headers take long to compile.
  */
@@ -29,8 +29,10 @@ class DistributedMesh
 public:
   using Index = dealii::types::global_dof_index; ///< a degree of freedom
 
-  /** Divides @p mesh, which only rank 0 has to have. Collective. */
-  DistributedMesh(const Mesh<dim> &mesh, const MPI_Comm communicator);
+  /** Divides @p mesh, which only rank 0 has to have; displacements have the @p degree 1 or 2. Collective. */
+  DistributedMesh(const Mesh<dim> &mesh,
+                  const MPI_Comm communicator,
+                  const unsigned int degree = 1);
 
   /** What ML needs. @throws UserError if there are fewer cells than ranks */
   void require_cells() const;
@@ -53,7 +55,7 @@ public:
     return mappings;
   }
 
-  /** Exact for quadratic functions, by active FE index. */
+  /** Exact for products of two gradients on parallelepipeds, by active FE index. */
   const dealii::hp::QCollection<dim> &quadrature() const
   {
     return quadratures;

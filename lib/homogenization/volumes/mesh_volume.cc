@@ -11,7 +11,9 @@
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/grid/grid_tools.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace mesoslip
 {
@@ -43,40 +45,49 @@ std::vector<std::array<unsigned int, 2>> supported(const Mesh<dim> &mesh)
     }
   return result;
 }
+
+/** The component of each degree of freedom of a cell, and where its node is. */
+template <typename Cell, int dim>
+auto nodes_of(const Cell &cell, const dealii::Mapping<dim> &mapping)
+{
+  const auto &element = cell->get_fe();
+  std::vector<dealii::types::global_dof_index> dofs(element.n_dofs_per_cell());
+  cell->get_dof_indices(dofs);
+  std::map<dealii::types::global_dof_index, std::pair<unsigned int, dealii::Point<dim>>>
+    nodes;
+  for (unsigned int i = 0; i < dofs.size(); ++i)
+    nodes[dofs[i]] =
+      std::pair(element.system_to_component_index(i).first,
+                mapping.transform_unit_to_real_cell(cell, element.unit_support_point(i)));
+  return nodes;
+}
 } // namespace
 
 template <int dim>
 MeshVolume<dim>::MeshVolume(const Mesh<dim> &given,
                             const std::vector<ElasticPhase<dim>> &the_phases,
-                            const MPI_Comm communicator)
+                            const MPI_Comm communicator,
+                            const unsigned int degree)
   : phases(the_phases)
-  , mesh(given, communicator)
+  , mesh(given, communicator, degree)
   , is_apart(has_two_matrices(mesh, phases))
 {
   mesh.require_cells();
-  std::array<BoundaryPoints<dim>, 2UL * dim> points;
   std::vector<std::array<unsigned int, 2>> held;
-  std::vector<unsigned int> upper, lower, held_points;
-  const bool is_root = mpi::this_mpi_process(communicator) == 0;
-  if (is_root)
+  std::vector<unsigned int> held_points;
+  double tolerance = 0.;
+  if (mpi::this_mpi_process(communicator) == 0)
     {
       const auto faces = faces_of_box(given, boundary_faces(given));
-      for (unsigned int side = 0; side < 2 * dim; ++side)
-        points[side] = boundary_points(given, faces[side]);
-      held = supported(given);
+      held             = supported(given);
       for (const auto &[point, component] : held)
         held_points.push_back(point);
       const double edge = cell_quality(given).smallest_edge;
+      tolerance         = given.tolerance * edge;
       try
         {
           for (unsigned int axis = 0; axis < dim; ++axis)
-            for (const auto &[p, opposite] :
-                 opposite_points(given, faces[2 * axis], faces[2 * axis + 1], axis, edge)
-                   .pairs)
-              {
-                upper.push_back(p);
-                lower.push_back(opposite);
-              }
+            opposite_points(given, faces[2 * axis], faces[2 * axis + 1], axis, edge);
         }
       catch (const UserError &e)
         {
@@ -84,25 +95,104 @@ MeshVolume<dim>::MeshVolume(const Mesh<dim> &given,
         }
     }
   broadcast(communicator, not_periodic);
-  for (unsigned int side = 0; side < 2 * dim; ++side)
-    {
-      sides[side].dofs = mesh.dofs_of_points(given, points[side].points);
-      for (const dealii::Tensor<1, dim> &area : points[side].normal_area)
-        {
-          auto &components = sides[side].normal_area.emplace_back();
-          for (unsigned int d = 0; d < dim; ++d)
-            components[d] = area[d];
-        }
-      sides[side].normal_area = mpi::broadcast(sides[side].normal_area, 0, communicator);
-    }
+  find_sides(given);
+  if (not_periodic.empty())
+    find_duplicates(mpi::broadcast(tolerance, 0, communicator));
   held          = mpi::broadcast(held, 0, communicator);
   const auto at = mesh.dofs_of_points(given, held_points);
   for (std::size_t k = 0; k < held.size(); ++k)
     supports.push_back(at[dim * k + held[k][1]]);
-  const auto upper_dofs = mesh.dofs_of_points(given, upper),
-             lower_dofs = mesh.dofs_of_points(given, lower);
-  for (std::size_t k = 0; k < upper_dofs.size(); ++k)
-    duplicates.push_back({{upper_dofs[k], lower_dofs[k]}});
+}
+
+// The faces of a box lie on its sides, each on the one that is nearest.
+template <int dim>
+void MeshVolume<dim>::find_sides(const Mesh<dim> &given)
+{
+  std::array<double, 2UL *dim> ends = {};
+  if (mpi::this_mpi_process(communicator()) == 0)
+    {
+      const dealii::BoundingBox<dim> box(given.points);
+      for (unsigned int d = 0; d < dim; ++d)
+        ends[2 * d] = box.lower_bound(d), ends[2 * d + 1] = box.upper_bound(d);
+    }
+  ends               = mpi::broadcast(ends, 0, communicator());
+  const auto side_of = [&ends](const auto &face) {
+    std::array<double, 2UL *dim> off = {};
+    for (unsigned int side = 0; side < 2 * dim; ++side)
+      for (const unsigned int v : face->vertex_indices())
+        off[side] = std::max(off[side], std::abs(face->vertex(v)[side / 2] - ends[side]));
+    return std::min_element(off.begin(), off.end()) - off.begin();
+  };
+  std::array<std::map<Index, OnSide>, 2UL * dim> own;
+  std::vector<Index> dofs;
+  for (const auto &cell : mesh.dofs().active_cell_iterators())
+    if (cell->is_locally_owned() && cell->at_boundary())
+      {
+        const auto nodes = nodes_of(cell, mesh.mapping()[cell->active_fe_index()]);
+        for (const unsigned int f : cell->face_indices())
+          if (cell->face(f)->at_boundary())
+            {
+              dofs.resize(cell->get_fe().n_dofs_per_face(f));
+              cell->face(f)->get_dof_indices(dofs, cell->active_fe_index());
+              for (const Index dof : dofs)
+                {
+                  const auto &node = nodes.at(dof);
+                  OnSide &here     = own[side_of(cell->face(f))][dof];
+                  here.dof         = dof;
+                  here.component   = node.first;
+                  for (unsigned int d = 0; d < dim; ++d)
+                    here.at[d] = node.second[d];
+                }
+            }
+      }
+  for (unsigned int side = 0; side < 2 * dim; ++side)
+    {
+      std::vector<OnSide> mine;
+      for (const auto &[dof, here] : own[side])
+        mine.push_back(here);
+      std::map<Index, OnSide> all; // those between two ranks are with both
+      for (const std::vector<OnSide> &of_rank : mpi::all_gather(mine, communicator()))
+        for (const OnSide &here : of_rank)
+          all.emplace(here.dof, here);
+      for (const auto &[dof, here] : all)
+        sides[side].push_back(here);
+    }
+}
+
+template <int dim>
+void MeshVolume<dim>::find_duplicates(const double tolerance)
+{
+  for (unsigned int axis = 0; axis < dim; ++axis)
+    {
+      // In the order of a coordinate along the side.
+      const unsigned int along  = axis == 0 ? 1 : 0;
+      std::vector<OnSide> lower = sides[2 * axis];
+      const auto before         = [along](const OnSide &a, const double x) {
+        return a.at[along] < x;
+      };
+      std::sort(lower.begin(), lower.end(), [along](const OnSide &a, const OnSide &b) {
+        return a.at[along] < b.at[along];
+      });
+      for (const OnSide &here : sides[2 * axis + 1])
+        {
+          const auto distance = [&](const OnSide &other) {
+            double square = 0.;
+            for (unsigned int d = 0; d < dim; ++d)
+              square += d == axis ? 0. : std::pow(other.at[d] - here.at[d], 2);
+            return std::sqrt(square);
+          };
+          const OnSide *nearest = nullptr;
+          for (auto other = std::lower_bound(lower.begin(), lower.end(),
+                                             here.at[along] - tolerance, before);
+               other != lower.end() && other->at[along] <= here.at[along] + tolerance;
+               ++other)
+            if (other->component == here.component &&
+                (nearest == nullptr || distance(*other) < distance(*nearest)))
+              nearest = &*other;
+          AssertThrow(nearest != nullptr, dealii::ExcInternalError());
+          duplicates.push_back({{here.dof, nearest->dof}});
+        }
+    }
 }
 
 template <int dim>
@@ -123,33 +213,13 @@ void MeshVolume<dim>::set_constraints(const unsigned int k)
     fixed = supports;
   else
     for (unsigned int side = 0; side < sides.size(); ++side)
-      for (std::size_t n = 0; n < sides[side].dofs.size(); ++n)
-        if (is_prescribed<dim>(condition, k, side / 2, n % dim))
-          fixed.push_back(sides[side].dofs[n]);
+      for (const OnSide &here : sides[side])
+        if (is_prescribed<dim>(condition, k, side / 2, here.component))
+          fixed.push_back(here.dof);
   for (const Index dof : fixed)
     if (constraints.get_local_lines().is_element(dof))
       constraints.add_line(dof);
   constraints.close();
-}
-
-template <int dim>
-void MeshVolume<dim>::add_tractions()
-{
-  const dealii::IndexSet &owned = mesh.dofs().locally_owned_dofs();
-  for (unsigned int c = 0; c < dim; ++c)
-    for (unsigned int d = 0; d < dim; ++d)
-      {
-        Vector &load = loads[voigt_index<dim>(c, d)];
-        for (const Side &side : sides)
-          for (std::size_t p = 0; p < side.normal_area.size(); ++p)
-            {
-              const Index dof = side.dofs[dim * p + c];
-              if (owned.is_element(dof) && !constraints.is_constrained(dof))
-                load(dof) += side.normal_area[p][d];
-            }
-      }
-  for (unsigned int k = 0; k < n_loads; ++k)
-    loads[k].compress(dealii::VectorOperation::add);
 }
 
 template <int dim>
@@ -161,19 +231,18 @@ std::vector<typename MeshVolume<dim>::Vector> MeshVolume<dim>::rigid_motions() c
   const double size = dealii::GridTools::diameter(mesh.dofs().get_triangulation());
   for (const auto &cell : mesh.dofs().active_cell_iterators())
     if (cell->is_locally_owned())
-      for (const unsigned int v : cell->vertex_indices())
-        for (unsigned int c = 0; c < dim; ++c)
-          {
-            const Index dof = cell->vertex_dof_index(v, c, cell->active_fe_index());
-            if (!owned.is_element(dof) || constraints.is_constrained(dof))
-              continue;
-            motions[c](dof) = 1.;
-            // In the plane of the axes c and d one of the two components turns back.
-            for (unsigned int d = 0; d < dim; ++d)
-              if (d != c)
-                motions[voigt_index<dim>(c, d)](dof) =
-                  (c < d ? -1. : 1.) * cell->vertex(v)[d] / size;
-          }
+      for (const auto &[dof, node] :
+           nodes_of(cell, mesh.mapping()[cell->active_fe_index()]))
+        {
+          if (!owned.is_element(dof) || constraints.is_constrained(dof))
+            continue;
+          const auto &[c, at] = node;
+          motions[c](dof)     = 1.;
+          // In the plane of the axes c and d one of the two components turns back.
+          for (unsigned int d = 0; d < dim; ++d)
+            if (d != c)
+              motions[voigt_index<dim>(c, d)](dof) = (c < d ? -1. : 1.) * at[d] / size;
+        }
   for (Vector &motion : motions)
     motion.compress(dealii::VectorOperation::insert);
   return motions;
@@ -213,8 +282,6 @@ VolumeSums<dim> MeshVolume<dim>::solve(const BoundaryCondition wanted,
         {
           set_constraints(k);
           assemble();
-          if (condition == BoundaryCondition::SUBC)
-            add_tractions();
           preconditioner.initialize(is_apart ? gentle : matrix, rigid_motions());
         }
       reports[k] = solve_case(k, tolerance);

@@ -29,10 +29,12 @@ public:
   using typename VolumeElement<dim>::Values;
 
   /** @p given is the mesh of rank 0; @p the_phases (stiffness in Pa) are those of its
-   * cells. Collective. @throws UserError if the body is no box */
+   * cells, on which displacements have the @p degree 1 or 2. Collective. @throws UserError if the body is no
+   * box */
   MeshVolume(const Mesh<dim> &given,
              const std::vector<ElasticPhase<dim>> &the_phases,
-             const MPI_Comm communicator);
+             const MPI_Comm communicator,
+             const unsigned int degree = 1);
 
   /** @throws NotConverged, UserError if opposite sides have points that are not opposite (PBC) */
   VolumeSums<dim> solve(const BoundaryCondition wanted,
@@ -56,7 +58,8 @@ private:
 
   void set_constraints(const unsigned int k);
   void assemble();
-  void add_tractions();
+  void find_sides(const Mesh<dim> &given);
+  void find_duplicates(const double tolerance);
   std::vector<Vector> rigid_motions() const;
   SolverReport solve_case(const unsigned int k, const double tolerance);
   VolumeSums<dim> integrate() const;
@@ -70,19 +73,20 @@ private:
   template <typename Visit>
   void for_each_point(const Visit &visit) const;
 
-  /** Points of a side and their degrees of freedom, on all ranks. */
-  struct Side
+  /** A degree of freedom on a side. */
+  struct OnSide
   {
-    std::vector<Index> dofs;                          ///< dim a point
-    std::vector<std::array<double, dim>> normal_area; ///< of each point (m^(dim-1))
+    Index dof;
+    unsigned int component;
+    std::array<double, dim> at; ///< where its node is (m)
   };
 
   const std::vector<ElasticPhase<dim>> phases;
   DistributedMesh<dim> mesh;
-  std::array<Side, 2UL * dim> sides;
-  std::vector<Index> supports; ///< just enough against rigid motions
+  std::array<std::vector<OnSide>, 2UL * dim> sides; ///< on all ranks
+  std::vector<Index> supports;                      ///< just enough against rigid motions
 
-  /** Points of upper sides and opposite ones of lower sides, axis after axis; or why
+  /** Degrees of freedom of upper sides and opposite ones of lower sides, axis after axis; or why
    * there are none. */
   std::vector<std::array<Index, 2>> duplicates;
   std::string not_periodic;

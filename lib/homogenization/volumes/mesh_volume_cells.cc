@@ -27,23 +27,26 @@ void MeshVolume<dim>::assemble()
     load.reinit(owned, constraints.get_local_lines(), mesh.communicator());
   gross_loads.fill(0.);
 
-  mesoslip::for_each_cell(
-    mesh, [&](const auto &cell, const auto &values, const auto &indices) {
-      const ElasticPhase<dim> &phase = phases[cell.material_id()];
-      const VoigtMatrix<dim> &C      = phase.stiffness;
-      const auto B                   = cell_strains(values, phase);
-      Eigen::MatrixXd f              = Eigen::MatrixXd::Zero(indices.size(), n_loads);
-      for (const unsigned int q : values.quadrature_point_indices())
+  mesoslip::for_each_cell(mesh, [&](const auto &cell, const auto &values,
+                                    const auto &indices) {
+    const ElasticPhase<dim> &phase = phases[cell.material_id()];
+    const VoigtMatrix<dim> &C      = phase.stiffness;
+    const auto B                   = cell_strains(values, phase);
+    Eigen::MatrixXd f              = Eigen::MatrixXd::Zero(indices.size(), n_loads);
+    for (const unsigned int q : values.quadrature_point_indices())
+      if (condition == BoundaryCondition::SUBC)
+        f.noalias() += values.JxW(q) * B[q].transpose(); // tractions of a uniform stress
+      else
         f.noalias() -= values.JxW(q) * B[q].transpose() * C;
-      cells.add(cell_matrix(values, B, phase), indices, matrix);
-      if (is_apart)
-        cells.add(cell_matrix(values, B, phase_in_cell(values, phase)), indices, gentle);
-      for (unsigned int k = 0; k < n_loads && condition != BoundaryCondition::SUBC; ++k)
-        {
-          gross_loads[k] += f.col(k).squaredNorm();
-          cells.add(Eigen::VectorXd(f.col(k)), indices, loads[k]);
-        }
-    });
+    cells.add(cell_matrix(values, B, phase), indices, matrix);
+    if (is_apart)
+      cells.add(cell_matrix(values, B, phase_in_cell(values, phase)), indices, gentle);
+    for (unsigned int k = 0; k < n_loads; ++k)
+      {
+        gross_loads[k] += f.col(k).squaredNorm();
+        cells.add(Eigen::VectorXd(f.col(k)), indices, loads[k]);
+      }
+  });
   matrix.compress();
   if (is_apart)
     gentle.compress();
