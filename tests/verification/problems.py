@@ -157,6 +157,10 @@ CPU time; `system/programs/ranks` does the same with smaller bodies.
 * Localized stress of the statically compressed pin against the direct solution, below 1 % in the interior: `verification/contact/static_localization`.
 * Stiffness and modes of random phase maps, under every kind of condition and top, against a dense finite element code
   written apart in Python, to 1e-8: `verification/volumes/independent_finite_elements`.
+* Phases that hardly change their volume (Poisson's ratio 0.4999): frequencies of a free block within 0.5 % of those
+  of quadratic cells (`system/sliding/mean_dilatation`), shears of round inclusions within 0.14 % of Eshelby's
+  (`verification/volumes/mesh_inclusions`); quadratic cells of all kinds against a code written apart, to 1e-9
+  (`verification/volumes/quadratic_cells`).
 * Largest strains against those of a column that is compressed alone and of a free body in equilibrium: `verification/contact/large_strains`.
 * Meshes of round bodies: the hexagonal cell of code_aster's HPLV106 (`verification/volumes/hexagonal_cell`), one round or spherical inclusion,
   and the strains of Lame's thick ring and shell in the coat of a hole or a core, of order 2 (`verification/volumes/mesh_inclusions`), Hertz
