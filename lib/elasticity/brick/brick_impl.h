@@ -210,66 +210,6 @@ struct Stiffness<Number, n_general>
   }
 };
 
-/** Where coefficient @p m of the stiffness about the mean is among those that are apart. */
-template <unsigned int n>
-constexpr unsigned int about_mean(const unsigned int m)
-{
-  return n != n_isotropic ? n + m : m == 0 ? 2 : 1;
-}
-
-/** A stiffness of @p n coefficients for the mean strain, and another one about it. */
-template <typename Number, unsigned int n, unsigned int n_both>
-struct ApartStiffness
-{
-  using Vector = typename Simd<Number>::Vector;
-  Stiffness<Number, n> mean, about;
-
-  template <typename Load>
-  MESOSLIP_INLINE Stiffness<Number, n_both> of(const Load &load_one)
-  {
-    Stiffness<Number, n_both> result;
-    result.mean = Stiffness<Number, n>::of(load_one);
-    result.about =
-      Stiffness<Number, n>::of([&](const unsigned int m) __attribute__((always_inline)) {
-        return load_one(about_mean<n>(m));
-      });
-    return result;
-  }
-
-  template <int n_strains>
-  inline __attribute__((always_inline)) void stress(const Vector (&e)[n_strains],
-                                                    Vector (&s)[n_strains]) const
-  {
-    mean.stress(e, s);
-  }
-
-  template <int axis>
-  inline __attribute__((always_inline)) void plane_stress(const Vector e[6],
-                                                          Vector s[6]) const
-  {
-    about.template plane_stress<axis>(e, s);
-  }
-
-  template <int axis>
-  inline __attribute__((always_inline)) void line_stress(const Vector u[3],
-                                                         Vector t[3]) const
-  {
-    about.template line_stress<axis>(u, t);
-  }
-};
-
-template <typename Number>
-struct Stiffness<Number, n_isotropic_apart>
-  : ApartStiffness<Number, n_isotropic, n_isotropic_apart>
-{
-};
-
-template <typename Number>
-struct Stiffness<Number, n_general_apart>
-  : ApartStiffness<Number, n_general, n_general_apart>
-{
-};
-
 /** Adds to @p g what the terms with xi of the axis make of the modes @p u. */
 template <int axis, typename Vector, typename Material, typename Number>
 MESOSLIP_INLINE void add_linear_terms(const Material &material,

@@ -14,6 +14,8 @@ namespace
 //
 #include "elasticity/brick/brick_impl.h"
 //
+#include "elasticity/brick/apart_impl.h"
+//
 #include "elasticity/brick/layer_impl.h"
 //
 #include "elasticity/brick/rows_impl.h"

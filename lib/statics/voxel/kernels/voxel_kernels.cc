@@ -13,6 +13,8 @@ namespace mesoslip::voxel::MESOSLIP_VARIANT
 //
 #include "elasticity/brick/brick_impl.h"
 //
+#include "elasticity/brick/apart_impl.h"
+//
 #include "elasticity/brick/layer_impl.h"
 //
 #include "statics/voxel/kernels/sweep_impl.h"
