@@ -1,6 +1,7 @@
 #include "elasticity/element_operator.h"
 
 #include "material/stiffness.h"
+#include "mesh/cell_order.h"
 
 #include <deal.II/base/exceptions.h>
 
@@ -32,6 +33,12 @@ kernels::CellKernels cell_kernels(const InstructionSet isa)
 bool is_simplex(const unsigned int dim, const std::size_t n_corners)
 {
   return n_corners == dim + 1;
+}
+
+template <typename Matrix>
+void append(std::vector<double> &numbers, const Matrix &matrix)
+{
+  numbers.insert(numbers.end(), matrix.data(), matrix.data() + matrix.size());
 }
 
 /** Whether that can be a shape that congruent cells share: not of quadrilaterals and hexahedra
@@ -69,45 +76,6 @@ std::vector<std::int64_t> shape_of(const std::vector<dealii::Point<dim>> &points
   return shape;
 }
 
-/**
- * Much in their order, but each simplex behind others that share a point with it as far as
- * some candidates allow: many share a point, and to add to a number that has just been
- * written takes a processor longer. Other cells gain nothing.
- */
-template <int dim>
-std::vector<std::size_t> spread_out(const std::vector<Cell> &cells,
-                                    const std::size_t n_points)
-{
-  constexpr std::size_t n_candidates = 64, far_enough = std::size_t{2} * lanes<double>;
-  std::vector<std::size_t> order, candidates, last_use(n_points, 0);
-  const auto distance = [&](const std::size_t k) {
-    std::size_t last = 0;
-    for (const unsigned int v : cells[k].vertices)
-      last = std::max(last, last_use[v]);
-    return last == 0 || !is_simplex(dim, cells[k].vertices.size())
-             ? far_enough
-             : order.size() + 1 - last;
-  };
-  for (std::size_t k = 0; order.size() < cells.size();)
-    {
-      while (candidates.size() < n_candidates && k < cells.size())
-        candidates.push_back(k++);
-      auto best          = candidates.begin();
-      std::size_t so_far = 0;
-      for (auto c = candidates.begin(); c != candidates.end() && so_far < far_enough; ++c)
-        if (const std::size_t d = distance(*c); d > so_far)
-          {
-            so_far = d;
-            best   = c;
-          }
-      for (const unsigned int v : cells[*best].vertices)
-        last_use[v] = order.size() + 1;
-      order.push_back(*best);
-      candidates.erase(best);
-    }
-  return order;
-}
-
 template <int dim>
 double mean_diagonal(const std::vector<dealii::Point<dim>> &points,
                      const std::vector<Cell> &cells)
@@ -131,24 +99,19 @@ ElementOperator<dim>::ElementOperator(const std::vector<dealii::Point<dim>> &poi
   AssertThrow(points.size() + lanes<double> <
                 std::numeric_limits<std::uint32_t>::max() / kernels::node_stride<dim>,
               dealii::ExcMessage("indices into fields have 32 bits"));
-  bool any_excess = false;
+  const bool is_apart = std::any_of(phases.begin(), phases.end(),
+                                    [](const auto &p) { return p.mean_dilatation; });
   for (const ElasticPhase<dim> &phase : phases)
     {
-      const VoigtMatrix<dim> apart = phase.stiffness_about_mean(),
-                             more  = phase.stiffness - apart;
-      const auto append = [](std::vector<double> &to, const VoigtMatrix<dim> &C) {
-        to.insert(to.end(), C.data(), C.data() + C.size());
-      };
+      const VoigtMatrix<dim> about = phase.stiffness_about_mean(),
+                             more  = phase.stiffness - about;
       append(stiffness, phase.stiffness);
-      append(about_mean, apart);
-      append(excess, more);
-      any_excess |= phase.mean_dilatation;
+      append(about_mean, about);
+      if (is_apart)
+        append(excess, more);
       if (!is_orthotropic<dim>(phase.stiffness))
         phase_material = Material::anisotropic;
     }
-
-  if (!any_excess)
-    excess.clear();
 
   // Behind the nodes the corners of a unit cell, which fills up batches; in the plane
   // they are followed by nothing up to the end of a vector.
@@ -185,17 +148,13 @@ void ElementOperator<dim>::add_product(const unsigned int part,
 template <int dim>
 kernels::CellBatches ElementOperator<dim>::batches(const Group &group) const
 {
-  const bool shared = group.common == Material::matrix, simplices = group.kind == 0;
-  const double *K = (shared      ? matrices[group.kind]
-                     : simplices ? stiffness
-                                 : about_mean)
-                      .data();
-  return {group.material.size(),
-          group.nodes.data(),
-          group.material.data(),
-          K,
-          shared || simplices || excess.empty() ? nullptr : excess.data(),
-          group.shapes.data()};
+  const bool shared  = group.common == Material::matrix,
+             tensor  = group.kind == 1 && !shared;
+  const auto &K      = shared ? matrices[group.kind] : tensor ? about_mean : stiffness;
+  const double *more = tensor && !excess.empty() ? excess.data() : nullptr;
+  return {
+    group.material.size(), group.nodes.data(), group.material.data(), K.data(), more,
+    group.shapes.data()};
 }
 
 template <int dim>
@@ -296,7 +255,8 @@ ElementOperator<dim>::make_groups(const std::vector<dealii::Point<dim>> &points,
   std::array<std::array<Group, 3>, 2> groups;
   std::array<std::array<std::map<std::uint32_t, std::vector<std::uint32_t>>, 3>, 2>
     waiting;
-  for (const std::size_t k : spread_out<dim>(cells, points.size()))
+  for (const std::size_t k :
+       spread_out<dim>(cells, points.size(), std::size_t{2} * lanes<double>))
     {
       const auto &vertices   = cells[k].vertices;
       const bool shared      = matrix[k] >= 0;
