@@ -189,7 +189,8 @@ void cell_kernels(const kernels::CellKernels &cells)
       {
         Numbers<double> stiffness(24 * 24), points(2 * n), u(2 * n), f(2 * n),
           shapes(n_batches * dim * 7 * cells.cells_at_once);
-        const kernels::CellBatches batches = {n_batches, nodes.data(), material.data(),
+        const kernels::CellBatches batches = {n_batches,        nodes.data(),
+                                              material.data(),  stiffness.data(),
                                               stiffness.data(), shapes.data()};
         if (kind == 1) // of simplices it would take roots of negative volumes
           cells.shapes[kind](batches, points.data(), shapes.data());
