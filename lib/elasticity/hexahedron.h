@@ -94,8 +94,9 @@ __attribute__((noinline)) static void add_mean_stress(const double *excess,
     }
 }
 
-template <bool anisotropic>
-static void multiply_hexahedron(const CellBatches &cells, const double *u, double *f)
+/** @p apart: with excess, which even where it is null costs registers. */
+template <bool anisotropic, bool apart>
+static void multiply_hexahedra(const CellBatches &cells, const double *u, double *f)
 {
   CellStream<3, 8> stream(cells, u, f);
   for (std::size_t k = 0; k < cells.n; ++k)
@@ -151,7 +152,7 @@ static void multiply_hexahedron(const CellBatches &cells, const double *u, doubl
               force[c][d][edge_of(d, q)] += gradient[d][c];
           stream.move(q);
         }
-      if (cells.excess != nullptr)
+      if constexpr (apart)
         add_mean_stress<anisotropic>(cells.excess + std::size_t{36} * cells.material[k],
                                      x, v, force);
 
@@ -167,4 +168,13 @@ static void multiply_hexahedron(const CellBatches &cells, const double *u, doubl
       stream.finish(value);
     }
   stream.end();
+}
+
+template <bool anisotropic>
+static void multiply_hexahedron(const CellBatches &cells, const double *u, double *f)
+{
+  if (cells.excess != nullptr)
+    multiply_hexahedra<anisotropic, true>(cells, u, f);
+  else
+    multiply_hexahedra<anisotropic, false>(cells, u, f);
 }

@@ -49,8 +49,10 @@ MESOSLIP_INLINE __m512d pick(const __m512d a, const __m512d b)
 MESOSLIP_INLINE void
 load_nodes(const double *field, const std::uint32_t *node, vdouble (&value)[2])
 {
-  const auto four_nodes = [&](const unsigned int l) {
-    const auto pair = [&](const unsigned int k) {
+  const auto four_nodes = [&](const unsigned int l) __attribute__((always_inline))
+  {
+    const auto pair = [&](const unsigned int k) __attribute__((always_inline))
+    {
       return _mm_load_pd(field + node[l + k]);
     };
     return join(join(pair(0), pair(1)), join(pair(2), pair(3)));
@@ -63,7 +65,9 @@ load_nodes(const double *field, const std::uint32_t *node, vdouble (&value)[2])
 MESOSLIP_INLINE void
 add_to_nodes(double *field, const std::uint32_t *node, const vdouble (&value)[2])
 {
-  const auto add_to_four = [&](const unsigned int l, const __m512d v) {
+  const auto add_to_four = [&](const unsigned int l, const __m512d v)
+    __attribute__((always_inline))
+  {
     const __m256d low  = _mm512_castpd512_pd256(v);
     const __m256d high = _mm512_maskz_extractf64x4_pd(0xf, v, 1);
     add(field + node[l], _mm256_castpd256_pd128(low));
@@ -79,7 +83,8 @@ add_to_nodes(double *field, const std::uint32_t *node, const vdouble (&value)[2]
 MESOSLIP_INLINE void
 load_nodes(const double *field, const std::uint32_t *node, vdouble (&value)[3])
 {
-  const auto two_nodes = [&](const unsigned int l) {
+  const auto two_nodes = [&](const unsigned int l) __attribute__((always_inline))
+  {
     return join(_mm256_load_pd(field + node[l]), _mm256_load_pd(field + node[l + 4]));
   };
   const __m512d a = two_nodes(0), b = two_nodes(1), c = two_nodes(2), d = two_nodes(3);
@@ -92,13 +97,17 @@ load_nodes(const double *field, const std::uint32_t *node, vdouble (&value)[3])
 MESOSLIP_INLINE void
 add_to_nodes(double *field, const std::uint32_t *node, const vdouble (&value)[3])
 {
-  const auto add_to_two = [&](const unsigned int l, const __m512d v) {
+  const auto add_to_two = [&](const unsigned int l, const __m512d v)
+    __attribute__((always_inline))
+  {
     add(field + node[l], _mm512_castpd512_pd256(v));
     add(field + node[l + 4], _mm512_maskz_extractf64x4_pd(0xf, v, 1));
   };
   const __m512d x = (__m512d)value[0], y = (__m512d)value[1], z = (__m512d)value[2];
   const __m512d nothing  = _mm512_setzero_pd();
-  const auto add_to_four = [&](const unsigned int l, const __m512d xy, const __m512d z0) {
+  const auto add_to_four = [&](const unsigned int l, const __m512d xy, const __m512d z0)
+    __attribute__((always_inline))
+  {
     add_to_two(l, pick<11, 10, 3, 2, 9, 8, 1, 0>(xy, z0));
     add_to_two(l + 2, pick<15, 14, 7, 6, 13, 12, 5, 4>(xy, z0));
   };

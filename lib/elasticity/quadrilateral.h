@@ -64,8 +64,9 @@ MESOSLIP_INLINE LinearFunction sum_up(const GaussSums &sums, const LinearFunctio
            sum(sums.eta, sums.both, sums.one)}};
 }
 
-template <bool anisotropic>
-static void multiply_quadrilateral(const CellBatches &cells, const double *u, double *f)
+/** @p apart: with excess, which even where it is null costs registers. */
+template <bool anisotropic, bool apart>
+static void multiply_quadrilaterals(const CellBatches &cells, const double *u, double *f)
 {
   CellStream<2, 4> stream(cells, u, f);
   for (std::size_t k = 0; k < cells.n; ++k)
@@ -79,17 +80,15 @@ static void multiply_quadrilateral(const CellBatches &cells, const double *u, do
       const QuadrilateralModes x = shape(0), y = shape(1);
       to_modes<2>(value);
       scale_modes<2>(value);
-      const QuadrilateralModes ux     = {value[1][0], value[2][0], value[3][0]},
-                               uy     = {value[1][1], value[2][1], value[3][1]};
-      const LinearFunction det        = bracket(x, y);
-      const LinearFunction gradient[] = {bracket(ux, y), bracket(x, uy),
-                                         bracket(x, ux, bracket(uy, y))};
-      const GaussSums sums            = gauss_sums(det);
+      const QuadrilateralModes ux = {value[1][0], value[2][0], value[3][0]},
+                               uy = {value[1][1], value[2][1], value[3][1]};
+      const LinearFunction det    = bracket(x, y);
+      const GaussSums sums        = gauss_sums(det);
       stream.move(0);
 
-      LinearFunction strain[3];
-      for (int i = 0; i < 3; ++i)
-        strain[i] = sum_up(sums, gradient[i]);
+      const LinearFunction strain[] = {sum_up(sums, bracket(ux, y)),
+                                       sum_up(sums, bracket(x, uy)),
+                                       sum_up(sums, bracket(x, ux, bracket(uy, y)))};
       stream.move(1);
 
       LinearFunction stress[3];
@@ -103,13 +102,14 @@ static void multiply_quadrilateral(const CellBatches &cells, const double *u, do
           for (int i = 0; i < 3; ++i)
             stress[i].of[m] = s[i];
         }
-      if (cells.excess != nullptr)
+      if constexpr (apart)
         {
           // Of the mean strain, four times at a quarter: see sum_up().
           const vdouble inverse_area = splat(0.25) / det.of[0];
-          vdouble e[3], s[3];
-          for (int i = 0; i < 3; ++i)
-            e[i] = inverse_area * gradient[i].of[0];
+          const vdouble e[]          = {inverse_area * bracket(ux, y).of[0],
+                                        inverse_area * bracket(x, uy).of[0],
+                                        inverse_area * bracket(x, ux, bracket(uy, y)).of[0]};
+          vdouble s[3];
           multiply_stiffness<2, anisotropic>(
             cells.excess + std::size_t{9} * cells.material[k], e, s);
           for (int i = 0; i < 3; ++i)
@@ -131,4 +131,13 @@ static void multiply_quadrilateral(const CellBatches &cells, const double *u, do
       stream.finish(value);
     }
   stream.end();
+}
+
+template <bool anisotropic>
+static void multiply_quadrilateral(const CellBatches &cells, const double *u, double *f)
+{
+  if (cells.excess != nullptr)
+    multiply_quadrilaterals<anisotropic, true>(cells, u, f);
+  else
+    multiply_quadrilaterals<anisotropic, false>(cells, u, f);
 }
