@@ -129,9 +129,10 @@ private:
   /** What the first mesh takes on all ranks together (bytes). */
   double bytes_of_volume() const
   {
-    const bool several = parameters.conditions.size() > 1 || parameters.n_members > 1;
-    const double more  = several ? bytes_of_several<dim> : 0.;
-    return (bytes_per_node<dim> + more) * static_cast<double>(sizes[0]);
+    const bool several  = parameters.conditions.size() > 1 || parameters.n_members > 1;
+    const double more   = several ? bytes_of_several<dim> : 0.;
+    const double denser = parameters.mesh.degree > 1 ? 1.12 : 1.; // matrices
+    return denser * (bytes_per_node<dim> + more) * static_cast<double>(sizes[0]);
   }
 
   // Whatever may be wrong with a later mesh is found before the first is computed.
