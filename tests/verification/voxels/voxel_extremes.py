@@ -18,7 +18,7 @@ from scenes import Folder, prm
 GPA, SEED = 1e9, 815
 CONDITIONS = ("KUBC", "PBC", "SUBC")  # from stiff to soft
 # Of KUBC and PBC; of SUBC. Stiff inclusions cost many (doc/voxels.md); these are some 1.5 times those that were counted.
-MOST_ITERATIONS = {"contrast 1e4": (180, 680), "contrast 1e-4": (16, 30), "pores": (16, 30), "nu 0.499": (60, 170), "oblong": (24, 27),
+MOST_ITERATIONS = {"contrast 1e4": (180, 680), "contrast 1e-4": (16, 30), "pores": (16, 30), "nu 0.499": (95, 195), "oblong": (24, 27),
                    "oblong, 1e4": (260, 700)}
 random = np.random.default_rng(SEED)
 
