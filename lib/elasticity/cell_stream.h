@@ -18,9 +18,7 @@ template <int dim, int n_corners, bool has_shapes = true>
 class CellStream
 {
 public:
-  /** From the displacements @p u to the forces @p f, which are added to. Inline, as all of it would be in memory
-   * else. */
-  inline __attribute__((always_inline))
+  /** From the displacements @p u to the forces @p f, which are added to. */
   CellStream(const CellBatches &cells, const double *u, double *f)
     : cells(cells)
     , u(u)
@@ -46,7 +44,7 @@ public:
   }
 
   /** Component @p c of number @p i, from 1 on, of the shapes of the batch. */
-  inline __attribute__((always_inline)) vdouble shape(const int i, const int c) const
+  vdouble shape(const int i, const int c) const
   {
     return load(shapes + std::size_t((i - 1) * dim + c) * n_lanes);
   }
@@ -74,7 +72,7 @@ public:
   }
 
   /** Writes the forces of the last batch. */
-  inline __attribute__((always_inline)) void end() const
+  void end() const
   {
     for (int i = 0; i < n_corners; ++i)
       add_to_nodes(f, corner(before, i), done[i]);
