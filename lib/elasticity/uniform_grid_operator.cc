@@ -118,7 +118,7 @@ void UniformGridOperator::diagonal(NodalField<double> &diagonal) const
   const bool periodic_y = material.periodicity().y;
   std::vector<Eigen::Matrix<double, 8, 1>> of_phases;
   for (const ElasticPhase<2> &phase : material.phases())
-    of_phases.push_back(
+    of_phases.emplace_back(
       cell_stiffness(phase, {{grid.spacing[0], grid.spacing[1]}}).diagonal());
   diagonal.set_zero();
   for (unsigned int j = rows.begin; j < rows.end; ++j)
@@ -131,7 +131,7 @@ void UniformGridOperator::diagonal(NodalField<double> &diagonal) const
             const auto &of_cell         = of_phases[material.phase_of(i, cell_row)];
             for (const unsigned int right : {0, 1})
               {
-                const unsigned int corner = right + (above ? 0 : 2);
+                const Eigen::Index corner = right + (above ? 0 : 2);
                 x[i + right] += of_cell[2 * corner];
                 y[i + right] += of_cell[2 * corner + 1];
               }
