@@ -189,7 +189,9 @@ void MeshVolume<dim>::find_duplicates(const double tolerance)
             if (other->component == here.component &&
                 (nearest == nullptr || distance(*other) < distance(*nearest)))
               nearest = &*other;
-          AssertThrow(nearest != nullptr, dealii::ExcInternalError());
+          if (nearest == nullptr)
+            throw UserError(std::string("Mesh/File: the sides at both ends of ") +
+                            "xyz"[axis] + " have nodes that are not opposite");
           duplicates.push_back({{here.dof, nearest->dof}});
         }
     }
