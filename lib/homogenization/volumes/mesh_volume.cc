@@ -46,21 +46,45 @@ std::vector<std::array<unsigned int, 2>> supported(const Mesh<dim> &mesh)
   return result;
 }
 
-/** The component of each degree of freedom of a cell, and where its node is. */
-template <typename Cell, int dim>
-auto nodes_of(const Cell &cell, const dealii::Mapping<dim> &mapping)
+/** The degrees of freedom of one cell after the other: component, and where its node is. */
+template <int dim>
+class NodesOfCells
 {
-  const auto &element = cell->get_fe();
-  std::vector<dealii::types::global_dof_index> dofs(element.n_dofs_per_cell());
-  cell->get_dof_indices(dofs);
-  std::map<dealii::types::global_dof_index, std::pair<unsigned int, dealii::Point<dim>>>
-    nodes;
-  for (unsigned int i = 0; i < dofs.size(); ++i)
-    nodes[dofs[i]] =
-      std::pair(element.system_to_component_index(i).first,
-                mapping.transform_unit_to_real_cell(cell, element.unit_support_point(i)));
-  return nodes;
-}
+public:
+  explicit NodesOfCells(const DistributedMesh<dim> &mesh)
+    : values(mesh.mapping(),
+             mesh.dofs().get_fe_collection(),
+             support_points(mesh),
+             dealii::update_quadrature_points)
+  {
+  }
+
+  /** Calls action(degree of freedom, component, point) for those of @p cell. */
+  template <typename Cell, typename Action>
+  void visit(const Cell &cell, const Action &action)
+  {
+    values.reinit(cell);
+    const dealii::FEValues<dim> &here = values.get_present_fe_values();
+    dofs.resize(here.dofs_per_cell);
+    cell->get_dof_indices(dofs);
+    for (unsigned int i = 0; i < dofs.size(); ++i)
+      action(dofs[i], here.get_fe().system_to_component_index(i).first,
+             here.quadrature_point(i));
+  }
+
+private:
+  static dealii::hp::QCollection<dim> support_points(const DistributedMesh<dim> &mesh)
+  {
+    dealii::hp::QCollection<dim> points;
+    for (unsigned int k = 0; k < mesh.dofs().get_fe_collection().size(); ++k)
+      points.push_back(dealii::Quadrature<dim>(
+        mesh.dofs().get_fe_collection()[k].get_unit_support_points()));
+    return points;
+  }
+
+  dealii::hp::FEValues<dim> values;
+  std::vector<dealii::types::global_dof_index> dofs;
+};
 } // namespace
 
 template <int dim>
@@ -125,24 +149,23 @@ void MeshVolume<dim>::find_sides(const Mesh<dim> &given)
   };
   std::array<std::map<Index, OnSide>, 2UL * dim> own;
   std::vector<Index> dofs;
+  NodesOfCells<dim> of_cells(mesh);
   for (const auto &cell : mesh.dofs().active_cell_iterators())
     if (cell->is_locally_owned() && cell->at_boundary())
       {
-        const auto nodes = nodes_of(cell, mesh.mapping()[cell->active_fe_index()]);
+        std::map<Index, OnSide> nodes;
+        of_cells.visit(cell, [&](const Index dof, const unsigned int c, const auto &at) {
+          OnSide &node = nodes[dof] = {dof, c, {}};
+          for (unsigned int d = 0; d < dim; ++d)
+            node.at[d] = at[d];
+        });
         for (const unsigned int f : cell->face_indices())
           if (cell->face(f)->at_boundary())
             {
               dofs.resize(cell->get_fe().n_dofs_per_face(f));
               cell->face(f)->get_dof_indices(dofs, cell->active_fe_index());
               for (const Index dof : dofs)
-                {
-                  const auto &node = nodes.at(dof);
-                  OnSide &here     = own[side_of(cell->face(f))][dof];
-                  here.dof         = dof;
-                  here.component   = node.first;
-                  for (unsigned int d = 0; d < dim; ++d)
-                    here.at[d] = node.second[d];
-                }
+                own[side_of(cell->face(f))][dof] = nodes.at(dof);
             }
       }
   for (unsigned int side = 0; side < 2 * dim; ++side)
@@ -231,20 +254,18 @@ std::vector<typename MeshVolume<dim>::Vector> MeshVolume<dim>::rigid_motions() c
   constexpr unsigned int n      = dim * (dim + 1) / 2;
   std::vector<Vector> motions(n, Vector(owned, mesh.communicator()));
   const double size = dealii::GridTools::diameter(mesh.dofs().get_triangulation());
+  NodesOfCells<dim> of_cells(mesh);
   for (const auto &cell : mesh.dofs().active_cell_iterators())
     if (cell->is_locally_owned())
-      for (const auto &[dof, node] :
-           nodes_of(cell, mesh.mapping()[cell->active_fe_index()]))
-        {
-          if (!owned.is_element(dof) || constraints.is_constrained(dof))
-            continue;
-          const auto &[c, at] = node;
-          motions[c](dof)     = 1.;
-          // In the plane of the axes c and d one of the two components turns back.
-          for (unsigned int d = 0; d < dim; ++d)
-            if (d != c)
-              motions[voigt_index<dim>(c, d)](dof) = (c < d ? -1. : 1.) * at[d] / size;
-        }
+      of_cells.visit(cell, [&](const Index dof, const unsigned int c, const auto &at) {
+        if (!owned.is_element(dof) || constraints.is_constrained(dof))
+          return;
+        motions[c](dof) = 1.;
+        // In the plane of the axes c and d one of the two components turns back.
+        for (unsigned int d = 0; d < dim; ++d)
+          if (d != c)
+            motions[voigt_index<dim>(c, d)](dof) = (c < d ? -1. : 1.) * at[d] / size;
+      });
   for (Vector &motion : motions)
     motion.compress(dealii::VectorOperation::insert);
   return motions;

@@ -194,8 +194,10 @@ Stiffness::Stiffness(const CellPlanes &cells,
         throw std::invalid_argument("A flat box has more than 255 phases.");
       source = Source::materials;
     }
-  table          = make_table(of_phases);
-  preconditioner = make_table(to_precondition(grid, of_phases));
+  const auto gentle = to_precondition(grid, of_phases);
+  table             = make_table(of_phases);
+  preconditioner    = make_table(gentle);
+  ratio             = stiffness_ratio(n_cells, gentle, grid);
 }
 
 /** Place of a number of a phase in the table, see SweepArguments. */
@@ -237,10 +239,8 @@ std::unique_ptr<Multigrid> Stiffness::make_multigrid(HeldComponents held) const
       for (std::size_t i = 0; i < stride; ++i)
         cells.numbers[(row * n_coefficients + m) * stride + i] =
           static_cast<float>(preconditioner[in_table(m, phases[row * stride + i])]);
-  auto multigrid = std::make_unique<Multigrid>(
-    grid, std::move(cells),
-    options_for(stiffness_ratio(n_cells, to_precondition(grid, of_phases), grid)),
-    std::move(held));
+  auto multigrid = std::make_unique<Multigrid>(grid, std::move(cells), options_for(ratio),
+                                               std::move(held));
   multigrid->finest().take_phases(phases, source,
                                   {preconditioner.begin(), preconditioner.end()},
                                   {table.begin(), table.end()});

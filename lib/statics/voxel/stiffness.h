@@ -60,8 +60,9 @@ private:
 
   unsigned int n_coefficients = 0;              ///< as in CellStiffness
   Source source               = Source::phases; ///< few, many or materials
-  LineVector<double> table;                     ///< of the phases
-  LineVector<double> preconditioner;            ///< of phases_to_precondition()
+  LineVector<double> table;          ///< coefficients of the phases, see SweepArguments
+  LineVector<double> preconditioner; ///< the same of phase_to_precondition()
+  double ratio = 1.;                 ///< largest over smallest stiffness of these phases
   mutable LineVector<double> work;
 };
 } // namespace mesoslip::voxel
