@@ -162,13 +162,23 @@ static void advance_nodes(const NodeArrays &nodes, const NodeStep &step)
     }
 }
 
+/** The kernel for cells with excess, or that for cells without. */
+template <CellFunction with_excess, CellFunction without>
+static void multiply_tensor(const CellBatches &cells, const double *u, double *f)
+{
+  (cells.excess != nullptr ? with_excess : without)(cells, u, f);
+}
+
 CellKernels plane_cell_kernels()
 {
   return {
     &advance_nodes<2>,
     {&simplex_shapes<2>, &tensor_shapes<2>},
     {&multiply_simplex<2, false>, &multiply_simplex<2, true>, &multiply_matrix<2, 3>},
-    {&multiply_quadrilateral<false>, &multiply_quadrilateral<true>,
+    {&multiply_tensor<multiply_quadrilaterals<false, true>,
+                      multiply_quadrilaterals<false, false>>,
+     &multiply_tensor<multiply_quadrilaterals<true, true>,
+                      multiply_quadrilaterals<true, false>>,
      &multiply_matrix<2, 4>},
     n_lanes};
 }
@@ -179,7 +189,9 @@ CellKernels solid_cell_kernels()
     &advance_nodes<3>,
     {&simplex_shapes<3>, &tensor_shapes<3>},
     {&multiply_simplex<3, false>, &multiply_simplex<3, true>, &multiply_matrix<3, 4>},
-    {&multiply_hexahedron<false>, &multiply_hexahedron<true>, &multiply_matrix<3, 8>},
+    {&multiply_tensor<multiply_hexahedra<false, true>, multiply_hexahedra<false, false>>,
+     &multiply_tensor<multiply_hexahedra<true, true>, multiply_hexahedra<true, false>>,
+     &multiply_matrix<3, 8>},
     n_lanes};
 }
 } // namespace mesoslip::kernels::MESOSLIP_VARIANT

@@ -169,12 +169,3 @@ static void multiply_hexahedra(const CellBatches &cells, const double *u, double
     }
   stream.end();
 }
-
-template <bool anisotropic>
-static void multiply_hexahedron(const CellBatches &cells, const double *u, double *f)
-{
-  if (cells.excess != nullptr)
-    multiply_hexahedra<anisotropic, true>(cells, u, f);
-  else
-    multiply_hexahedra<anisotropic, false>(cells, u, f);
-}

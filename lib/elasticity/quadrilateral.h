@@ -132,12 +132,3 @@ static void multiply_quadrilaterals(const CellBatches &cells, const double *u, d
     }
   stream.end();
 }
-
-template <bool anisotropic>
-static void multiply_quadrilateral(const CellBatches &cells, const double *u, double *f)
-{
-  if (cells.excess != nullptr)
-    multiply_quadrilaterals<anisotropic, true>(cells, u, f);
-  else
-    multiply_quadrilaterals<anisotropic, false>(cells, u, f);
-}
