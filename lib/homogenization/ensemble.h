@@ -22,7 +22,7 @@ struct RveParameters
   MeshParameters mesh;                       ///< Dimension and section Mesh
   MicrostructureParameters microstructure;   ///< sections Grid, Phases, Microstructure
   std::vector<BoundaryCondition> conditions; ///< in the order of the .prm
-  MeanDilatation mean_dilatation = MeanDilatation::automatic; ///< of which phases
+  MeanDilatation mean_dilatation = MeanDilatation::automatic; ///< phases that have it
   StaticSolverKind solver =
     StaticSolverKind::multigrid; ///< which solver solves the load cases
   double tolerance = 1e-8;       ///< relative residual of a solve

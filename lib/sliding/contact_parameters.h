@@ -44,15 +44,15 @@ struct BodyParameters
   bool heterogeneous =
     false;              ///< every phase with its own stiffness, else the effective one
   std::string rve_file; ///< empty: the material in stiffness and density
-  std::string stiffness_name             = "effective"; ///< dataset of /stiffness
-  MeanDilatation mean_dilatation         = MeanDilatation::automatic; ///< of which phases
-  std::vector<double> stiffness          = {36.54e9, 9.1e9, 47.26e9,
-                                            13.785e9}; ///< 4, 6, in 3D 9, 21 numbers (Pa)
-  double density                         = 1770.;      ///< kg/m^3
-  std::array<double, 3> size             = {};         ///< m; 0: as the RVE
-  std::array<unsigned int, 3> cells      = {};         ///< 0: as the RVE
-  std::array<double, 3> initial_velocity = {};         ///< m/s; z in 3D only
-  std::array<double, 2> position         = {}; ///< x and y of the lowest corner (m)
+  std::string stiffness_name        = "effective"; ///< dataset of /stiffness
+  MeanDilatation mean_dilatation    = MeanDilatation::automatic; ///< phases that have it
+  std::vector<double> stiffness     = {36.54e9, 9.1e9, 47.26e9,
+                                       13.785e9}; ///< 4, 6, in 3D 9, 21 numbers (Pa)
+  double density                    = 1770.;      ///< kg/m^3
+  std::array<double, 3> size        = {};         ///< m; 0: as the RVE
+  std::array<unsigned int, 3> cells = {};         ///< 0: as the RVE
+  std::array<double, 3> initial_velocity = {};    ///< m/s; z in 3D only
+  std::array<double, 2> position         = {};    ///< x and y of the lowest corner (m)
 };
 
 /** Section Time, besides the StepParameters. */

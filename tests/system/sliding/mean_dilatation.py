@@ -8,6 +8,7 @@ those of the mesh of its rectangles, those of a box those of the mesh of its bri
 import csv
 import tempfile
 
+import h5py
 import numpy as np
 import scipy.sparse as sparse
 from scipy.sparse.linalg import eigsh
@@ -133,21 +134,29 @@ def check_same(folder, dim, stiffness, cells):
             assert error < tolerance, (analysis, column, one[column], other[column])
 
 
+def observed(folder, run):
+    """Histories of a run, with strains and stresses of its probe."""
+    with h5py.File(folder(run, "dynamics.h5")) as file:
+        return {**histories(folder, run), **{key: file[f"probes/inside/{key}"][()] for key in ("strain", "stress")}}
+
+
 def check_steps(folder):
-    """Runs: a box against the mesh of its bricks, on 1 to 3 ranks and continued."""
-    isotropic, keys = constants(3, 0.49), [f"history/contact_{c}_force" for c in ("normal", "tangential")]
-    keys += ["history/top_displacement", "energy/elastic", "energy/kinetic", "energy/friction"]
-    for stiffness in (isotropic, ORTHOTROPIC):
+    """Runs: a grid and a box against the mesh of their cells, with a probe off the middle of a cell; on 1 to 3 ranks and continued."""
+    keys = [f"history/contact_{c}_force" for c in ("normal", "tangential")]
+    keys += ["history/top_displacement", "energy/elastic", "energy/kinetic", "energy/friction", "strain", "stress"]
+    for dim, stiffness, cells in ((2, constants(2, 0.49), (12, 9)), (3, constants(3, 0.49), (5, 4, 8)), (3, ORTHOTROPIC, (5, 4, 8))):
         found = []
-        for body in (grid(3, stiffness, (5, 4, 8)), mesh(folder, 3, stiffness, (5, 4, 8))):
-            folder.write("run.prm", prm({**body, **RUN}))
-            folder.run(0, "contact_dynamics", "run.prm", "--output", f"run{len(found)}")
-            found.append(histories(folder, f"run{len(found)}"))
+        probe = {"Observation/Probes": "inside", "Observation/inside/Position": "0.00231, 0.0011" if dim == 2 else "0.0011, 0.0013, 0.0007"}
+        top = {"Supports/Top/Held": "u_x" if dim == 2 else "u_x, u_y"}
+        for body in (grid(dim, stiffness, cells), mesh(folder, dim, stiffness, cells)):
+            folder.write("run.prm", prm({**body, **RUN, **top, **probe}))
+            folder.run(0, "contact_dynamics", "run.prm", "--output", f"{dim}D{len(found)}")
+            found.append(observed(folder, f"{dim}D{len(found)}"))
         for key in keys:
             error = np.abs(found[0][key] - found[1][key]).max() / np.abs(found[0][key]).max()
-            assert error < 1e-10, (key, error)  # 6e-9 with 0.4999, as K makes round-off lambda / mu times larger
-        print(f"box and mesh after {len(found[0][keys[0]])} samples differ by less than 1e-10")
-    folder.write("run.prm", prm({**grid(3, isotropic, (5, 4, 8)), **RUN}))
+            assert error < 1e-10, (dim, key, error)  # 6e-9 with 0.4999, as K makes round-off lambda / mu times larger
+        print(f"{dim}D: a grid and its mesh after {len(found[0][keys[0]])} samples, also at a probe, differ by less than 1e-10")
+    folder.write("run.prm", prm({**grid(3, constants(3, 0.49), (5, 4, 8)), **RUN}))
     folder.run(0, "contact_dynamics", "run.prm", "--output", "run1")
     check_ranks_and_restart(folder, "box")
 
