@@ -55,12 +55,12 @@ mesoslip_python_tests(system 2 chains/chain chains/drafts chains/package homogen
                       pages/first_steps pages/paper pages/tomogram programs/files programs/other_processors
                       programs/ranks programs/xdmf sliding/boxes sliding/complex_modes sliding/friction_homogenization sliding/mesh_dynamics
                       sliding/mesh_flat sliding/mesh_modes sliding/mesh_periodic sliding/mesh_static_contact sliding/one_run sliding/oriented_boxes
-                      sliding/contact_stiffness sliding/profile sliding/tangential_stiffness sliding/counter_body sliding/counter_bodies sliding/mean_dilatation sliding/unmatched_surfaces sliding/resume sliding/side_platens sliding/side_supports sliding/start sliding/steady_part sliding/supports)
+                      sliding/contact_stiffness sliding/profile sliding/tangential_stiffness sliding/counter_body sliding/counter_bodies sliding/unmatched_surfaces sliding/resume sliding/side_platens sliding/side_supports sliding/start sliding/steady_part sliding/supports)
 mesoslip_python_tests(verification 1 stability contact/hertz contact/hertz_pair contact/hertz_sphere contact/incremental_friction contact/incremental_sphere
                       contact/mesh_friction_vector contact/oblique_modes contact/random_resting_solids contact/random_static_contact
                       contact/spence contact/static_localization volumes/hexagonal_cell volumes/independent_finite_elements
                       volumes/mesh_inclusions volumes/quadratic_cells voxels/voxel_files)
-mesoslip_python_tests(verification 2 contact/large_strains contact/absorbing_layer contact/falling_friction contact/random_pairs contact/random_surfaces contact/half_spaces contact/interface_pulse contact/rupture_times contact/equal_bodies contact/random_pairs_at_rest contact/random_supports contact/two_layers contact/mesh_ranks contact/resting_flat volumes/divided_plane
+mesoslip_python_tests(verification 2 dynamics/mean_dilatation contact/large_strains contact/absorbing_layer contact/falling_friction contact/random_pairs contact/random_surfaces contact/half_spaces contact/interface_pulse contact/rupture_times contact/equal_bodies contact/random_pairs_at_rest contact/random_supports contact/two_layers contact/mesh_ranks contact/resting_flat volumes/divided_plane
                       volumes/macroscopic_loads volumes/macroscopic_loads_kinds volumes/mixed_conditions voxels/voxel_extremes voxels/voxel_orientations
                       voxels/voxel_random voxels/voxels voxels/box_modes)
 mesoslip_python_tests(regression 1 stored_runs)

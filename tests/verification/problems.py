@@ -158,7 +158,7 @@ CPU time; `system/programs/ranks` does the same with smaller bodies.
 * Stiffness and modes of random phase maps, under every kind of condition and top, against a dense finite element code
   written apart in Python, to 1e-8: `verification/volumes/independent_finite_elements`.
 * Phases that hardly change their volume (Poisson's ratio 0.4999): frequencies of a free block within 0.5 % of those
-  of quadratic cells (`system/sliding/mean_dilatation`), shears of round inclusions within 0.14 % of Eshelby's
+  of quadratic cells (`verification/dynamics/mean_dilatation`), shears of round inclusions within 0.14 % of Eshelby's
   (`verification/volumes/mesh_inclusions`); quadratic cells of all kinds against a code written apart, to 1e-9
   (`verification/volumes/quadratic_cells`).
 * Largest strains against those of a column that is compressed alone and of a free body in equilibrium: `verification/contact/large_strains`.
