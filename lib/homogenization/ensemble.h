@@ -34,6 +34,7 @@ struct RveParameters
    * in 2D D13 and D23, which are 0 otherwise. */
   bool effective_full = false;
 
+  bool derivatives = false; ///< those with respect to constants of phases are written
   bool write_concentration = true; ///< tensors of all cells into rve.h5
   bool reuse               = true; ///< an rve.h5 of the same digest is not computed anew
 

@@ -84,6 +84,9 @@ struct HomogenizedResponse
    */
   std::vector<VoigtMatrix<dim>> phase_means;
 
+  /** Derivatives of the stiffness (Pa over the unit of the constant), see variations_of(). */
+  std::vector<VoigtMatrix<dim>> derivatives;
+
   std::array<SolverReport, n_voigt<dim>>
     reports; ///< iterations and residuals, by load case
 
@@ -91,7 +94,7 @@ struct HomogenizedResponse
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    serialize_members<11>(archive, *this);
+    serialize_members<12>(archive, *this);
   }
 };
 

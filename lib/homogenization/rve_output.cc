@@ -1,6 +1,7 @@
 #include "homogenization/rve_program.h"
 
 #include "exchange/rve_file.h"
+#include "homogenization/derivatives/derivative_output.h"
 #include "homogenization/loads/load_output.h"
 #include "io/json.h"
 #include "io/table.h"
@@ -323,10 +324,12 @@ void write_rve_summary(const RveParameters &parameters,
   if (!parameters.reference.empty())
     out["reference_stiffness"] =
       matrix_json<dim>(stiffness_from_coefficients<dim>(parameters.reference));
+  summarize_derivatives<dim>(parameters, results, out);
   if (!parameters.loads.loads.empty())
     out["loads"] = loads_json<dim>(parameters, results);
   log_stiffness<dim>(context);
   log_identities(first, context);
+  log_derivatives(context);
   log_loads<dim>(context);
 }
 

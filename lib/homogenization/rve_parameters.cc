@@ -37,6 +37,7 @@ void RveParameters::bind(Keys &keys)
   mesh.has_degrees     = true;
   mesh.bind(keys);
   microstructure.has_grids_in_3d = true;
+  microstructure.is_volume       = true;
   microstructure.bind(keys, mesh.files.empty() ? mesh.dim : 2);
   {
     const auto section             = keys.section("Homogenization");
@@ -72,6 +73,11 @@ void RveParameters::bind(Keys &keys)
               "orthotropic: the entries that couple a shear to anything else, in 2D D13 "
               "and D23, are set to 0 in the effective stiffness, as in eq. (10) of the "
               "paper; full: they are kept [-]");
+    keys.bind(
+      "Derivatives", derivatives,
+      "Write how the stiffness of the composite changes with each constant of each "
+      "phase, from the energies of the unit load cases without a further solve; they "
+      "are computed, too, where a phase has a Relative deviation [-]");
     keys.bind(
       "Write concentration", write_concentration,
       "Keep the concentration tensors of all cells in rve.h5: "

@@ -4,6 +4,7 @@
 #include "base/object_exchange.h"
 #include "exchange/cell_datasets.h"
 #include "exchange/loads_file.h"
+#include "homogenization/derivatives/derivative_output.h"
 #include "homogenization/loads/load_output.h"
 #include "io/drafts.h"
 #include "material/bounds.h"
@@ -177,6 +178,7 @@ void VolumeAnalysis<dim>::run(RunContext &context)
       if (context.root() && restore_rve_summary(context))
         {
           log_stiffness<dim>(context);
+          log_derivatives(context);
           log_loads<dim>(context);
         }
       return;
@@ -185,7 +187,8 @@ void VolumeAnalysis<dim>::run(RunContext &context)
   context.remove_results({"rve.h5", "rve.xdmf", "stiffness.csv",
                           "engineering_constants.csv", "phase_means.csv", "ensemble.csv",
                           "rectangles.csv", "loads.h5", "loads.xdmf", "loads.csv",
-                          "loads_ensemble.csv"});
+                          "loads_ensemble.csv", "derivatives.csv", "uncertainty.csv",
+                          "loss_factors.csv"});
   for (const std::string &slip : slips())
     context.warn(slip);
   RveResults<dim> results;
@@ -212,6 +215,7 @@ void VolumeAnalysis<dim>::run(RunContext &context)
   results.first.digest    = digest;
   results.first.fractions = results.members[0].fractions;
   write_rve_tables<dim>(parameters, results, context);
+  write_derivatives<dim>(parameters, results, context);
   write_loads<dim>(parameters, results, context);
   write_rve_summary<dim>(parameters, results, context);
   write_rve_results<dim>(results, context);

@@ -95,6 +95,13 @@ protected:
     return loaded_phases<dim>(parameters.microstructure.phases);
   }
 
+  /** A stiffness, or a change of it (Pa), of each of these materials, from those of the phases. */
+  virtual std::vector<VoigtMatrix<dim>>
+  of_materials(const std::vector<VoigtMatrix<dim>> &of_phases) const
+  {
+    return of_phases;
+  }
+
   /** What explains a solve that failed, or helps; empty: nothing is known. */
   virtual std::string advice(const NotConverged &failure) const;
 
@@ -126,6 +133,9 @@ private:
 
   /** Conditions whose concentration tensors are written, in the order of their names. */
   std::vector<std::string> reserved_conditions() const;
+
+  /** The changes of each material with each variation. */
+  std::vector<std::vector<VoigtMatrix<dim>>> changes_of_materials() const;
 
   /** Makes room in rve.h5 and loads.h5 for what the ranks write of the first member; returns where the fields
    * of loads go (empty: nowhere). Collective. */

@@ -1,6 +1,7 @@
 #include "base/object_exchange.h"
 #include "exchange/cell_datasets.h"
 #include "exchange/loads_file.h"
+#include "homogenization/derivatives/variations.h"
 #include "homogenization/loads/load_output.h"
 #include "homogenization/volume_analysis.h"
 #include "program/run_context.h"
@@ -77,6 +78,22 @@ void VolumeAnalysis<dim>::begin_member(const unsigned int m,
 }
 
 template <int dim>
+std::vector<std::vector<VoigtMatrix<dim>>>
+VolumeAnalysis<dim>::changes_of_materials() const
+{
+  std::vector<std::vector<VoigtMatrix<dim>>> changes;
+  for (const Variation<dim> &variation :
+       variations_of<dim>(parameters.microstructure.phases, parameters.derivatives))
+    {
+      const auto of_all = of_materials(variation.stiffness);
+      changes.resize(of_all.size());
+      for (std::size_t m = 0; m < of_all.size(); ++m)
+        changes[m].push_back(of_all[m]);
+    }
+  return changes;
+}
+
+template <int dim>
 void VolumeAnalysis<dim>::solve_member(const unsigned int m,
                                        const std::string &loads_file,
                                        EnsembleMember<dim> &member,
@@ -113,6 +130,8 @@ void VolumeAnalysis<dim>::solve_member(const unsigned int m,
         continue;
       const auto rest                   = timer.scope("Responses");
       HomogenizedResponse<dim> response = homogenize<dim>(sums, phases);
+      response.derivatives =
+        stiffness_derivatives(*volume, response, sums.volume, changes_of_materials());
       gather_parts(response, sums, part, parameters.microstructure.phases.size());
       if (parameters.write_concentration && m == 0)
         write_concentration(*volume, condition, phases, context.file("rve.h5"));

@@ -121,12 +121,25 @@ protected:
     if (volume.orientations.empty())
       return VolumeAnalysis<3>::materials();
     const std::vector<OrientedPhase> &oriented = volume.orientations.materials;
-    const auto phases =
-      oriented_phases(make_phases<3>(parameters.microstructure.phases), oriented);
+    std::vector<VoigtMatrix<3>> of_phases;
+    for (const PhaseParameters &phase : parameters.microstructure.phases)
+      of_phases.push_back(phase.stiffness<3>());
+    const std::vector<VoigtMatrix<3>> stiffness = of_materials(of_phases);
     std::vector<LoadedPhase<3>> loaded;
     for (std::size_t k = 0; k < oriented.size(); ++k)
-      loaded.push_back({oriented[k].phase, phases[k].stiffness, {}});
+      loaded.push_back({oriented[k].phase, stiffness[k], {}});
     return loaded;
+  }
+
+  std::vector<VoigtMatrix<3>>
+  of_materials(const std::vector<VoigtMatrix<3>> &of_phases) const override
+  {
+    if (volume.orientations.empty())
+      return of_phases;
+    std::vector<VoigtMatrix<3>> turned;
+    for (const OrientedPhase &material : volume.orientations.materials)
+      turned.push_back(material.turned(of_phases[material.phase]));
+    return turned;
   }
 
   std::unique_ptr<VolumeElement<3>>

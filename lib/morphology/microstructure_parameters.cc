@@ -121,7 +121,7 @@ void MicrostructureParameters::bind(Keys &keys, const unsigned int dimension)
 {
   dim = dimension;
   bind_grid(keys, *this);
-  bind_phases(keys, phases);
+  bind_phases(keys, phases, is_volume);
   image.n_phases     = static_cast<unsigned int>(phases.size());
   const auto section = keys.section("Microstructure");
   keys.bind(

@@ -2,10 +2,10 @@
 #define mesoslip_morphology_microstructure_parameters_h
 
 #include "grid/uniform_grid.h"
-#include "material/stiffness.h"
 #include "material/voigt.h"
 #include "morphology/image_map.h"
 #include "morphology/orientations/orientation_reading.h"
+#include "morphology/phases/phase_parameters.h"
 #include "morphology/random_fibres.h"
 #include "morphology/random_inclusions.h"
 #include "morphology/rectangles.h"
@@ -17,72 +17,6 @@
 
 namespace mesoslip
 {
-class Keys;
-
-/** Section `Phases/<name>`: the material of one phase. */
-struct PhaseParameters
-{
-  /** Which keys give the stiffness. */
-  enum class Type
-  {
-    isotropic,
-    orthotropic,
-    stiffness
-  };
-
-  std::string name;            ///< name of the phase and of its subsection
-  Type type = Type::isotropic; ///< key Type
-
-  double young_modulus = 0.;          ///< Pa, of an isotropic phase
-  double poisson_ratio = 0.2;         ///< nu of an isotropic phase
-  std::vector<double> young_moduli;   ///< E1, E2, E3 (Pa) of an orthotropic phase
-  std::vector<double> poisson_ratios; ///< nu12, nu13, nu23
-  std::vector<double> shear_moduli;   ///< G12, G13, G23 (Pa)
-  std::vector<double> coefficients;   ///< Pa, see stiffness_from_coefficients()
-
-  std::vector<double> euler_angles;   ///< degrees, Bunge's, in 3D; empty: none
-  std::vector<double> axis_1;         ///< direction of axis 1 in 3D; empty: along x
-  std::vector<double> axis_2;         ///< direction of axis 2
-  double angle                = 0.;   ///< rad, counter-clockwise from x to axis 1
-  double density              = 0.;   ///< kg/m^3; 0: not given
-  double friction_coefficient = 0.25; ///< Coulomb, of contact nodes in the phase
-
-  /** Throws UserError naming the key when the material makes no sense. */
-  template <int dim>
-  void check() const;
-
-  /** Pa. Throws std::invalid_argument where check() throws. */
-  template <int dim>
-  VoigtMatrix<dim> stiffness() const;
-
-  /** Whether one of the keys for an orientation in 3D is given. */
-  bool is_turned_in_3d() const
-  {
-    return !euler_angles.empty() || !axis_1.empty() || !axis_2.empty();
-  }
-
-  /** Its axes as columns, from those keys. Throws std::invalid_argument. */
-  Eigen::Matrix3d rotation() const;
-
-  /** Moduli and density for the log; check() has passed. */
-  template <int dim>
-  std::string text() const;
-};
-
-/**
- * Section `Phases`: binds `Names`, a list, and a subsection for each name. The phase that
- * comes first has index 0. No phase has a stiffness or a density that was not given,
- * whatever its name. Throws UserError for names that are not unique or cannot be names.
- */
-void bind_phases(Keys &keys, std::vector<PhaseParameters> &phases);
-
-/** Key Mean dilatation of the section that is open. */
-void bind_mean_dilatation(Keys &keys, MeanDilatation &choice);
-
-/** Stiffness and density of each phase; check() has passed. */
-template <int dim>
-std::vector<Phase<dim>> make_phases(const std::vector<PhaseParameters> &parameters);
-
 class Keys;
 
 /** Where the rules of random fibres stand in a .prm. */
@@ -114,6 +48,9 @@ struct MicrostructureParameters
 
   /** Of programs that have grids in 3D, and the keys for them. */
   bool has_grids_in_3d = false;
+
+  /** Of a volume that is homogenized: whether phases have keys for what derivatives of the stiffness tell. */
+  bool is_volume = false;
 
   /** Of the box: 2, or 3 in programs that have grids in 3D. */
   unsigned int dim = 2;

@@ -1,6 +1,7 @@
 #include "homogenization/volumes/grid_volume.h"
 
 #include "base/exchange.h"
+#include "homogenization/volumes/strain_modes.h"
 
 namespace mesoslip
 {
@@ -126,6 +127,31 @@ void GridVolume::for_each(const Action &action) const
           action(cell);
         }
     }
+}
+
+void GridVolume::for_each_sample(const Sample &visit) const
+{
+  const LoadCaseSolutions &solved = solutions[current];
+  const auto node                 = [this](const unsigned int i, const unsigned int j) {
+    // Rows of a grid, or one row of all points.
+    const unsigned int n = j * (grid.cells[0] + 1) + i;
+    return NodeIndex{n % body->n_columns(), n / body->n_columns()};
+  };
+  StrainModes<2> modes(grid.spacing);
+  for (unsigned int j = 0; j < grid.cells[1]; ++j)
+    for (unsigned int i = 0; i < grid.cells[0]; ++i)
+      {
+        const unsigned int phase = material.phase_of(i, j);
+        for (unsigned int corner = 0; corner < 4; ++corner)
+          for (unsigned int c = 0; c < 2; ++c)
+            for (unsigned int k = 0; k < 3; ++k)
+              modes.displacement(corner, c)[k] =
+                solved.displacement[k](c, node(i + corner % 2, j + corner / 2));
+        modes.visit(material.phases()[phase].mean_dilatation, 1.,
+                    [&](const double volume, const VoigtMatrix<2> &strain) {
+                      visit(phase, volume, strain);
+                    });
+      }
 }
 
 void GridVolume::write(const std::string &path,

@@ -46,6 +46,7 @@ public:
     return MPI_COMM_SELF;
   }
   void for_each(const Action &action) const override;
+  void for_each_sample(const Sample &visit) const override;
   void write(const std::string &path,
              const std::vector<CellDataset> &datasets,
              const std::size_t n,

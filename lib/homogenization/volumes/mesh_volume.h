@@ -26,6 +26,7 @@ class MeshVolume : public VolumeElement<dim>
 {
 public:
   using typename VolumeElement<dim>::Action;
+  using typename VolumeElement<dim>::Sample;
   using typename VolumeElement<dim>::Values;
 
   /** @p given is the mesh of rank 0; @p the_phases (stiffness in Pa) are those of its
@@ -46,6 +47,7 @@ public:
     return mesh.communicator();
   }
   void for_each(const Action &action) const override;
+  void for_each_sample(const Sample &visit) const override;
   void write(const std::string &path,
              const std::vector<CellDataset> &datasets,
              const std::size_t n,

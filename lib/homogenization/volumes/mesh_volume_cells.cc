@@ -139,6 +139,14 @@ void MeshVolume<dim>::for_each(const Action &action) const
     [&action](const std::uint64_t, const LocalCell<dim> &cell) { action(cell); });
 }
 
+template <int dim>
+void MeshVolume<dim>::for_each_sample(const Sample &visit) const
+{
+  for_each_point([&](const auto &cell, const VoigtMatrix<dim> &strain, const double JxW) {
+    visit(cell.material_id(), JxW, strain);
+  });
+}
+
 // Each rank writes a block of cells of the order of the mesh.
 template <int dim>
 void MeshVolume<dim>::write(const std::string &path,
@@ -167,6 +175,7 @@ template VolumeSums<2> MeshVolume<2>::integrate() const;
 template VolumeSums<3> MeshVolume<3>::integrate() const;
 #define MESOSLIP_INSTANTIATE(dim)                                        \
   template void MeshVolume<dim>::for_each(const Action &) const;         \
+  template void MeshVolume<dim>::for_each_sample(const Sample &) const;  \
   template void MeshVolume<dim>::write(const std::string &,              \
                                        const std::vector<CellDataset> &, \
                                        const std::size_t, const Values &) const;

@@ -42,6 +42,10 @@ public:
   using Action = std::function<void(const LocalCell<dim> &)>; ///< with a cell
   using Values = std::function<void(const LocalCell<dim> &, double *out)>; ///< of a cell
 
+  /** With the number of a material, a volume and strains of the unit load cases, one a column (SUBC: for 1 Pa). */
+  using Sample =
+    std::function<void(const unsigned int, const double, const VoigtMatrix<dim> &)>;
+
   virtual ~VolumeElement() = default;
 
   /**
@@ -66,6 +70,14 @@ public:
   /** Calls @p action with each cell of this rank under the condition that was solved last. Not
    * collective. */
   virtual void for_each(const Action &action) const = 0;
+
+  /**
+   * Calls @p visit with strains in the cells of this rank such that the sum of volume * strain^T C strain is the
+   * energy of the unit load cases exactly as the cells have it, whatever the stiffness C of a material:
+   * at quadrature points, or of the parts of the strain that are orthogonal in a rectangle or brick. The
+   * volumes are in the unit of VolumeSums, and do not add up to that of the cells. Not collective.
+   */
+  virtual void for_each_sample(const Sample &visit) const = 0;
 
   /**
    * Writes @p values, @p n numbers a cell, into the @p datasets of `<path>.part`, which

@@ -1,6 +1,7 @@
 #include "homogenization/volumes/voxel_volume.h"
 
 #include "base/exchange.h"
+#include "homogenization/volumes/strain_modes.h"
 #include "material/stiffness.h"
 #include "program/machine.h"
 #include "statics/voxel/planes.h"
@@ -171,6 +172,42 @@ void VoxelVolume<dim>::for_each(const Action &action) const
               for (unsigned int m = 0; m < n_voigt<dim>; ++m)
                 cell.strain(m, load) = row.strain[place<dim>(load)][place<dim>(m)][i];
             action(cell);
+          }
+      }
+}
+
+template <int dim>
+void VoxelVolume<dim>::for_each_sample(const Sample &visit) const
+{
+  const voxel::VoxelGrid &part = solver->grid();
+  std::array<double, dim> spacing;
+  for (unsigned int d = 0; d < dim; ++d)
+    spacing[d] = part.spacing[place<dim>(d)];
+  StrainModes<dim> modes(spacing);
+  VoigtMatrix<dim> applied = VoigtMatrix<dim>::Zero();
+  if (condition != BoundaryCondition::SUBC)
+    applied.setIdentity();
+  voxel::Solver::NodesOfRow row;
+  for (unsigned int k = 0; k < planes().count; ++k)
+    for (unsigned int j = 0; j < cells.grid.cells[1]; ++j)
+      {
+        solver->evaluate(j, k, row);
+        for (unsigned int i = 0; i < cells.grid.cells[0]; ++i)
+          {
+            for (unsigned int corner = 0; corner < 1U << dim; ++corner)
+              for (unsigned int c = 0; c < dim; ++c)
+                for (unsigned int load = 0; load < n_voigt<dim>; ++load)
+                  // In 2D the second bit is that of z.
+                  modes.displacement(corner, c)[load] = row.displacement(
+                    place<dim>(load), c, dim == 2 ? corner & 2U : corner >> 1,
+                    i + corner % 2);
+            const unsigned int phase = row.phase[i];
+            modes.visit(
+              phases[phase].mean_dilatation, 1.,
+              [&](const double volume, const VoigtMatrix<dim> &strain) {
+                visit(phase, volume, strain);
+              },
+              applied);
           }
       }
 }

@@ -23,6 +23,7 @@ class VoxelVolume : public VolumeElement<dim>
 {
 public:
   using typename VolumeElement<dim>::Action;
+  using typename VolumeElement<dim>::Sample;
   using typename VolumeElement<dim>::Values;
 
   /** Most phases of a plane grid. */
@@ -43,6 +44,7 @@ public:
     return cells.communicator;
   }
   void for_each(const Action &action) const override;
+  void for_each_sample(const Sample &visit) const override;
   void write(const std::string &path,
              const std::vector<CellDataset> &datasets,
              const std::size_t n,

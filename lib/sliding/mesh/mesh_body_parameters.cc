@@ -32,7 +32,7 @@ void MeshBodyParameters::bind(Keys &keys)
     throw UserError("section Phases has no effect, as Body/RVE file is set and says what "
                     "the body is of; remove it, or Body/RVE file");
   if (keys.has_text("Mesh/File") && !from_file)
-    bind_phases(keys, phases);
+    bind_phases(keys, phases, false);
 }
 
 void MeshBodyParameters::bind_periodicity(Keys &keys)

@@ -106,6 +106,31 @@ public:
    *  of grid().n_cell_planes() of this rank. Not collective. */
   void evaluate(const unsigned int j, const unsigned int k, RowOfCells &row) const;
 
+  /** Displacements of the nodes of a row of cells along x. */
+  struct NodesOfRow
+  {
+    std::vector<unsigned int> phase; ///< of each cell
+
+    /** Component @p c of a field, under load case @p load, of node @p i of the row of nodes at the lower (0) or
+     *  upper ends along y (1) and z (2) of the cells: the fluctuation, for free sides the displacement for 1 Pa;
+     *  in the unit of length of grid(). */
+    double displacement(const unsigned int load,
+                        const unsigned int c,
+                        const unsigned int side,
+                        const unsigned int i) const
+    {
+      const std::vector<double> &values = u[load][c][side];
+      return values.empty() ? 0. : factor * values[first + i];
+    }
+
+    double factor      = 1.; ///< from the numbers that are kept
+    unsigned int first = 0;  ///< ghosts before the first node
+    std::array<std::array<std::array<std::vector<double>, 4>, 3>, 6> u; ///< that are kept
+  };
+
+  /** Evaluates the same row as the function above. */
+  void evaluate(const unsigned int j, const unsigned int k, NodesOfRow &row) const;
+
   /** Forces (N) of the load of case k less those of the unknowns @p v, a field of grid(),
    *  in edges along y (for free sides: times the unit of stress over 1 Pa, the largest
    *  entry of all stiffnesses); its ghosts are set. */
@@ -128,6 +153,9 @@ private:
   void keep(const unsigned int k);
   double dot_with_kept(const unsigned int k);
   void sum_strains(const unsigned int k);
+  void read_phases(const unsigned int line,
+                   const unsigned int plane,
+                   std::vector<unsigned int> &phase) const;
   std::size_t first_cell_of_row(const unsigned int line, const unsigned int plane) const;
 
   const Stiffness K;

@@ -176,12 +176,35 @@ VoigtMatrix<3> Solver::effective_stiffness() const
   return (mean_stiffness() - work_of_load) * K.modulus;
 }
 
+void Solver::read_phases(const unsigned int line,
+                         const unsigned int plane,
+                         std::vector<unsigned int> &phase) const
+{
+  phase.resize(K.grid.cells[0]);
+  for (unsigned int i = 0; i < K.grid.cells[0]; ++i)
+    phase[i] = K.phases[first_cell_of_row(line, plane) + i];
+}
+
+void Solver::evaluate(const unsigned int j, const unsigned int k, NodesOfRow &row) const
+{
+  const unsigned int plane = k + K.grid.first_cell_plane(), line = j + K.grid.first();
+  read_phases(line, plane, row.phase);
+  row.factor = K.grid.sides == Sides::free ? 1. / K.modulus : 1.;
+  row.first  = K.grid.first();
+  for (unsigned int load = 0; load < 6; ++load)
+    for (unsigned int c = 0; c < K.grid.n_components() && !kept[load].empty(); ++c)
+      for (unsigned int side = 0; side < 4; ++side)
+        {
+          std::vector<double> &values = row.u[load][c][side];
+          values.resize(kept[load].n_in_row());
+          kept[load].read_row(c, line + (side & 1U), plane + (side >> 1), values.data());
+        }
+}
+
 void Solver::evaluate(const unsigned int j, const unsigned int k, RowOfCells &row) const
 {
   const unsigned int plane = k + K.grid.first_cell_plane(), line = j + K.grid.first();
-  row.phase.resize(K.grid.cells[0]);
-  for (unsigned int i = 0; i < K.grid.cells[0]; ++i)
-    row.phase[i] = K.phases[first_cell_of_row(line, plane) + i];
+  read_phases(line, plane, row.phase);
   const bool free = K.grid.sides == Sides::free;
   std::array<std::vector<double>, 4> nodes;
   for (unsigned int load = 0; load < 6; ++load)

@@ -1,4 +1,4 @@
-#include "morphology/microstructure_parameters.h"
+#include "morphology/phases/phase_parameters.h"
 
 #include "base/errors.h"
 #include "material/engineering_constants.h"
@@ -39,7 +39,24 @@ void bind_orientation(Keys &keys, PhaseParameters &phase)
                  "there are " + std::to_string(list->size()) + " numbers; give three");
 }
 
-void bind_phase(Keys &keys, PhaseParameters &phase)
+/** What is of use where derivatives of the stiffness are computed. */
+void bind_derivatives(Keys &keys, PhaseParameters &phase)
+{
+  keys.bind_list(
+    "Relative deviation", phase.deviations, Range::non_negative(),
+    "Standard deviations of the constants of the stiffness over their values: "
+    "one number for all of them, or one for each in the order of the keys and "
+    "of their numbers (E, nu; E1, E2, E3, nu12, nu13, nu23, G12, G13, G23; the "
+    "entries of the matrix as they are given). They are taken as independent, "
+    "and the deviations of the effective stiffness follow; empty: none [-]",
+    0, 21);
+  keys.bind(
+    "Loss factor", phase.loss_factor, Range::non_negative(),
+    "Imaginary over real part of the stiffness, the same for all its entries: the "
+    "loss factors of the composite follow; 0: none [-]");
+}
+
+void bind_phase(Keys &keys, PhaseParameters &phase, const bool of_volume)
 {
   const Range modulus = Range::closed(0., Range::stiffness().upper);
   keys.bind("Type", phase.type, {"isotropic", "orthotropic", "stiffness"},
@@ -81,6 +98,8 @@ void bind_phase(Keys &keys, PhaseParameters &phase)
   keys.bind("Friction coefficient", phase.friction_coefficient, Range::non_negative(),
             "Coulomb coefficient of the contact nodes that lie in this phase, used by "
             "contact_dynamics with Coefficient from = phases [-]");
+  if (of_volume)
+    bind_derivatives(keys, phase);
   keys.renamed("Stiffness coefficients", "Stiffness");
   keys.only_with("Type", {"isotropic"}, {"Young modulus", "Poisson ratio"});
   keys.only_with("Type", {"orthotropic"},
@@ -101,7 +120,7 @@ void bind_mean_dilatation(Keys &keys, MeanDilatation &choice)
     "of them. Triangles and tetrahedra have one strain in any case, and lock [-]");
 }
 
-void bind_phases(Keys &keys, std::vector<PhaseParameters> &phases)
+void bind_phases(Keys &keys, std::vector<PhaseParameters> &phases, const bool of_volume)
 {
   const auto section             = keys.section("Phases");
   std::vector<std::string> names = {"matrix", "fibre"};
@@ -115,7 +134,7 @@ void bind_phases(Keys &keys, std::vector<PhaseParameters> &phases)
     {
       const auto subsection = keys.section(names[p]);
       phases[p].name        = names[p];
-      bind_phase(keys, phases[p]);
+      bind_phase(keys, phases[p], of_volume);
     }
 }
 
@@ -135,16 +154,19 @@ VoigtMatrix<dim> PhaseParameters::stiffness() const
   if (type == Type::isotropic)
     D = isotropic_stiffness<dim>(young_modulus, poisson_ratio);
   else if (type == Type::orthotropic)
-    D = orthotropic_stiffness<dim>(
-      {young_moduli.at(0), young_moduli.at(1), young_moduli.at(2), poisson_ratios.at(0),
-       poisson_ratios.at(1), poisson_ratios.at(2), shear_moduli.at(0), shear_moduli.at(1),
-       shear_moduli.at(2)});
+    D = orthotropic_stiffness<dim>(orthotropic());
   else
     D = stiffness_from_coefficients<dim>(coefficients);
+  return turned<dim>(D);
+}
+
+template <int dim>
+VoigtMatrix<dim> PhaseParameters::turned(const VoigtMatrix<dim> &of_material) const
+{
   if constexpr (dim == 3)
     if (is_turned_in_3d())
-      return turn_stiffness(D, rotation());
-  return angle == 0. ? D : rotate_stiffness<dim>(D, angle);
+      return turn_stiffness(of_material, rotation());
+  return angle == 0. ? of_material : rotate_stiffness<dim>(of_material, angle);
 }
 
 Eigen::Matrix3d PhaseParameters::rotation() const
@@ -198,6 +220,8 @@ void PhaseParameters::check() const
     {
       throw UserError(section + "': " + error.what());
     }
+  if (!deviations.empty())
+    check_deviations(constants<dim>().size());
 }
 
 template <int dim>
@@ -232,6 +256,8 @@ template std::vector<Phase<2>> make_phases<2>(const std::vector<PhaseParameters>
 template std::vector<Phase<3>> make_phases<3>(const std::vector<PhaseParameters> &);
 template VoigtMatrix<2> PhaseParameters::stiffness<2>() const;
 template VoigtMatrix<3> PhaseParameters::stiffness<3>() const;
+template VoigtMatrix<2> PhaseParameters::turned<2>(const VoigtMatrix<2> &) const;
+template VoigtMatrix<3> PhaseParameters::turned<3>(const VoigtMatrix<3> &) const;
 template void PhaseParameters::check<2>() const;
 template void PhaseParameters::check<3>() const;
 template std::string PhaseParameters::text<2>() const;

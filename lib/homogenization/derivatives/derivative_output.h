@@ -1,0 +1,46 @@
+#ifndef mesoslip_homogenization_derivatives_derivative_output_h
+#define mesoslip_homogenization_derivatives_derivative_output_h
+
+#include "homogenization/derivatives/variations.h"
+#include "homogenization/rve_program.h"
+#include "io/json.h"
+
+#include <vector>
+
+namespace mesoslip
+{
+/** A number that follows from the effective stiffness, and how it changes along variations. */
+struct VariedResult
+{
+  std::string name; ///< D11 or a name of engineering_constants()
+  std::string unit; ///< "Pa", or "1" for pure numbers
+  double value;     ///< in that unit
+
+  /** Its derivatives, by variation. */
+  std::vector<double> derivatives;
+};
+
+/** The entries of the effective stiffness and the engineering constants that are smooth functions of it, with
+ * their derivatives along @p variations: means over members and conditions, as of the stiffness itself. */
+template <int dim>
+std::vector<VariedResult> varied_results(const RveParameters &parameters,
+                                         const RveResults<dim> &results,
+                                         const std::vector<Variation<dim>> &variations);
+
+/** derivatives.csv, uncertainty.csv and loss_factors.csv, of what there is. */
+template <int dim>
+void write_derivatives(const RveParameters &parameters,
+                       const RveResults<dim> &results,
+                       const RunContext &context);
+
+/** Adds to summary.json what these files say of the effective stiffness. */
+template <int dim>
+void summarize_derivatives(const RveParameters &parameters,
+                           const RveResults<dim> &results,
+                           nlohmann::json &summary);
+
+/** Deviations and loss factors of a summary, new or restored, on the console. */
+void log_derivatives(RunContext &context);
+} // namespace mesoslip
+
+#endif

@@ -1,0 +1,94 @@
+#ifndef mesoslip_homogenization_strain_modes_h
+#define mesoslip_homogenization_strain_modes_h
+
+#include "material/voigt.h"
+
+#include <array>
+
+namespace mesoslip
+{
+/**
+ * The strains of a rectangle or brick whose displacements are linear along each of its axes:
+ *
+ *     u = sum over sets s of axes of a_s prod_{d in s} xi_d,  -1 <= xi_d <= 1,
+ *
+ * a set being a number with a bit for each axis. The derivative along axis d has 2 / h_d a_{s + d} in the
+ * product of s, products are orthogonal, and the mean square of one is 3^-|s|.
+ */
+template <int dim>
+class StrainModes
+{
+public:
+  /** Of a cell with these edges (m). */
+  explicit StrainModes(const std::array<double, dim> &edges)
+    : edges(edges)
+  {
+  }
+
+  /** Component @p c of the displacement (m) of a corner, a bit for each axis of which it is at the upper end,
+   * under all load cases. */
+  VoigtVector<dim> &displacement(const unsigned int corner, const unsigned int c)
+  {
+    return u[corner][c];
+  }
+
+  /**
+   * Calls visit(volume, strain of all load cases, one a column) with the mean and the other parts of the strain
+   * in a cell of @p volume, each with the volume times its mean square. With @p mean_dilatation the others keep
+   * the volume. @p applied is added to the mean.
+   */
+  template <typename Visit>
+  void visit(const bool mean_dilatation,
+             const double volume,
+             const Visit &visit,
+             const VoigtMatrix<dim> &applied = VoigtMatrix<dim>::Zero())
+  {
+    transform();
+    constexpr unsigned int all = n_corners - 1; // has no derivative
+    for (unsigned int set = 0; set < all; ++set)
+      {
+        VoigtMatrix<dim> strain = VoigtMatrix<dim>::Zero();
+        double part             = volume;
+        for (unsigned int d = 0; d < dim; ++d)
+          if ((set >> d & 1U) != 0)
+            part /= 3.;
+          else
+            for (unsigned int c = 0; c < dim; ++c)
+              strain.row(voigt_index<dim>(c, d)) +=
+                2. / edges[d] * u[set | 1U << d][c].transpose();
+        if (set == 0)
+          strain += applied;
+        else if (mean_dilatation)
+          {
+            const auto normal = strain.template topRows<dim>();
+            const Eigen::Matrix<double, 1, n_voigt<dim>> mean = normal.colwise().mean();
+            strain.template topRows<dim>().rowwise() -= mean;
+          }
+        visit(part, strain);
+      }
+  }
+
+private:
+  static constexpr unsigned int n_corners = 1U << dim;
+
+  /** From the displacements of corners to the factors a. */
+  void transform()
+  {
+    for (unsigned int d = 0; d < dim; ++d)
+      for (unsigned int corner = 0; corner < n_corners; ++corner)
+        if ((corner >> d & 1U) == 0)
+          for (unsigned int c = 0; c < dim; ++c)
+            {
+              VoigtVector<dim> &lower = u[corner][c], &upper = u[corner | 1U << d][c];
+              const VoigtVector<dim> sum = 0.5 * (lower + upper);
+              upper                      = 0.5 * (upper - lower);
+              lower                      = sum;
+            }
+  }
+
+  const std::array<double, dim> edges;
+  std::array<std::array<VoigtVector<dim>, dim>, n_corners> u;
+};
+} // namespace mesoslip
+
+#endif

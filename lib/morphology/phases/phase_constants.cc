@@ -1,0 +1,91 @@
+#include "base/errors.h"
+#include "material/stiffness_derivatives.h"
+#include "morphology/phases/phase_parameters.h"
+
+#include <array>
+
+namespace mesoslip
+{
+namespace
+{
+/** A derivative of a stiffness in space, in the plane its plane-strain part. */
+template <int dim>
+VoigtMatrix<dim> in_dimension(const VoigtMatrix<3> &derivative)
+{
+  if constexpr (dim == 3)
+    return derivative;
+  else
+    return plane_part(derivative);
+}
+
+/** The entries that @p n coefficients of stiffness_from_coefficients() are. */
+template <int dim>
+std::vector<StiffnessEntry> given_entries(const std::size_t n)
+{
+  const auto all        = stiffness_entries<dim>();
+  const bool short_form = n < all.size();
+  std::vector<StiffnessEntry> given;
+  for (const StiffnessEntry &entry : all)
+    if (!short_form || !entry.couples_shear(dim))
+      given.push_back(entry);
+  return given;
+}
+} // namespace
+
+OrthotropicConstants PhaseParameters::orthotropic() const
+{
+  return {young_moduli.at(0),   young_moduli.at(1),   young_moduli.at(2),
+          poisson_ratios.at(0), poisson_ratios.at(1), poisson_ratios.at(2),
+          shear_moduli.at(0),   shear_moduli.at(1),   shear_moduli.at(2)};
+}
+
+template <int dim>
+std::vector<PhaseConstant<dim>> PhaseParameters::constants() const
+{
+  std::vector<PhaseConstant<dim>> list;
+  const auto add = [this, &list](const std::string &constant, const double value,
+                                 const VoigtMatrix<dim> &derivative) {
+    const bool is_ratio = constant.rfind("nu", 0) == 0;
+    list.push_back({constant, is_ratio ? "1" : "Pa", value, 0., turned<dim>(derivative)});
+  };
+  if (type == Type::isotropic)
+    {
+      const auto derivatives = isotropic_derivatives(young_modulus, poisson_ratio);
+      add("E", young_modulus, in_dimension<dim>(derivatives[0]));
+      add("nu", poisson_ratio, in_dimension<dim>(derivatives[1]));
+    }
+  else if (type == Type::orthotropic)
+    {
+      constexpr std::array<const char *, 9> names = {
+        {"E1", "E2", "E3", "nu12", "nu13", "nu23", "G12", "G13", "G23"}};
+      const auto derivatives = orthotropic_derivatives(orthotropic());
+      const std::array<const std::vector<double> *, 3> keys = {
+        {&young_moduli, &poisson_ratios, &shear_moduli}};
+      for (std::size_t k = 0; k < names.size(); ++k)
+        add(names[k], (*keys[k / 3])[k % 3], in_dimension<dim>(derivatives[k]));
+    }
+  else
+    for (const auto &[row, column, entry] : given_entries<dim>(coefficients.size()))
+      {
+        VoigtMatrix<dim> derivative = VoigtMatrix<dim>::Zero();
+        derivative(row, column) = derivative(column, row) = 1.;
+        add(entry, coefficients[list.size()], derivative);
+      }
+  for (std::size_t k = 0; k < list.size() && !deviations.empty(); ++k)
+    list[k].deviation =
+      std::abs(list[k].value) * deviations[deviations.size() == 1 ? 0 : k];
+  return list;
+}
+
+void PhaseParameters::check_deviations(const std::size_t n_constants) const
+{
+  if (deviations.size() != 1 && deviations.size() != n_constants)
+    throw UserError("'Phases/" + name + "/Relative deviation' has " +
+                    std::to_string(deviations.size()) + " numbers, and the phase " +
+                    std::to_string(n_constants) +
+                    " constants; give one number for all or one for each");
+}
+
+template std::vector<PhaseConstant<2>> PhaseParameters::constants<2>() const;
+template std::vector<PhaseConstant<3>> PhaseParameters::constants<3>() const;
+} // namespace mesoslip

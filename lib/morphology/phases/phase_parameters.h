@@ -1,0 +1,114 @@
+#ifndef mesoslip_morphology_phases_phase_parameters_h
+#define mesoslip_morphology_phases_phase_parameters_h
+
+#include "material/stiffness.h"
+#include "material/voigt.h"
+
+#include <string>
+#include <vector>
+
+namespace mesoslip
+{
+class Keys;
+
+/** A number that a phase is given by. */
+template <int dim>
+struct PhaseConstant
+{
+  std::string name; ///< such as E, nu12 or D11
+  std::string unit; ///< "Pa", or "1" for pure numbers
+  double value;     ///< in that unit
+  double deviation; ///< its standard deviation, 0: it is known
+
+  /** Derivative of the stiffness (Pa) with respect to it. */
+  VoigtMatrix<dim> derivative;
+};
+
+/** Section `Phases/<name>`: the material of one phase. */
+struct PhaseParameters
+{
+  /** Which keys give the stiffness. */
+  enum class Type
+  {
+    isotropic,
+    orthotropic,
+    stiffness
+  };
+
+  std::string name;            ///< name of the phase and of its subsection
+  Type type = Type::isotropic; ///< key Type
+
+  double young_modulus = 0.;          ///< Pa, of an isotropic phase
+  double poisson_ratio = 0.2;         ///< nu of an isotropic phase
+  std::vector<double> young_moduli;   ///< E1, E2, E3 (Pa) of an orthotropic phase
+  std::vector<double> poisson_ratios; ///< nu12, nu13, nu23
+  std::vector<double> shear_moduli;   ///< G12, G13, G23 (Pa)
+  std::vector<double> coefficients;   ///< Pa, see stiffness_from_coefficients()
+
+  std::vector<double> euler_angles;   ///< degrees, Bunge's, in 3D; empty: none
+  std::vector<double> axis_1;         ///< direction of axis 1 in 3D; empty: along x
+  std::vector<double> axis_2;         ///< direction of axis 2
+  double angle                = 0.;   ///< rad, counter-clockwise from x to axis 1
+  double density              = 0.;   ///< kg/m^3; 0: not given
+  double friction_coefficient = 0.25; ///< Coulomb, of contact nodes in the phase
+
+  /** Standard deviations of the constants over their values, one for all or one each; empty: they are
+   * known. */
+  std::vector<double> deviations;
+
+  double loss_factor = 0.; ///< imaginary over real part of the stiffness [-]
+
+  /** Throws UserError naming the key when the material makes no sense. */
+  template <int dim>
+  void check() const;
+
+  /** Pa. Throws std::invalid_argument where check() throws. */
+  template <int dim>
+  VoigtMatrix<dim> stiffness() const;
+
+  /** How the stiffness follows from each of the constants, in the order of their keys. */
+  template <int dim>
+  std::vector<PhaseConstant<dim>> constants() const;
+
+  /** Whether one of the keys for an orientation in 3D is given. */
+  bool is_turned_in_3d() const
+  {
+    return !euler_angles.empty() || !axis_1.empty() || !axis_2.empty();
+  }
+
+  /** Its axes as columns, from those keys. Throws std::invalid_argument. */
+  Eigen::Matrix3d rotation() const;
+
+  /** Moduli and density for the log; check() has passed. */
+  template <int dim>
+  std::string text() const;
+
+private:
+  /** A stiffness in the axes of the material (Pa) in those of space. */
+  template <int dim>
+  VoigtMatrix<dim> turned(const VoigtMatrix<dim> &of_material) const;
+
+  /** The constants of an orthotropic phase. */
+  OrthotropicConstants orthotropic() const;
+
+  /** @throws UserError unless there is no deviation, one, or one for each constant */
+  void check_deviations(const std::size_t n_constants) const;
+};
+
+/**
+ * Section `Phases`: binds `Names`, a list, and a subsection for each name. The phase that
+ * comes first has index 0. No phase has a stiffness or a density that was not given,
+ * whatever its name. Of a volume that is homogenized there are keys for what derivatives of the stiffness
+ * tell. Throws UserError for names that are not unique or cannot be names.
+ */
+void bind_phases(Keys &keys, std::vector<PhaseParameters> &phases, const bool of_volume);
+
+/** Key Mean dilatation of the section that is open. */
+void bind_mean_dilatation(Keys &keys, MeanDilatation &choice);
+
+/** Stiffness and density of each phase; check() has passed. */
+template <int dim>
+std::vector<Phase<dim>> make_phases(const std::vector<PhaseParameters> &parameters);
+} // namespace mesoslip
+
+#endif
