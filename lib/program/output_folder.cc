@@ -30,9 +30,10 @@ constexpr std::array<const char *, 4> papers = {
   {"summary.json", "log.txt", "parameters.prm", "original.prm"}};
 
 /** Results of the programs, but those of XDMF that go with them. */
-constexpr std::array<const char *, 21> results = {{"complex_modes.csv",
+constexpr std::array<const char *, 24> results = {{"complex_modes.csv",
                                                    "complex_modes.h5",
                                                    "complex_modes_sweep.csv",
+                                                   "derivatives.csv",
                                                    "dynamics.h5",
                                                    "energy.csv",
                                                    "engineering_constants.csv",
@@ -43,6 +44,7 @@ constexpr std::array<const char *, 21> results = {{"complex_modes.csv",
                                                    "load_steps.csv",
                                                    "loads.csv",
                                                    "loads.h5",
+                                                   "loss_factors.csv",
                                                    "localization.h5",
                                                    "modal.h5",
                                                    "modes.csv",
@@ -50,7 +52,8 @@ constexpr std::array<const char *, 21> results = {{"complex_modes.csv",
                                                    "probes.csv",
                                                    "rve.h5",
                                                    "static_contact.csv",
-                                                   "stiffness.csv"}};
+                                                   "stiffness.csv",
+                                                   "uncertainty.csv"}};
 
 bool is_result(const fs::directory_entry &entry)
 {
