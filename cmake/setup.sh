@@ -6,7 +6,7 @@ program_packages=(
   build-essential ccache cmake ninja-build libdeal.ii-dev libboost-program-options-dev libeigen3-dev nlohmann-json3-dev libpng-dev libtiff-dev libxxhash-dev libgmsh-dev mold
   python3 python3-numpy python3-scipy python3-h5py python3-matplotlib)
 test_packages=(
-  libgtest-dev python3-pil python3-pip python3-gmsh python3-meshio python3-xarray doxygen python3-sphinx python3-myst-parser furo cppcheck g++-aarch64-linux-gnu qemu-user)
+  libgtest-dev python3-pil python3-pip python3-gmsh python3-meshio python3-xarray calculix-ccx doxygen python3-sphinx python3-myst-parser furo cppcheck g++-aarch64-linux-gnu qemu-user)
 mesoslip_packages=("${program_packages[@]}" "${test_packages[@]}")
 
 # choose_python: sets python to the first of $MESOSLIP_PYTHON, python3 and /usr/bin/python3 that has numpy, scipy, h5py and matplotlib.

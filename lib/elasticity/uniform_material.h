@@ -27,6 +27,9 @@ struct ElasticPhase
    * everywhere, so that they do not lock (Hughes 1980, "B-bar"). */
   bool mean_dilatation = false;
 
+  /** Phase::thermal_stress (Pa/K). */
+  VoigtVector<dim> thermal_stress = VoigtVector<dim>::Zero();
+
   /**
    * Stiffness (Pa) against what the strain of a quadrilateral or hexahedron differs from its mean.
    * The cell's energy is that of the mean strain and that of the differences.
@@ -61,6 +64,16 @@ std::vector<ElasticPhase<dim>> elastic_phases(const std::vector<Phase<dim>> &pha
     result.push_back({phase.stiffness, phase.density,
                       has_mean_dilatation<dim>(phase.stiffness, choice)});
   return result;
+}
+
+/** Whether one of the @p phases expands when it is heated. */
+template <int dim>
+bool has_expansion(const std::vector<ElasticPhase<dim>> &phases)
+{
+  for (const ElasticPhase<dim> &phase : phases)
+    if (!phase.thermal_stress.isZero(0.))
+      return true;
+  return false;
 }
 
 /** Stiffness (Pa/m^2) of a rectangle with edges @p h (m) against the hourglass modes of x and y, whose

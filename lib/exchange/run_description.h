@@ -18,7 +18,7 @@ namespace mesoslip
 template <class Archive>
 void serialize(Archive &archive, Phase<2> &phase, const unsigned int)
 {
-  serialize_members<4>(archive, phase);
+  serialize_members<5>(archive, phase);
 }
 
 /** The body that slides: geometry, materials and friction coefficients. */

@@ -18,6 +18,11 @@ std::string concentration_dataset(const std::string &condition)
   return (condition == "SUBC" ? "/stress_concentration/" : "/concentration/") + condition;
 }
 
+std::string thermal_stress_dataset(const std::string &condition)
+{
+  return "/thermal_stress/" + condition;
+}
+
 namespace
 {
 const char rve_program[] = "rve_homogenization";
@@ -60,15 +65,22 @@ UniformGrid<dim> read_extent(const Hdf5File &file)
 template <int dim>
 void reserve_concentration(const std::string &path,
                            const Shape &cells,
-                           const std::vector<std::string> &conditions)
+                           const std::vector<std::string> &conditions,
+                           const bool heat)
 {
-  Hdf5File file = Hdf5File::create(path);
-  Shape shape   = cells;
-  shape.insert(shape.end(), {n_voigt<dim>, n_voigt<dim>});
+  Hdf5File file      = Hdf5File::create(path);
+  const auto reserve = [&](const std::string &dataset, const Shape &of_cell,
+                           const char *unit) {
+    Shape shape = cells;
+    shape.insert(shape.end(), of_cell.begin(), of_cell.end());
+    file.reserve_rows(dataset, shape, rows_together(cells));
+    file.write_unit(dataset, unit);
+  };
   for (const std::string &condition : conditions)
     {
-      file.reserve_rows(concentration_dataset(condition), shape, rows_together(cells));
-      file.write_unit(concentration_dataset(condition), "-");
+      reserve(concentration_dataset(condition), {n_voigt<dim>, n_voigt<dim>}, "-");
+      if (heat)
+        reserve(thermal_stress_dataset(condition), {n_voigt<dim>}, "Pa/K");
     }
   file.leave();
 }
@@ -112,6 +124,9 @@ void write_rve_file(const std::string &path, const RveContent<dim> &content)
   for (const auto &[of, D] : content.stiffness)
     write_dataset(file, "/stiffness/" + of, {v, v},
                   std::vector<double>(D.data(), D.data() + D.size()), "Pa");
+  for (const auto &[of, expansion] : content.expansion)
+    write_dataset(file, "/expansion/" + of, {v},
+                  std::vector<double>(expansion.begin(), expansion.end()), "1/K");
   std::vector<XdmfField> shown = {{"phase", phases_dataset, Values::phases}};
   for (const std::string &of : content.reserved)
     {
@@ -265,10 +280,12 @@ template class RveFile<2>;
 template class RveFile<3>;
 template void reserve_concentration<2>(const std::string &,
                                        const Shape &,
-                                       const std::vector<std::string> &);
+                                       const std::vector<std::string> &,
+                                       const bool);
 template void reserve_concentration<3>(const std::string &,
                                        const Shape &,
-                                       const std::vector<std::string> &);
+                                       const std::vector<std::string> &,
+                                       const bool);
 template void write_rve_file(const std::string &, const RveContent<2> &);
 template void write_rve_file(const std::string &, const RveContent<3> &);
 } // namespace mesoslip

@@ -50,6 +50,9 @@ struct RveContent
 
   std::map<std::string, VoigtMatrix<dim>> stiffness; ///< KUBC, SUBC, PBC, effective (Pa)
 
+  std::map<std::string, VoigtVector<dim>>
+    expansion; ///< the same (1/K); empty: nothing expands
+
   /** Conditions whose concentration tensors are in the file since reserve_concentration(). */
   std::vector<std::string> reserved;
 };
@@ -57,17 +60,22 @@ struct RveContent
 /** The dataset of the concentration tensors of KUBC, SUBC or PBC. */
 std::string concentration_dataset(const std::string &condition);
 
+/** The dataset of the stresses of one kelvin without macroscopic strain (SUBC: stress). */
+std::string thermal_stress_dataset(const std::string &condition);
+
 /**
  * Begins rve.h5, of which @p path is the name, and leaves it, with room for the concentration tensors of all
  * cells under @p conditions, which ParallelRows fills before write_rve_file() adds the rest: in Voigt
  * components of strain (KUBC, PBC, MUBC: row local, column macroscopic) or stress (SUBC). @p cells is the
  * shape of an array with a number for each cell: the datasets are [ny][nx][3][3] or [nz][ny][nx][6][6] on a
- * grid, [n][3][3] or [n][6][6] on a mesh.
+ * grid, [n][3][3] or [n][6][6] on a mesh. With @p heat there is room for thermal_stress_dataset(), too, one index
+ * less.
  */
 template <int dim>
 void reserve_concentration(const std::string &path,
                            const Shape &cells,
-                           const std::vector<std::string> &conditions);
+                           const std::vector<std::string> &conditions,
+                           const bool heat);
 
 /**
  * Writes rve.h5, of which @p path is the name, and `NAME.xdmf` for ParaView beside it.

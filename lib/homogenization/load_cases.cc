@@ -71,9 +71,12 @@ NodalField<double> uniform_traction(const ElasticBody<2> &body, const unsigned i
 class CaseSolver
 {
 public:
-  CaseSolver(const ElasticBody<2> &body, const double tolerance)
+  CaseSolver(const ElasticBody<2> &body,
+             const double tolerance,
+             const NodalField<double> &of_heat)
     : body(body)
     , tolerance(tolerance)
+    , of_heat(of_heat)
   {
     const std::vector<double> n = phase_volumes(body);
     homogeneous = std::count_if(n.begin(), n.end(), [](double v) { return v > 0.; }) == 1;
@@ -92,8 +95,8 @@ public:
       }
     catch (const NotConverged &e)
       {
-        static const char *const names[] = {"xx", "yy", "xy"};
-        throw NotConverged(to_string(condition) + " " + names[k] + ": " + e.what(),
+        throw NotConverged(to_string(condition) + " " + name_of_case<2>(k) + ": " +
+                             e.what(),
                            e.reason, e.reached);
       }
   }
@@ -103,6 +106,8 @@ private:
                           const unsigned int k,
                           NodalField<double> &u)
   {
+    if (k == n_voigt<2>)
+      return solve_heat(condition, u);
     if (condition == BoundaryCondition::SUBC)
       {
         // Exact in a homogeneous body, a fair guess in others.
@@ -132,6 +137,19 @@ private:
     return report;
   }
 
+  SolverReport solve_heat(const BoundaryCondition condition, NodalField<double> &u)
+  {
+    u = body.zero_field();
+    // Forces inside a homogeneous body cancel.
+    if (homogeneous && condition != BoundaryCondition::SUBC)
+      return SolverReport();
+    set_up(condition, n_voigt<2>);
+    NodalField<double> force = of_heat;
+    if (condition == BoundaryCondition::PBC)
+      periodic_body->add_duplicates(force);
+    return solver->solve(u, force, tolerance);
+  }
+
   void set_up(const BoundaryCondition condition, const unsigned int k)
   {
     if (solver && condition == current && !begins_group<2>(condition, k))
@@ -152,6 +170,7 @@ private:
 
   const ElasticBody<2> &body;
   const double tolerance;
+  const NodalField<double> &of_heat;
   bool homogeneous          = false; ///< one phase alone
   bool orthotropic          = true;  ///< all phases along x and y
   BoundaryCondition current = BoundaryCondition::KUBC;
@@ -196,15 +215,18 @@ solve_load_cases(const ElasticBody<2> &body,
                  const double tolerance,
                  const MPI_Comm communicator,
                  const std::function<void()> &case_done,
-                 Timer *timer)
+                 Timer *timer,
+                 const NodalField<double> &of_heat)
 {
   int rank = 0, n_ranks = 1;
   MPI_Comm_rank(communicator, &rank);
   MPI_Comm_size(communicator, &n_ranks);
-  const unsigned int n_cases = 3 * conditions.size();
+  const std::vector<unsigned int> order = order_of_cases<2>(of_heat.size() > 0);
+  const std::size_t n_in_group          = order.size();
+  const unsigned int n_cases            = n_in_group * conditions.size();
 
   std::vector<LoadCaseSolutions> solutions(conditions.size());
-  CaseSolver solver(body, tolerance);
+  CaseSolver solver(body, tolerance, of_heat);
   // Contiguous shares, so that a rank sets up as few kinds of boundary as possible. On a
   // distributed body all ranks solve each case together.
   const auto owner = [&](const unsigned int n) {
@@ -212,23 +234,26 @@ solve_load_cases(const ElasticBody<2> &body,
   };
   for (unsigned int n = 0; n < n_cases; ++n)
     {
-      LoadCaseSolutions &solution = solutions[n / 3];
-      solution.condition          = conditions[n / 3];
+      LoadCaseSolutions &solution = solutions[n / n_in_group];
+      const unsigned int k        = order[n % n_in_group];
+      solution.condition          = conditions[n / n_in_group];
+      solution.reports.resize(n_in_group);
       if (body.is_distributed() || owner(n) == rank)
         {
           const auto scope = optional_scope(timer, to_string(solution.condition).c_str());
-          solution.reports[n % 3] =
-            solver.solve(solution.condition, n % 3, solution.displacement[n % 3]);
+          solution.reports[k] = solver.solve(solution.condition, k, solution.field(k));
           if (case_done)
             case_done();
         }
       else if (rank == 0)
-        solution.displacement[n % 3] = body.zero_field();
+        solution.field(k) = body.zero_field();
     }
   for (unsigned int n = 0; n < n_cases && !body.is_distributed(); ++n)
     {
-      bring_field_to_root(solutions[n / 3].displacement[n % 3], owner(n), communicator);
-      broadcast_object(communicator, solutions[n / 3].reports[n % 3], owner(n));
+      LoadCaseSolutions &solution = solutions[n / n_in_group];
+      const unsigned int k        = order[n % n_in_group];
+      bring_field_to_root(solution.field(k), owner(n), communicator);
+      broadcast_object(communicator, solution.reports[k], owner(n));
     }
   return solutions;
 }

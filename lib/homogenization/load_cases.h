@@ -34,7 +34,7 @@ std::string to_string(const BoundaryCondition condition);
 /** @throws std::invalid_argument */
 BoundaryCondition boundary_condition(const std::string &name);
 
-/** Whether load case @p k (Voigt) of KUBC or MUBC prescribes the displacement along axis @p c
+/** Whether load case @p k (Voigt, or n_voigt: heat) of KUBC or MUBC prescribes the displacement along axis @p c
  * on the sides across axis @p across. */
 template <int dim>
 bool is_prescribed(const BoundaryCondition condition,
@@ -45,15 +45,38 @@ bool is_prescribed(const BoundaryCondition condition,
   if (condition != BoundaryCondition::MUBC)
     return condition == BoundaryCondition::KUBC;
   // In a shear of the axes a and b the sides across a and b are planes of antisymmetry.
-  const bool antisymmetric = k >= dim && (dim == 2 || across + 3 != k);
+  const bool antisymmetric =
+    k >= dim && k < n_voigt<dim> && (dim == 2 || across + 3 != k);
   return (c == across) != antisymmetric;
+}
+
+/** The load cases in the order in which they are solved. That of one kelvin, number n_voigt, if it is @p heated, has
+ * the prescribed displacements of normal strains and follows them. */
+template <int dim>
+std::vector<unsigned int> order_of_cases(const bool heated)
+{
+  std::vector<unsigned int> order;
+  for (unsigned int k = 0; k < n_voigt<dim>; ++k)
+    {
+      order.push_back(k);
+      if (heated && k + 1 == dim)
+        order.push_back(n_voigt<dim>);
+    }
+  return order;
+}
+
+/** Name of a load case in messages. */
+template <int dim>
+std::string name_of_case(const unsigned int k)
+{
+  return k < n_voigt<dim> ? voigt_names<dim>[k] : "heat";
 }
 
 /** Whether load case @p k has other prescribed displacements than the case before. */
 template <int dim>
 bool begins_group(const BoundaryCondition condition, const unsigned int k)
 {
-  return k == 0 || (condition == BoundaryCondition::MUBC && k >= dim);
+  return k == 0 || (condition == BoundaryCondition::MUBC && k >= dim && k < n_voigt<dim>);
 }
 
 /** The three solutions for unit macroscopic strains (KUBC, PBC, MUBC) or stresses (SUBC). */
@@ -67,13 +90,30 @@ struct LoadCaseSolutions
    */
   std::array<NodalField<double>, 3> displacement;
 
-  std::array<SolverReport, 3> reports; ///< iterations and residuals of the three solves
+  /** Displacements (m) of one kelvin without macroscopic strain (SUBC: stress); empty where nothing expands. */
+  NodalField<double> of_heat;
+
+  /** Displacements of load case @p k. */
+  NodalField<double> &field(const unsigned int k)
+  {
+    return k < displacement.size() ? displacement[k] : of_heat;
+  }
+
+  /** The same to read. */
+  const NodalField<double> &field(const unsigned int k) const
+  {
+    return k < displacement.size() ? displacement[k] : of_heat;
+  }
+
+  std::vector<SolverReport>
+    reports; ///< iterations and residuals of these solves, by load case
 };
 
 /**
  * Solves the three load cases of each condition. The cases are dealt out to the ranks of
  * @p communicator and collected on rank 0; the other ranks return reports only. On a
- * distributed body the ranks solve each case together and all return everything.
+ * distributed body the ranks solve each case together and all return everything. @p of_heat are the nodal
+ * forces (N/m) of one kelvin, without duplicates; empty: nothing expands.
  * @p case_done, if any, is called after each load case of this rank; @p timer, if any, gets a section for
  * each condition.
  * @throws NotConverged
@@ -84,7 +124,8 @@ solve_load_cases(const ElasticBody<2> &body,
                  const double tolerance,
                  const MPI_Comm communicator,
                  const std::function<void()> &case_done = {},
-                 Timer *timer                           = nullptr);
+                 Timer *timer                           = nullptr,
+                 const NodalField<double> &of_heat      = NodalField<double>());
 
 } // namespace mesoslip
 

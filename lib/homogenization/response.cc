@@ -67,6 +67,41 @@ void set_stiffness(HomogenizedResponse<dim> &response,
     scaled_difference<dim>(response.stiffness_from_mean, response.stiffness);
   response.symmetry_residual = scaled_difference<dim>(D, D.transpose());
 }
+template <int dim>
+ThermalResponse<dim> thermal_response(const VolumeSums<dim> &sums,
+                                      const std::vector<ElasticPhase<dim>> &phases,
+                                      const HomogenizedResponse<dim> &response)
+{
+  const bool stresses = response.condition == BoundaryCondition::SUBC;
+  ThermalResponse<dim> heat;
+  heat.exists             = true;
+  VoigtVector<dim> strain = VoigtVector<dim>::Zero(), // means of the solved case
+    stress                = VoigtVector<dim>::Zero();
+  for (std::size_t p = 0; p < phases.size(); ++p)
+    {
+      const PhaseSums<dim> &phase    = sums.phases[p];
+      const VoigtVector<dim> &beta   = phases[p].thermal_stress;
+      const VoigtVector<dim> of_heat = phase.strain.col(n_voigt<dim>);
+      heat.work += phase.strain.transpose() * beta / sums.volume;
+      strain += of_heat / sums.volume;
+      stress += (phases[p].stiffness * of_heat - phase.volume * beta) / sums.volume;
+      if (phase.volume > 0.)
+        heat.held +=
+          phase.volume / sums.volume * beta.dot(inverse<dim>(phases[p].stiffness) * beta);
+    }
+  const VoigtMatrix<dim> &D       = response.stiffness;
+  VoigtVector<dim> by_reciprocity = heat.work.template head<n_voigt<dim>>(),
+                   by_mean        = stresses ? strain : VoigtVector<dim>(-stress);
+  if (response.condition == BoundaryCondition::MUBC)
+    for (VoigtVector<dim> *one : {&by_reciprocity, &by_mean})
+      one->template tail<n_voigt<dim> - dim>().setZero();
+  heat.stress = stresses ? VoigtVector<dim>(D * by_reciprocity) : by_reciprocity;
+  heat.expansion =
+    stresses ? by_reciprocity : VoigtVector<dim>(inverse<dim>(D) * by_reciprocity);
+  heat.residual = (by_reciprocity - by_mean).cwiseAbs().maxCoeff() /
+                  by_reciprocity.cwiseAbs().maxCoeff();
+  return heat;
+}
 } // namespace
 
 template <int dim>
@@ -97,14 +132,16 @@ HomogenizedResponse<dim> homogenize(const VolumeSums<dim> &sums,
   for (std::size_t p = 0; p < phases.size(); ++p)
     {
       const PhaseSums<dim> &phase = sums.phases[p];
-      const Tensor stress_sum     = phases[p].stiffness * phase.strain;
-      strain += phase.strain / sums.volume;
+      const Tensor strain_sum     = phase.strain.template leftCols<n_voigt<dim>>(),
+                   stress_sum     = phases[p].stiffness * strain_sum;
+      strain += strain_sum / sums.volume;
       stress += stress_sum / sums.volume;
-      const Tensor &mean = stresses ? stress_sum : phase.strain;
+      const Tensor &mean = stresses ? stress_sum : strain_sum;
       response.phase_means.push_back(phase.volume > 0 ? Tensor(mean / phase.volume)
                                                       : Tensor(Tensor::Zero()));
     }
   response.energy = sums.energy;
+  response.volume = sums.volume;
   Tensor energy   = sums.energy;
   if (sums.condition == BoundaryCondition::MUBC)
     {
@@ -119,6 +156,8 @@ HomogenizedResponse<dim> homogenize(const VolumeSums<dim> &sums,
     ((stresses ? stress : strain) - Tensor(Tensor::Identity())).norm();
   set_stiffness<dim>(response, stresses ? strain : stress, energy);
   response.two_phase_residual = two_phase_residual(sums, phases, response);
+  if (has_expansion(phases))
+    response.heat = thermal_response(sums, phases, response);
   return response;
 }
 

@@ -12,11 +12,11 @@
 
 namespace mesoslip
 {
-/** Sums over the cells of one phase under the unit load cases, one a column. */
+/** Sums over the cells of one phase under the unit load cases, one a column, and of one kelvin. */
 template <int dim>
 struct PhaseSums
 {
-  VoigtMatrix<dim> strain = VoigtMatrix<dim>::Zero(); ///< integral, in the unit of volume
+  UnitStrains<dim> strain = UnitStrains<dim>::Zero(); ///< integral, in the unit of volume
   double volume           = 0.;                       ///< in any unit, see VolumeSums
 };
 
@@ -31,7 +31,40 @@ struct VolumeSums
   /** Volume mean of strain_k . C strain_l (Pa, for SUBC 1/Pa). */
   VoigtMatrix<dim> energy = VoigtMatrix<dim>::Zero();
 
-  std::array<SolverReport, n_voigt<dim>> reports; ///< of the solves, by load case
+  std::vector<SolverReport> reports; ///< of the solves, by load case, that of heat last
+};
+
+/** What one kelvin does to the volume under a boundary condition, which holds the mean strain (SUBC: stress) at zero. */
+template <int dim>
+struct ThermalResponse
+{
+  bool exists = false; ///< whether a phase expands
+
+  /** Effective thermal stress (Pa/K): S = D E - this times the change of temperature. By reciprocity the mean of
+   * A^T beta with the strains A of the unit load cases and the thermal stress beta of the phases (SUBC: that is
+   * the expansion). MUBC: without shears. */
+  VoigtVector<dim> stress = VoigtVector<dim>::Zero();
+
+  VoigtVector<dim> expansion =
+    VoigtVector<dim>::Zero(); ///< D^-1 stress (1/K, engineering shear)
+
+  /** Largest distance of stress from the mean stress (SUBC: of the expansion from the mean strain) of the solved case,
+   * over the largest entry. */
+  double residual = 0.;
+
+  /** Mean of a_k . beta with the strains a_k of the unit cases (Pa/K, SUBC: 1/K) and, last, a_T . beta with those
+   * of one kelvin (Pa/K^2). */
+  Eigen::Matrix<double, n_voigt<dim> + 1, 1> work =
+    Eigen::Matrix<double, n_voigt<dim> + 1, 1>::Zero();
+
+  double held = 0.; ///< mean of beta . C^-1 beta (Pa/K^2)
+
+  /** Saves or restores all members, for boost::serialization. */
+  template <class Archive>
+  void serialize(Archive &archive, const unsigned int)
+  {
+    serialize_members<6>(archive, *this);
+  }
 };
 
 /** What the load cases of one boundary condition say about the volume. */
@@ -87,14 +120,17 @@ struct HomogenizedResponse
   /** Derivatives of the stiffness (Pa over the unit of the constant), see variations_of(). */
   std::vector<VoigtMatrix<dim>> derivatives;
 
-  std::array<SolverReport, n_voigt<dim>>
-    reports; ///< iterations and residuals, by load case
+  ThermalResponse<dim> heat; ///< of one kelvin
+  double volume = 0.;        ///< of all phases, in the unit of VolumeSums
+
+  std::vector<SolverReport>
+    reports; ///< iterations and residuals, by load case, heat last
 
   /** Saves or restores all members, for boost::serialization. */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    serialize_members<12>(archive, *this);
+    serialize_members<14>(archive, *this);
   }
 };
 

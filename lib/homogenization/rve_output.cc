@@ -2,6 +2,7 @@
 
 #include "exchange/rve_file.h"
 #include "homogenization/derivatives/derivative_output.h"
+#include "homogenization/heat/heat_output.h"
 #include "homogenization/loads/load_output.h"
 #include "io/json.h"
 #include "io/table.h"
@@ -156,6 +157,7 @@ void write_rve_results(RveResults<dim> &results, RunContext &context)
   content.stiffness["effective"] = results.effective;
   for (const HomogenizedResponse<dim> &response : results.members[0].responses)
     content.stiffness[to_string(response.condition)] = response.stiffness;
+  content.expansion = results.expansion;
   write_rve_file(context.file("rve.h5"), content);
 }
 
@@ -324,11 +326,13 @@ void write_rve_summary(const RveParameters &parameters,
   if (!parameters.reference.empty())
     out["reference_stiffness"] =
       matrix_json<dim>(stiffness_from_coefficients<dim>(parameters.reference));
+  summarize_expansion<dim>(parameters, results, out);
   summarize_derivatives<dim>(parameters, results, out);
   if (!parameters.loads.loads.empty())
     out["loads"] = loads_json<dim>(parameters, results);
   log_stiffness<dim>(context);
   log_identities(first, context);
+  log_expansion(context);
   log_derivatives(context);
   log_loads<dim>(context);
 }

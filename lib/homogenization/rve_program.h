@@ -21,6 +21,9 @@ struct RveResults
   /** Stiffness (Pa), mean over the members. */
   VoigtMatrix<dim> effective = VoigtMatrix<dim>::Zero();
 
+  /** Thermal expansion (1/K) by condition, and "effective"; empty: nothing expands. */
+  std::map<std::string, VoigtVector<dim>> expansion;
+
   /** Number of nodes of the first member. */
   std::size_t n_nodes = 0;
 };

@@ -5,6 +5,7 @@
 #include "exchange/cell_datasets.h"
 #include "exchange/loads_file.h"
 #include "homogenization/derivatives/derivative_output.h"
+#include "homogenization/heat/heat_output.h"
 #include "homogenization/loads/load_output.h"
 #include "io/drafts.h"
 #include "material/bounds.h"
@@ -49,7 +50,7 @@ template <int dim>
 ResourceNeed VolumeAnalysis<dim>::need() const
 {
   const double tensors = parameters.write_concentration
-                           ? 8. * n_voigt<dim> * n_voigt<dim> *
+                           ? 8. * n_voigt<dim> * (n_voigt<dim> + (expands() ? 1. : 0.)) *
                                static_cast<double>(parameters.conditions.size())
                            : 0.;
   const double n       = static_cast<double>(n_cells());
@@ -90,7 +91,7 @@ void VolumeAnalysis<dim>::write_draft(const std::string &folder) const
     content.stiffness["effective"] = hill;
     for (const BoundaryCondition condition : parameters.conditions)
       content.stiffness[to_string(condition)] = hill;
-    reserve_concentration<dim>(path, shape(), content.reserved);
+    reserve_concentration<dim>(path, shape(), content.reserved, false);
     are_written_by_ranks = content.phase_id.empty();
     if (are_written_by_ranks)
       reserve_cells(path, shape(), !content.orientations.empty());
@@ -100,6 +101,15 @@ void VolumeAnalysis<dim>::write_draft(const std::string &folder) const
   if (are_written_by_ranks)
     write_cells(path, true);
   on_root(MPI_COMM_WORLD, [&]() { write_rve_file(path, content); });
+}
+
+template <int dim>
+bool VolumeAnalysis<dim>::expands() const
+{
+  const auto &phases = parameters.microstructure.phases;
+  return std::any_of(phases.begin(), phases.end(), [](const PhaseParameters &phase) {
+    return !phase.expansion.empty();
+  });
 }
 
 template <int dim>
@@ -178,6 +188,7 @@ void VolumeAnalysis<dim>::run(RunContext &context)
       if (context.root() && restore_rve_summary(context))
         {
           log_stiffness<dim>(context);
+          log_expansion(context);
           log_derivatives(context);
           log_loads<dim>(context);
         }
@@ -188,7 +199,7 @@ void VolumeAnalysis<dim>::run(RunContext &context)
                           "engineering_constants.csv", "phase_means.csv", "ensemble.csv",
                           "rectangles.csv", "loads.h5", "loads.xdmf", "loads.csv",
                           "loads_ensemble.csv", "derivatives.csv", "uncertainty.csv",
-                          "loss_factors.csv"});
+                          "loss_factors.csv", "expansion.csv"});
   for (const std::string &slip : slips())
     context.warn(slip);
   RveResults<dim> results;
@@ -205,6 +216,8 @@ void VolumeAnalysis<dim>::run(RunContext &context)
     return;
   for (const std::string &warning : result_warnings<dim>(results.members, parameters))
     context.warn(warning);
+  for (const std::string &warning : expansion_warnings<dim>(parameters, results.members))
+    context.warn(warning);
   for (const std::string &warning : load_warnings<dim>(parameters, results.members))
     context.warn(warning);
   const auto scope = context.timer().scope("Output");
@@ -212,10 +225,12 @@ void VolumeAnalysis<dim>::run(RunContext &context)
     mean_stiffness<dim>(results.members, effective_conditions(parameters));
   if (!parameters.effective_full)
     results.effective = orthotropic_part<dim>(results.effective);
+  results.expansion       = expansions<dim>(parameters, results);
   results.first.digest    = digest;
   results.first.fractions = results.members[0].fractions;
   write_rve_tables<dim>(parameters, results, context);
   write_derivatives<dim>(parameters, results, context);
+  write_expansion<dim>(parameters, results, context);
   write_loads<dim>(parameters, results, context);
   write_rve_summary<dim>(parameters, results, context);
   write_rve_results<dim>(results, context);

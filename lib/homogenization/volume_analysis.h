@@ -113,8 +113,12 @@ private:
   /** Number of load cases of a member. */
   std::uint64_t n_cases() const
   {
-    return std::uint64_t{n_voigt<dim>} * parameters.conditions.size();
+    return (std::uint64_t{n_voigt<dim>} + (expands() ? 1 : 0)) *
+           parameters.conditions.size();
   }
+
+  /** Whether a phase expands. */
+  bool expands() const;
 
   /** Of an array with a number for each cell. */
   Shape shape() const

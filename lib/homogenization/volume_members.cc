@@ -23,11 +23,27 @@ void write_concentration(const VolumeElement<dim> &volume,
   constexpr std::size_t n = n_voigt<dim> * n_voigt<dim>;
   volume.write(path, {{concentration_dataset(to_string(condition)), n}}, n,
                [&](const LocalCell<dim> &cell, double *out) {
-                 const VoigtMatrix<dim> tensor =
-                   condition == BoundaryCondition::SUBC
-                     ? VoigtMatrix<dim>(phases[cell.phase].stiffness * cell.strain)
-                     : cell.strain;
+                 VoigtMatrix<dim> tensor = cell.strain.template leftCols<n_voigt<dim>>();
+                 if (condition == BoundaryCondition::SUBC)
+                   tensor = (phases[cell.phase].stiffness * tensor).eval();
                  std::copy_n(tensor.data(), n, out);
+               });
+}
+
+/** Writes the stress of the cells for one kelvin in the same way. */
+template <int dim>
+void write_thermal_stress(const VolumeElement<dim> &volume,
+                          const BoundaryCondition condition,
+                          const std::vector<ElasticPhase<dim>> &phases,
+                          const std::string &path)
+{
+  constexpr std::size_t n = n_voigt<dim>;
+  volume.write(path, {{thermal_stress_dataset(to_string(condition)), n}}, n,
+               [&](const LocalCell<dim> &cell, double *out) {
+                 const ElasticPhase<dim> &phase = phases[cell.phase];
+                 const VoigtVector<dim> stress =
+                   phase.stiffness * cell.strain.col(n) - phase.thermal_stress;
+                 std::copy_n(stress.data(), n, out);
                });
 }
 } // namespace
@@ -39,7 +55,7 @@ std::string VolumeAnalysis<dim>::reserve_fields(const RunContext &context) const
   on_root(context.communicator(), [&]() {
     const std::string rve = context.file("rve.h5"), loads = context.file("loads.h5");
     if (parameters.write_concentration || are_cells_divided())
-      reserve_concentration<dim>(rve, shape(), reserved_conditions());
+      reserve_concentration<dim>(rve, shape(), reserved_conditions(), expands());
     if (are_cells_divided())
       reserve_cells(rve, shape(), !parameters.microstructure.orientation.file.empty());
     loads_file = reserve_loads<dim>(parameters, loads, shape());
@@ -108,7 +124,8 @@ void VolumeAnalysis<dim>::solve_member(const unsigned int m,
     {
       phases.push_back( // at rest
         {material.stiffness, 0.,
-         has_mean_dilatation<dim>(material.stiffness, parameters.mean_dilatation)});
+         has_mean_dilatation<dim>(material.stiffness, parameters.mean_dilatation),
+         material.thermal_stress});
       part.push_back(material.part);
     }
   std::uint64_t done   = m * n_cases();
@@ -131,10 +148,14 @@ void VolumeAnalysis<dim>::solve_member(const unsigned int m,
       const auto rest                   = timer.scope("Responses");
       HomogenizedResponse<dim> response = homogenize<dim>(sums, phases);
       response.derivatives =
-        stiffness_derivatives(*volume, response, sums.volume, changes_of_materials());
+        stiffness_derivatives(*volume, response, changes_of_materials());
       gather_parts(response, sums, part, parameters.microstructure.phases.size());
       if (parameters.write_concentration && m == 0)
-        write_concentration(*volume, condition, phases, context.file("rve.h5"));
+        {
+          write_concentration(*volume, condition, phases, context.file("rve.h5"));
+          if (has_expansion(phases))
+            write_thermal_stress(*volume, condition, phases, context.file("rve.h5"));
+        }
       if (!parameters.loads.loads.empty() && parameters.loads.uses(condition))
         for (LoadResult<dim> &result :
              evaluate_loads(parameters.loads, response, of_cells, *volume,

@@ -122,12 +122,19 @@ protected:
       return VolumeAnalysis<3>::materials();
     const std::vector<OrientedPhase> &oriented = volume.orientations.materials;
     std::vector<VoigtMatrix<3>> of_phases;
+    std::vector<VoigtVector<3>> thermal;
     for (const PhaseParameters &phase : parameters.microstructure.phases)
-      of_phases.push_back(phase.stiffness<3>());
+      {
+        of_phases.push_back(phase.stiffness<3>());
+        thermal.push_back(phase.thermal_stress<3>());
+      }
     const std::vector<VoigtMatrix<3>> stiffness = of_materials(of_phases);
     std::vector<LoadedPhase<3>> loaded;
     for (std::size_t k = 0; k < oriented.size(); ++k)
-      loaded.push_back({oriented[k].phase, stiffness[k], {}});
+      loaded.push_back({oriented[k].phase,
+                        stiffness[k],
+                        {},
+                        oriented[k].turned(thermal[oriented[k].phase])});
     return loaded;
   }
 

@@ -26,13 +26,24 @@ struct OrientedPhase
   /** The stiffness @p of_phase turned by these angles (Pa). */
   VoigtMatrix<3> turned(const VoigtMatrix<3> &of_phase) const
   {
-    constexpr double degree               = 3.14159265358979323846 / 180.;
     constexpr std::array<double, 3> as_is = {{0., 0., 0.}};
     if (euler_angles == as_is)
       return of_phase;
-    return turn_stiffness(of_phase, bunge_rotation(degree * euler_angles[0],
-                                                   degree * euler_angles[1],
-                                                   degree * euler_angles[2]));
+    return turn_stiffness(of_phase, rotation());
+  }
+
+  /** A stress (Pa), or a tensor like it, of the phase in this orientation. */
+  VoigtVector<3> turned(const VoigtVector<3> &of_phase) const
+  {
+    return turn_stress(of_phase, rotation());
+  }
+
+  /** Columns are the axes of the material. */
+  Eigen::Matrix3d rotation() const
+  {
+    constexpr double degree = 3.14159265358979323846 / 180.;
+    return bunge_rotation(degree * euler_angles[0], degree * euler_angles[1],
+                          degree * euler_angles[2]);
   }
 };
 
@@ -71,6 +82,8 @@ std::vector<Phase<dim>> oriented_phases(const std::vector<Phase<dim>> &phases,
           {
             result.push_back(phases.at(material.phase));
             result.back().stiffness = material.turned(phases[material.phase].stiffness);
+            result.back().thermal_stress =
+              material.turned(phases[material.phase].thermal_stress);
           }
       }
   return result;

@@ -264,6 +264,30 @@ VoigtMatrix<3> turn_stiffness(const VoigtMatrix<3> &stiffness,
   return 0.5 * (turned + turned.transpose());
 }
 
+VoigtVector<3> turn_stress(const VoigtVector<3> &stress, const Eigen::Matrix3d &rotation)
+{
+  Eigen::Matrix3d tensor;
+  for (unsigned int c = 0; c < 3; ++c)
+    for (unsigned int d = 0; d < 3; ++d)
+      tensor(c, d) = stress[voigt_index<3>(c, d)];
+  tensor = rotation * tensor * rotation.transpose();
+  VoigtVector<3> turned;
+  for (unsigned int c = 0; c < 3; ++c)
+    for (unsigned int d = c; d < 3; ++d)
+      turned[voigt_index<3>(c, d)] = tensor(c, d);
+  return turned;
+}
+
+VoigtVector<3> turned_expansion(const Eigen::Vector3d &along_axes,
+                                const Eigen::Matrix3d &rotation)
+{
+  VoigtVector<3> expansion = VoigtVector<3>::Zero();
+  expansion.head<3>()      = along_axes;
+  expansion                = turn_stress(expansion, rotation);
+  expansion.tail<3>() *= 2.;
+  return expansion;
+}
+
 Eigen::Matrix3d bunge_rotation(const double phi_1, const double Phi, const double phi_2)
 {
   using Eigen::AngleAxisd, Eigen::Vector3d;

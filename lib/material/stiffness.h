@@ -138,6 +138,14 @@ VoigtMatrix<dim> rotate_stiffness(const VoigtMatrix<dim> &stiffness, const doubl
 VoigtMatrix<3> turn_stiffness(const VoigtMatrix<3> &stiffness,
                               const Eigen::Matrix3d &rotation);
 
+/** Expansions (1/K, engineering shear) of a solid that expands by @p along_axes along its axes, the columns of
+ * @p rotation. */
+VoigtVector<3> turned_expansion(const Eigen::Vector3d &along_axes,
+                                const Eigen::Matrix3d &rotation);
+
+/** The stress (Pa), or a tensor like it, of a solid that is turned as in turn_stiffness(). */
+VoigtVector<3> turn_stress(const VoigtVector<3> &stress, const Eigen::Matrix3d &rotation);
+
 /**
  * Columns are the axes of a material with Bunge's Euler angles (rad): turned about its
  * axis 3 by @p phi_1, then about its axis 1 by @p Phi, then about its axis 3 by @p phi_2,

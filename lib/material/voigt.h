@@ -31,6 +31,11 @@ constexpr unsigned int voigt_index(const unsigned int c, const unsigned int d)
   return c == d ? c : dim == 2 ? 2 : 6 - c - d;
 }
 
+/** Strains of a place under unit loads, one a column: those of the components in Voigt order and, last, of one
+ * kelvin. */
+template <int dim>
+using UnitStrains = Eigen::Matrix<double, n_voigt<dim>, n_voigt<dim> + 1>;
+
 /** Names of the components in Voigt order. */
 template <int dim>
 inline constexpr std::array<const char *, n_voigt<dim>> voigt_names = {};
@@ -81,6 +86,9 @@ struct Phase
 
   /** Coulomb coefficient of contact nodes that lie in this phase. */
   double friction_coefficient = 0.;
+
+  /** C alpha (Pa/K): the stress is C strain less this times the change of temperature. */
+  VoigtVector<dim> thermal_stress = VoigtVector<dim>(VoigtVector<dim>::Zero());
 };
 } // namespace mesoslip
 

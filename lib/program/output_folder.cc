@@ -30,7 +30,7 @@ constexpr std::array<const char *, 4> papers = {
   {"summary.json", "log.txt", "parameters.prm", "original.prm"}};
 
 /** Results of the programs, but those of XDMF that go with them. */
-constexpr std::array<const char *, 24> results = {{"complex_modes.csv",
+constexpr std::array<const char *, 25> results = {{"complex_modes.csv",
                                                    "complex_modes.h5",
                                                    "complex_modes_sweep.csv",
                                                    "derivatives.csv",
@@ -38,6 +38,7 @@ constexpr std::array<const char *, 24> results = {{"complex_modes.csv",
                                                    "energy.csv",
                                                    "engineering_constants.csv",
                                                    "ensemble.csv",
+                                                   "expansion.csv",
                                                    "field_errors.csv",
                                                    "friction_homogenization.csv",
                                                    "history.csv",

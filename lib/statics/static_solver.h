@@ -1,6 +1,7 @@
 #ifndef mesoslip_statics_static_solver_h
 #define mesoslip_statics_static_solver_h
 
+#include "base/serialize_members.h"
 #include "elasticity/dof_mask.h"
 #include "grid/nodal_field.h"
 
@@ -40,6 +41,13 @@ struct SolverReport
 
   /** Where multigrid went on in double precision: those in single precision before. */
   std::optional<unsigned int> single_iterations = std::nullopt;
+
+  /** Saves or restores all members, for boost::serialization. */
+  template <class Archive>
+  void serialize(Archive &archive, const unsigned int)
+  {
+    serialize_members<3>(archive, *this);
+  }
 };
 
 /** A solve that failed, for a reason that advice may depend on. */

@@ -44,7 +44,6 @@ template <int dim>
 std::vector<VoigtMatrix<dim>>
 stiffness_derivatives(const VolumeElement<dim> &volume,
                       const HomogenizedResponse<dim> &response,
-                      const double total_volume,
                       const std::vector<std::vector<VoigtMatrix<dim>>> &of_materials)
 {
   std::vector<Changes<dim>> changes(of_materials.size());
@@ -57,7 +56,8 @@ stiffness_derivatives(const VolumeElement<dim> &volume,
   if (n == 0)
     return means;
   volume.for_each_sample(
-    [&](const unsigned int material, const double part, const VoigtMatrix<dim> &strain) {
+    [&](const unsigned int material, const double part, const UnitStrains<dim> &strains) {
+      const VoigtMatrix<dim> strain = strains.template leftCols<n_voigt<dim>>();
       for (const auto &[k, change] : changes[material])
         means[k].noalias() += part * (strain.transpose() * (change * strain).eval());
     });
@@ -65,7 +65,7 @@ stiffness_derivatives(const VolumeElement<dim> &volume,
                  volume.communicator());
   for (VoigtMatrix<dim> &mean : means)
     {
-      mean /= total_volume;
+      mean /= response.volume;
       if (response.condition == BoundaryCondition::SUBC)
         mean = response.stiffness * mean * response.stiffness;
       else if (response.condition == BoundaryCondition::MUBC)
@@ -74,11 +74,11 @@ stiffness_derivatives(const VolumeElement<dim> &volume,
   return means;
 }
 
-#define MESOSLIP_INSTANTIATE(dim)                                               \
-  template std::vector<Variation<dim>> variations_of<dim>(                      \
-    const std::vector<PhaseParameters> &, const bool);                          \
-  template std::vector<VoigtMatrix<dim>> stiffness_derivatives<dim>(            \
-    const VolumeElement<dim> &, const HomogenizedResponse<dim> &, const double, \
+#define MESOSLIP_INSTANTIATE(dim)                                    \
+  template std::vector<Variation<dim>> variations_of<dim>(           \
+    const std::vector<PhaseParameters> &, const bool);               \
+  template std::vector<VoigtMatrix<dim>> stiffness_derivatives<dim>( \
+    const VolumeElement<dim> &, const HomogenizedResponse<dim> &,    \
     const std::vector<std::vector<VoigtMatrix<dim>>> &);
 MESOSLIP_INSTANTIATE(2)
 MESOSLIP_INSTANTIATE(3)

@@ -45,7 +45,6 @@ template <int dim>
 std::vector<VoigtMatrix<dim>>
 stiffness_derivatives(const VolumeElement<dim> &volume,
                       const HomogenizedResponse<dim> &response,
-                      const double total_volume,
                       const std::vector<std::vector<VoigtMatrix<dim>>> &of_materials);
 } // namespace mesoslip
 

@@ -1,5 +1,6 @@
 #include "homogenization/loads/load_evaluation.h"
 
+#include "base/exchange.h"
 #include "base/object_exchange.h"
 
 #include <cmath>
@@ -17,7 +18,7 @@ public:
   LoadSurvey(const LoadParameters &loads,
              const LocalFields<dim> &fields,
              const VolumeElement<dim> &cells,
-             const std::vector<VoigtVector<dim>> &amplitudes)
+             const std::vector<LoadAmplitudes<dim>> &amplitudes)
     : loads(loads)
     , fields(fields)
     , cells(cells)
@@ -53,7 +54,8 @@ public:
 private:
   const double *evaluate(const LocalCell<dim> &cell, const std::size_t load)
   {
-    fields.evaluate(cell.phase, cell.strain * amplitudes[load], values.data());
+    fields.evaluate(cell.phase, cell.strain * amplitudes[load],
+                    amplitudes[load][n_voigt<dim>], values.data());
     return values.data();
   }
 
@@ -130,30 +132,70 @@ private:
   const LoadParameters &loads;
   const LocalFields<dim> &fields;
   const VolumeElement<dim> &cells;
-  const std::vector<VoigtVector<dim>> &amplitudes;
+  const std::vector<LoadAmplitudes<dim>> &amplitudes;
   std::vector<std::vector<PhaseUnderLoad>> parts;   ///< of each load and phase
   std::vector<std::vector<std::vector<Bins>>> bins; ///< of each load, phase and quantity
   std::vector<double> values;                       ///< of a cell
 };
 
-/** How far the means of the fields are from the macroscopic state. */
+/** Volume means of strain . C strain of the unit cases, last that of one kelvin, also with one another. */
 template <int dim>
-void set_residuals(LoadResult<dim> &result, const double work)
+Eigen::MatrixXd energies(const VolumeElement<dim> &cells,
+                         const HomogenizedResponse<dim> &response,
+                         const std::vector<LoadedPhase<dim>> &phases)
 {
+  constexpr Eigen::Index n   = n_voigt<dim>;
+  Eigen::MatrixXd result     = Eigen::MatrixXd::Zero(n + 1, n + 1);
+  result.topLeftCorner(n, n) = response.energy;
+  if (!response.heat.exists)
+    return result;
+  Eigen::VectorXd of_heat = Eigen::VectorXd::Zero(n + 1);
+  cells.for_each_sample(
+    [&](const unsigned int material, const double part, const UnitStrains<dim> &strain) {
+      of_heat +=
+        part * (strain.transpose() * (phases[material].stiffness * strain.col(n)).eval());
+    });
+  sum_over_ranks(of_heat.data(), static_cast<std::size_t>(of_heat.size()),
+                 cells.communicator());
+  of_heat /= response.volume;
+  result.col(n) = of_heat;
+  result.row(n) = of_heat.transpose();
+  return result;
+}
+
+/** Sets the energy, and how far the means of the fields are from the macroscopic state. @p amplitudes are those of the
+ * unit cases, @p energy is from energies(). */
+template <int dim>
+void set_residuals(LoadResult<dim> &result,
+                   const LoadAmplitudes<dim> &amplitudes,
+                   const Eigen::MatrixXd &energy,
+                   const HomogenizedResponse<dim> &response)
+{
+  const ThermalResponse<dim> &heat = response.heat;
+  const double heating             = amplitudes[n_voigt<dim>],
+               of_strain           = amplitudes.dot(energy * amplitudes),
+               of_heat             = heating * heat.work.dot(amplitudes),
+               work                = of_strain - of_heat; // of stress and strain
   VoigtVector<dim> strain, stress;
   for (unsigned int k = 0; k < n_voigt<dim>; ++k)
     {
       strain[k] = result.whole(k).mean;
       stress[k] = result.whole(k + n_voigt<dim>).mean;
     }
-  const auto distance = [](const VoigtVector<dim> &a, const VoigtVector<dim> &b) {
-    return (a - b).cwiseAbs().maxCoeff() / b.cwiseAbs().maxCoeff();
+  // A volume that is heated may have no macroscopic strain or stress, but has those of its expansion.
+  const auto distance = [heating](const VoigtVector<dim> &a, const VoigtVector<dim> &b,
+                                  const VoigtVector<dim> &per_kelvin) {
+    return (a - b).cwiseAbs().maxCoeff() /
+           (b.cwiseAbs().maxCoeff() +
+            std::fabs(heating) * per_kelvin.cwiseAbs().maxCoeff());
   };
-  result.strain_residual      = distance(strain, result.strain);
-  result.stress_residual      = distance(stress, result.stress);
-  const double of_means       = stress.dot(strain);
-  result.hill_mandel_residual = std::fabs(work - of_means) / of_means;
-  result.energy               = 0.5 * work;
+  result.strain_residual = distance(strain, result.strain, heat.expansion);
+  result.stress_residual = distance(stress, result.stress, heat.stress);
+  const double of_means  = stress.dot(strain);
+  result.hill_mandel_residual =
+    std::fabs(work - of_means) /
+    (std::fabs(of_means) + heating * heating * heat.stress.dot(heat.expansion));
+  result.energy = 0.5 * (of_strain - 2. * of_heat + heating * heating * heat.held);
 }
 
 template <int dim>
@@ -162,7 +204,7 @@ void write_fields(const std::string &file,
                   const BoundaryCondition condition,
                   const LocalFields<dim> &fields,
                   const VolumeElement<dim> &cells,
-                  const std::vector<VoigtVector<dim>> &amplitudes)
+                  const std::vector<LoadAmplitudes<dim>> &amplitudes)
 {
   std::vector<CellDataset> datasets;
   const std::size_t n = fields.n_stored();
@@ -173,9 +215,10 @@ void write_fields(const std::string &file,
   std::vector<double> values(fields.quantities().size());
   cells.write(file, datasets, n * amplitudes.size(),
               [&](const LocalCell<dim> &cell, double *out) {
-                for (const VoigtVector<dim> &amplitude : amplitudes)
+                for (const LoadAmplitudes<dim> &amplitude : amplitudes)
                   {
-                    fields.evaluate(cell.phase, cell.strain * amplitude, values.data());
+                    fields.evaluate(cell.phase, cell.strain * amplitude,
+                                    amplitude[n_voigt<dim>], values.data());
                     out = std::copy_n(values.data(), n, out);
                   }
               });
@@ -198,13 +241,16 @@ loaded_phases(const std::vector<PhaseParameters> &parameters)
   std::vector<LoadedPhase<dim>> phases;
   for (const PhaseParameters &p : parameters)
     {
-      phases.push_back(
-        {static_cast<unsigned int>(phases.size()), p.stiffness<dim>(), {}});
+      phases.push_back({static_cast<unsigned int>(phases.size()),
+                        p.stiffness<dim>(),
+                        {},
+                        p.thermal_stress<dim>()});
       if constexpr (dim == 2)
         if (p.type != PhaseParameters::Type::stiffness)
           {
             const VoigtMatrix<3> full = p.stiffness<3>();
             phases.back().transverse = VoigtVector<2>(full(2, 0), full(2, 1), full(2, 5));
+            phases.back().transverse_thermal = p.transverse_thermal_stress();
           }
     }
   return phases;
@@ -225,23 +271,25 @@ std::vector<LoadResult<dim>> evaluate_loads(const LoadParameters &loads,
   const bool stresses = response.condition == BoundaryCondition::SUBC;
   const LocalFields<dim> fields(phases);
   std::vector<LoadResult<dim>> results;
-  std::vector<VoigtVector<dim>> amplitudes;
+  std::vector<LoadAmplitudes<dim>> amplitudes;
   for (const PrescribedLoad &load : loads.loads)
     {
-      const MacroscopicState<dim> state = solve_mixed_load<dim>(response.stiffness, load);
-      amplitudes.push_back(stresses ? state.stress : state.strain);
+      const MacroscopicState<dim> state =
+        solve_mixed_load<dim>(response.stiffness, response.heat.stress, load);
+      amplitudes.emplace_back();
+      amplitudes.back() << (stresses ? state.stress : state.strain), load.heating;
       results.emplace_back();
       results.back().name      = load.name;
       results.back().condition = response.condition;
       results.back().strain    = state.strain;
       results.back().stress    = state.stress;
     }
-  const auto statistics = LoadSurvey<dim>(loads, fields, cells, amplitudes).run();
+  const auto statistics        = LoadSurvey<dim>(loads, fields, cells, amplitudes).run();
+  const Eigen::MatrixXd energy = energies(cells, response, phases);
   for (std::size_t load = 0; load < results.size(); ++load)
     {
       results[load].phases = statistics[load];
-      set_residuals<dim>(results[load],
-                         amplitudes[load].dot(response.energy * amplitudes[load]));
+      set_residuals<dim>(results[load], amplitudes[load], energy, response);
     }
   if (!file.empty())
     write_fields(file, loads, response.condition, fields, cells, amplitudes);

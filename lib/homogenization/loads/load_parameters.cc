@@ -29,6 +29,10 @@ PrescribedLoad bind_load(Keys &keys, const std::string &name, const unsigned int
   const auto section = keys.section(name);
   PrescribedLoad load;
   load.name = name;
+  keys.bind(
+    "Temperature change", load.heating, Range::any(),
+    "Change of temperature of the whole volume, of phases with a Thermal expansion "
+    "that are free of stress without it [K]");
   for (const std::string component : voigt_names<3>)
     {
       const bool shear = component[0] != component[1];
@@ -143,12 +147,20 @@ void LoadParameters::check(const std::vector<BoundaryCondition> &solved,
   const auto nothing = [](const double value) {
     return std::isnan(value) || value == 0.;
   };
+  const bool expands =
+    std::any_of(phases.begin(), phases.end(),
+                [](const PhaseParameters &phase) { return !phase.expansion.empty(); });
   for (const PrescribedLoad &load : loads)
-    if (std::all_of(load.strain.begin(), load.strain.end(), nothing) &&
-        std::all_of(load.stress.begin(), load.stress.end(), nothing))
+    if (load.heating != 0. && !expands)
+      throw UserError("Loads/" + load.name +
+                      "/Temperature change has no effect, as no phase has a Thermal "
+                      "expansion; give one under Phases, or remove it");
+    else if (load.heating == 0. &&
+             std::all_of(load.strain.begin(), load.strain.end(), nothing) &&
+             std::all_of(load.stress.begin(), load.stress.end(), nothing))
       throw UserError("Loads/" + load.name +
                       " prescribes no strain and no stress that is not 0; give one, such "
-                      "as Stress xx");
+                      "as Stress xx, or a Temperature change");
 }
 
 bool LoadParameters::uses(const BoundaryCondition condition) const

@@ -24,6 +24,8 @@ struct PrescribedLoad
    * given. */
   std::vector<double> stress;
 
+  double heating = 0.; ///< change of temperature (K)
+
   /** Names of the components with neither, whose stress is taken as 0. */
   std::vector<std::string> assumed() const;
 };

@@ -35,6 +35,7 @@ json prescribed_json(const PrescribedLoad &load)
         given["stress"][name] = load.stress[k];
     }
   given["stress_assumed_zero"] = load.assumed();
+  given["temperature_change"]  = load.heating;
   return given;
 }
 
@@ -158,6 +159,12 @@ std::string state_line(const std::string &what, const json &state, const double 
   return line.str();
 }
 
+std::string heating_text(const json &prescribed)
+{
+  const double heating = prescribed.value("temperature_change", 0.);
+  return heating == 0. ? std::string() : brief_text(6, ", ", heating, " K warmer");
+}
+
 std::string phase_line(const std::string &phase, const json &quantities)
 {
   std::ostringstream line;
@@ -191,7 +198,7 @@ void log_loads(RunContext &context)
         zero += (zero.empty() ? "" : ", ") + component.get<std::string>();
       std::ostringstream line;
       line << "Load " << load["name"].get<std::string>() << ", "
-           << load["condition"].get<std::string>()
+           << load["condition"].get<std::string>() << heating_text(load["prescribed"])
            << (zero.empty() ? "" : "; not given, so taken as 0: stress " + zero)
            << std::scientific << std::setprecision(1) << "; residuals: mean strain "
            << load["mean_strain_residual"].get<double>() << ", mean stress "

@@ -66,16 +66,19 @@ std::vector<CellDataset> LocalFields<dim>::datasets(const std::string &group,
 template <int dim>
 void LocalFields<dim>::evaluate(const unsigned int phase,
                                 const VoigtVector<dim> &strain,
+                                const double heating,
                                 double *values) const
 {
-  const VoigtVector<dim> stress = phases[phase].stiffness * strain;
-  double *next                  = std::copy_n(strain.data(), n_voigt<dim>, values);
-  next                          = std::copy_n(stress.data(), n_voigt<dim>, next);
+  const VoigtVector<dim> stress =
+    phases[phase].stiffness * strain - heating * phases[phase].thermal_stress;
+  double *next = std::copy_n(strain.data(), n_voigt<dim>, values);
+  next         = std::copy_n(stress.data(), n_voigt<dim>, next);
   if (!invariants)
     return;
   double zz = 0.;
   if (dim == 2)
-    *next++ = zz = phases[phase].transverse->dot(strain);
+    *next++ = zz =
+      phases[phase].transverse->dot(strain) - heating * phases[phase].transverse_thermal;
   const Eigen::Matrix3d sigma    = tensor_of<dim>(stress, zz);
   const double hydrostatic       = sigma.trace() / 3.;
   const Eigen::Matrix3d deviator = sigma - hydrostatic * Eigen::Matrix3d::Identity();

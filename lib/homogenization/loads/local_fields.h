@@ -20,6 +20,9 @@ struct LoadedPhase
   /** 2D: sigma_zz = transverse . strain (Pa); empty: the stiffness in the plane was given
    * alone, which says nothing of it. */
   std::optional<VoigtVector<dim>> transverse;
+
+  VoigtVector<dim> thermal_stress = VoigtVector<dim>::Zero(); ///< Pa/K
+  double transverse_thermal       = 0.; ///< 2D: its component zz (Pa/K)
 };
 
 /** A number of a cell under a load. */
@@ -87,9 +90,10 @@ public:
   std::vector<CellDataset> datasets(const std::string &group,
                                     const std::size_t first) const;
 
-  /** All quantities of a cell of phase @p phase with this @p strain into @p values. */
+  /** All quantities of a cell of phase @p phase with this @p strain at a @p heating (K) into @p values. */
   void evaluate(const unsigned int phase,
                 const VoigtVector<dim> &strain,
+                const double heating,
                 double *values) const;
 
 private:

@@ -8,6 +8,7 @@ namespace mesoslip
 {
 template <int dim>
 MacroscopicState<dim> solve_mixed_load(const VoigtMatrix<dim> &stiffness,
+                                       const VoigtVector<dim> &thermal_stress,
                                        const PrescribedLoad &load)
 {
   const VoigtMatrix<dim> &D = stiffness;
@@ -26,7 +27,8 @@ MacroscopicState<dim> solve_mixed_load(const VoigtMatrix<dim> &stiffness,
   const auto n = static_cast<Eigen::Index>(unknown.size());
   Eigen::MatrixXd A(n, n);
   Eigen::VectorXd b(n);
-  const VoigtVector<dim> from_strain = D * state.strain,
+  const VoigtVector<dim> of_heat     = load.heating * thermal_stress,
+                         from_strain = D * state.strain - of_heat,
                          scale       = D.diagonal().cwiseSqrt().cwiseInverse();
   for (Eigen::Index i = 0; i < n; ++i)
     {
@@ -44,15 +46,15 @@ MacroscopicState<dim> solve_mixed_load(const VoigtMatrix<dim> &stiffness,
       const Eigen::Index row = unknown[static_cast<std::size_t>(i)];
       state.strain[row]      = scale[row] * x[i];
     }
-  const VoigtVector<dim> stress = D * state.strain;
+  const VoigtVector<dim> stress = D * state.strain - of_heat;
   for (Eigen::Index k = 0; k < n_voigt<dim>; ++k)
     if (!std::isnan(load.strain[static_cast<std::size_t>(k)]))
       state.stress[k] = stress[k];
   return state;
 }
 
-template MacroscopicState<2> solve_mixed_load(const VoigtMatrix<2> &,
-                                              const PrescribedLoad &);
-template MacroscopicState<3> solve_mixed_load(const VoigtMatrix<3> &,
-                                              const PrescribedLoad &);
+template MacroscopicState<2>
+solve_mixed_load(const VoigtMatrix<2> &, const VoigtVector<2> &, const PrescribedLoad &);
+template MacroscopicState<3>
+solve_mixed_load(const VoigtMatrix<3> &, const VoigtVector<3> &, const PrescribedLoad &);
 } // namespace mesoslip

@@ -7,24 +7,77 @@ namespace mesoslip
 {
 namespace
 {
+/** Evaluates the cells of @p group under all load cases that were solved. */
+void evaluate(const ElasticBody<2> &body,
+              const LoadCaseSolutions &solutions,
+              const std::size_t group,
+              std::array<ElasticBody<2>::Cells, 4> &cells)
+{
+  for (unsigned int k = 0; k < 4; ++k)
+    if (solutions.field(k).size() > 0)
+      body.evaluate(solutions.field(k), group, cells[k]);
+}
+
+/** Strains of cell number @p i of those that were evaluated. */
+UnitStrains<2> strains(const std::array<ElasticBody<2>::Cells, 4> &cells,
+                       const std::size_t i)
+{
+  UnitStrains<2> result = UnitStrains<2>::Zero();
+  for (unsigned int k = 0; k < 4; ++k)
+    if (!cells[k].strain.empty())
+      result.col(k) = cells[k].strain[i];
+  return result;
+}
+
+/** Node at column @p i and row @p j of a grid of @p cells in the fields of @p body: rows of the grid, or one row of
+ * all points. */
+NodeIndex node_at(const ElasticBody<2> &body,
+                  const std::array<unsigned int, 2> &cells,
+                  const unsigned int i,
+                  const unsigned int j)
+{
+  const unsigned int n = j * (cells[0] + 1) + i;
+  return {n % body.n_columns(), n / body.n_columns()};
+}
+
+/** Nodal forces (N/m) of one kelvin, of the thermal stress of the cells; empty where nothing expands. */
+NodalField<double> forces_of_heat(const ElasticBody<2> &body,
+                                  const UniformMaterial &material)
+{
+  if (!has_expansion(material.phases()))
+    return {};
+  NodalField<double> force                 = body.zero_field();
+  const std::array<unsigned int, 2> &cells = material.grid().cells;
+  const std::array<double, 2> &h           = material.grid().spacing;
+  for (unsigned int j = 0; j < cells[1]; ++j)
+    for (unsigned int i = 0; i < cells[0]; ++i)
+      for (unsigned int corner = 0; corner < 4; ++corner)
+        {
+          const VoigtVector<2> &stress =
+            material.phases()[material.phase_of(i, j)].thermal_stress;
+          const NodeIndex node = node_at(body, cells, i + corner % 2, j + corner / 2);
+          const double x       = corner % 2 != 0 ? 0.5 * h[1] : -0.5 * h[1],
+                       y       = corner / 2 != 0 ? 0.5 * h[0] : -0.5 * h[0];
+          force(0, node) += stress[0] * x + stress[2] * y;
+          force(1, node) += stress[2] * x + stress[1] * y;
+        }
+  return force;
+}
+
 /** Integrals of the strain in the phases; their unit of volume is that of a mean cell. */
 std::vector<PhaseSums<2>> sum_over_cells(const ElasticBody<2> &body,
                                          const LoadCaseSolutions &solutions)
 {
   std::vector<PhaseSums<2>> sums(body.phases().size());
-  std::array<ElasticBody<2>::Cells, 3> cells;
+  std::array<ElasticBody<2>::Cells, 4> cells;
   for (std::size_t group = 0; group < body.n_cell_groups(); ++group)
     {
-      for (unsigned int k = 0; k < 3; ++k)
-        body.evaluate(solutions.displacement[k], group, cells[k]);
+      evaluate(body, solutions, group, cells);
       std::vector<PhaseSums<2>> part(sums.size());
       for (std::size_t i = 0; i < cells[0].phase.size(); ++i)
         {
           const unsigned int phase = cells[0].phase[i];
-          VoigtMatrix<2> local;
-          for (unsigned int k = 0; k < 3; ++k)
-            local.col(k) = cells[k].strain[i];
-          part[phase].strain += local * cells[0].volume[i];
+          part[phase].strain += cells[0].volume[i] * strains(cells, i);
           part[phase].volume += cells[0].volume[i];
         }
       for (std::size_t p = 0; p < sums.size(); ++p)
@@ -87,8 +140,13 @@ GridVolume::GridVolume(const UniformGrid<2> &the_grid,
   , material(the_material)
   , is_root(mpi::this_mpi_process(communicator) == 0)
   , body(make_body(material, solver, communicator))
-  , solutions(
-      solve_load_cases(*body, conditions, tolerance, communicator, case_done, timer))
+  , solutions(solve_load_cases(*body,
+                               conditions,
+                               tolerance,
+                               communicator,
+                               case_done,
+                               timer,
+                               forces_of_heat(*body, material)))
 {
 }
 
@@ -97,7 +155,10 @@ VolumeSums<2> GridVolume::solve(const BoundaryCondition condition,
                                 const std::function<void()> & /*case_done*/)
 {
   if (solutions[current].condition != condition)
-    solutions[current].displacement = {};
+    {
+      solutions[current].displacement = {};
+      solutions[current].of_heat      = {};
+    }
   while (solutions[current].condition != condition)
     ++current;
   return is_root || body->is_distributed() ? sum_up(*body, solutions[current])
@@ -107,12 +168,11 @@ VolumeSums<2> GridVolume::solve(const BoundaryCondition condition,
 void GridVolume::for_each(const Action &action) const
 {
   LocalCell<2> cell;
-  std::array<ElasticBody<2>::Cells, 3> cells;
+  std::array<ElasticBody<2>::Cells, 4> cells;
   std::size_t number = 0;
   for (std::size_t group = 0; group < body->n_cell_groups(); ++group)
     {
-      for (unsigned int k = 0; k < 3; ++k)
-        body->evaluate(solutions[current].displacement[k], group, cells[k]);
+      evaluate(*body, solutions[current], group, cells);
       for (std::size_t i = 0; i < cells[0].phase.size(); ++i, ++number)
         {
           cell.phase                             = cells[0].phase[i];
@@ -122,8 +182,7 @@ void GridVolume::for_each(const Action &action) const
           for (unsigned int d = 0; d < 2; ++d)
             cell.centre[d] =
               grid.origin[d] + (static_cast<double>(place[d]) + 0.5) * grid.spacing[d];
-          for (unsigned int k = 0; k < 3; ++k)
-            cell.strain.col(k) = cells[k].strain[i];
+          cell.strain = strains(cells, i);
           action(cell);
         }
     }
@@ -132,11 +191,6 @@ void GridVolume::for_each(const Action &action) const
 void GridVolume::for_each_sample(const Sample &visit) const
 {
   const LoadCaseSolutions &solved = solutions[current];
-  const auto node                 = [this](const unsigned int i, const unsigned int j) {
-    // Rows of a grid, or one row of all points.
-    const unsigned int n = j * (grid.cells[0] + 1) + i;
-    return NodeIndex{n % body->n_columns(), n / body->n_columns()};
-  };
   StrainModes<2> modes(grid.spacing);
   for (unsigned int j = 0; j < grid.cells[1]; ++j)
     for (unsigned int i = 0; i < grid.cells[0]; ++i)
@@ -144,11 +198,14 @@ void GridVolume::for_each_sample(const Sample &visit) const
         const unsigned int phase = material.phase_of(i, j);
         for (unsigned int corner = 0; corner < 4; ++corner)
           for (unsigned int c = 0; c < 2; ++c)
-            for (unsigned int k = 0; k < 3; ++k)
+            for (unsigned int k = 0; k < 4; ++k)
               modes.displacement(corner, c)[k] =
-                solved.displacement[k](c, node(i + corner % 2, j + corner / 2));
+                solved.field(k).size() > 0
+                  ? solved.field(k)(
+                      c, node_at(*body, grid.cells, i + corner % 2, j + corner / 2))
+                  : 0.;
         modes.visit(material.phases()[phase].mean_dilatation, 1.,
-                    [&](const double volume, const VoigtMatrix<2> &strain) {
+                    [&](const double volume, const UnitStrains<2> &strain) {
                       visit(phase, volume, strain);
                     });
       }

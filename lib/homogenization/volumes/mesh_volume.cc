@@ -283,7 +283,7 @@ SolverReport MeshVolume<dim>::solve_case(const unsigned int k, const double tole
   if (!(reference <= cancelled * gross_loads[k]))
     report =
       conjugate_gradients(matrix, x, loads[k], preconditioner, reference, tolerance,
-                          to_string(condition) + " " + voigt_names<dim>[k]);
+                          to_string(condition) + " " + name_of_case<dim>(k));
   constraints.distribute(x);
   solutions[k].reinit(owned, mesh.relevant(), mesh.communicator());
   solutions[k].copy_locally_owned_data_from(x);
@@ -296,10 +296,11 @@ VolumeSums<dim> MeshVolume<dim>::solve(const BoundaryCondition wanted,
                                        const double tolerance,
                                        const std::function<void()> &case_done)
 {
-  condition = wanted;
-  solutions = std::vector<Vector>(n_loads);
-  std::array<SolverReport, n_loads> reports;
-  for (unsigned int k = 0; k < n_loads; ++k)
+  condition                             = wanted;
+  solutions                             = std::vector<Vector>(n_loads);
+  const std::vector<unsigned int> order = order_of_cases<dim>(has_expansion(phases));
+  std::vector<SolverReport> reports(order.size());
+  for (const unsigned int k : order)
     {
       if (begins_group<dim>(condition, k))
         {

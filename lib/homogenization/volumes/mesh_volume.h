@@ -56,7 +56,8 @@ public:
 private:
   using Index                           = typename DistributedMesh<dim>::Index;
   using Vector                          = AlgebraicMultigrid::Vector;
-  static constexpr unsigned int n_loads = dim * (dim + 1) / 2;
+  static constexpr unsigned int heat    = n_voigt<dim>; ///< number of its load case
+  static constexpr unsigned int n_loads = heat + 1;
 
   void set_constraints(const unsigned int k);
   void assemble();
@@ -70,8 +71,7 @@ private:
   void for_each_cell(
     const std::function<void(const std::uint64_t, const LocalCell<dim> &)> &action) const;
 
-  /** Strain tensor (row local, column load case) times JxW at each quadrature point of a
-   * cell of this rank, and JxW. */
+  /** Calls visit(cell, strains, JxW) at each quadrature point of the cells of this rank. */
   template <typename Visit>
   void for_each_point(const Visit &visit) const;
 
@@ -99,7 +99,7 @@ private:
     gentle; ///< the second one of phase_to_precondition(), if that is another one
   AlgebraicMultigrid preconditioner;
   std::vector<Vector> loads;
-  std::array<double, n_loads> gross_loads; ///< norms of the loads before they cancel
+  std::vector<double> gross_loads; ///< norms of the loads before they cancel
 
   BoundaryCondition condition = BoundaryCondition::KUBC; ///< solved last
   std::vector<Vector> solutions; ///< with the values that cells of this rank need

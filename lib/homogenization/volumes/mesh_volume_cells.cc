@@ -25,7 +25,7 @@ void MeshVolume<dim>::assemble()
   loads = std::vector<Vector>(n_loads);
   for (Vector &load : loads)
     load.reinit(owned, constraints.get_local_lines(), mesh.communicator());
-  gross_loads.fill(0.);
+  gross_loads.assign(n_loads, 0.);
 
   mesoslip::for_each_cell(mesh, [&](const auto &cell, const auto &values,
                                     const auto &indices) {
@@ -34,10 +34,14 @@ void MeshVolume<dim>::assemble()
     const auto B                   = cell_strains(values, phase);
     Eigen::MatrixXd f              = Eigen::MatrixXd::Zero(indices.size(), n_loads);
     for (const unsigned int q : values.quadrature_point_indices())
-      if (condition == BoundaryCondition::SUBC)
-        f.noalias() += values.JxW(q) * B[q].transpose(); // tractions of a uniform stress
-      else
-        f.noalias() -= values.JxW(q) * B[q].transpose() * C;
+      {
+        auto of_unit_loads = f.leftCols(heat);
+        if (condition == BoundaryCondition::SUBC)
+          of_unit_loads.noalias() += values.JxW(q) * B[q].transpose(); // uniform stress
+        else
+          of_unit_loads.noalias() -= values.JxW(q) * B[q].transpose() * C;
+        f.col(heat).noalias() += values.JxW(q) * B[q].transpose() * phase.thermal_stress;
+      }
     cells.add(cell_matrix(values, B, phase), indices, matrix);
     if (is_apart)
       cells.add(cell_matrix(values, B, phase_in_cell(values, phase)), indices, gentle);
@@ -60,19 +64,20 @@ template <int dim>
 template <typename Visit>
 void MeshVolume<dim>::for_each_point(const Visit &visit) const
 {
-  VoigtMatrix<dim> applied = VoigtMatrix<dim>::Zero();
+  UnitStrains<dim> applied = UnitStrains<dim>::Zero();
   if (condition != BoundaryCondition::SUBC)
-    applied.setIdentity();
+    applied.setIdentity(); // 0 of heat
   Eigen::MatrixXd u;
   mesoslip::for_each_cell(
     mesh, [&](const auto &cell, const auto &values, const auto &indices) {
-      u.resize(indices.size(), n_loads);
+      u.setZero(indices.size(), n_loads);
       for (unsigned int i = 0; i < indices.size(); ++i)
         for (unsigned int k = 0; k < n_loads; ++k)
-          u(i, k) = solutions[k](indices[i]);
+          if (solutions[k].size() > 0)
+            u(i, k) = solutions[k](indices[i]);
       const auto B = cell_strains(values, phases[cell.material_id()]);
       for (const unsigned int q : values.quadrature_point_indices())
-        visit(cell, VoigtMatrix<dim>(applied + B[q] * u), values.JxW(q));
+        visit(cell, UnitStrains<dim>(applied + B[q] * u), values.JxW(q));
     });
 }
 
@@ -82,14 +87,15 @@ VolumeSums<dim> MeshVolume<dim>::integrate() const
   VolumeSums<dim> sums;
   sums.condition = condition;
   sums.phases.resize(phases.size());
-  for_each_point([&](const auto &cell, const VoigtMatrix<dim> &strain, const double JxW) {
+  for_each_point([&](const auto &cell, const UnitStrains<dim> &strain, const double JxW) {
     PhaseSums<dim> &phase = sums.phases[cell.material_id()];
     phase.strain += JxW * strain;
     phase.volume += JxW;
-    sums.energy +=
-      JxW * strain.transpose() * phases[cell.material_id()].stiffness * strain;
+    const VoigtMatrix<dim> of_unit_loads = strain.template leftCols<heat>();
+    sums.energy += JxW * of_unit_loads.transpose() *
+                   phases[cell.material_id()].stiffness * of_unit_loads;
   });
-  const auto add_up = [this](VoigtMatrix<dim> &values) {
+  const auto add_up = [this](auto &values) {
     sum_over_ranks(values.data(), static_cast<std::size_t>(values.size()),
                    mesh.communicator());
   };
@@ -117,7 +123,7 @@ void MeshVolume<dim>::for_each_cell(
     action(number, mean);
     mean = LocalCell<dim>();
   };
-  for_each_point([&](const auto &cell, const VoigtMatrix<dim> &strain, const double JxW) {
+  for_each_point([&](const auto &cell, const UnitStrains<dim> &strain, const double JxW) {
     const std::uint64_t now = cell.id().get_coarse_cell_id();
     if (now != number)
       finish();
@@ -142,7 +148,7 @@ void MeshVolume<dim>::for_each(const Action &action) const
 template <int dim>
 void MeshVolume<dim>::for_each_sample(const Sample &visit) const
 {
-  for_each_point([&](const auto &cell, const VoigtMatrix<dim> &strain, const double JxW) {
+  for_each_point([&](const auto &cell, const UnitStrains<dim> &strain, const double JxW) {
     visit(cell.material_id(), JxW, strain);
   });
 }

@@ -19,6 +19,9 @@ template <int dim>
 class StrainModes
 {
 public:
+  /** A number for each column of UnitStrains. */
+  using Loads = Eigen::Matrix<double, n_voigt<dim> + 1, 1>;
+
   /** Of a cell with these edges (m). */
   explicit StrainModes(const std::array<double, dim> &edges)
     : edges(edges)
@@ -27,7 +30,7 @@ public:
 
   /** Component @p c of the displacement (m) of a corner, a bit for each axis of which it is at the upper end,
    * under all load cases. */
-  VoigtVector<dim> &displacement(const unsigned int corner, const unsigned int c)
+  Loads &displacement(const unsigned int corner, const unsigned int c)
   {
     return u[corner][c];
   }
@@ -41,13 +44,13 @@ public:
   void visit(const bool mean_dilatation,
              const double volume,
              const Visit &visit,
-             const VoigtMatrix<dim> &applied = VoigtMatrix<dim>::Zero())
+             const UnitStrains<dim> &applied = UnitStrains<dim>::Zero())
   {
     transform();
     constexpr unsigned int all = n_corners - 1; // has no derivative
     for (unsigned int set = 0; set < all; ++set)
       {
-        VoigtMatrix<dim> strain = VoigtMatrix<dim>::Zero();
+        UnitStrains<dim> strain = UnitStrains<dim>::Zero();
         double part             = volume;
         for (unsigned int d = 0; d < dim; ++d)
           if ((set >> d & 1U) != 0)
@@ -61,7 +64,8 @@ public:
         else if (mean_dilatation)
           {
             const auto normal = strain.template topRows<dim>();
-            const Eigen::Matrix<double, 1, n_voigt<dim>> mean = normal.colwise().mean();
+            const Eigen::Matrix<double, 1, n_voigt<dim> + 1> mean =
+              normal.colwise().mean();
             strain.template topRows<dim>().rowwise() -= mean;
           }
         visit(part, strain);
@@ -79,15 +83,15 @@ private:
         if ((corner >> d & 1U) == 0)
           for (unsigned int c = 0; c < dim; ++c)
             {
-              VoigtVector<dim> &lower = u[corner][c], &upper = u[corner | 1U << d][c];
-              const VoigtVector<dim> sum = 0.5 * (lower + upper);
-              upper                      = 0.5 * (upper - lower);
-              lower                      = sum;
+              Loads &lower = u[corner][c], &upper = u[corner | 1U << d][c];
+              const Loads sum = 0.5 * (lower + upper);
+              upper           = 0.5 * (upper - lower);
+              lower           = sum;
             }
   }
 
   const std::array<double, dim> edges;
-  std::array<std::array<VoigtVector<dim>, dim>, n_corners> u;
+  std::array<std::array<Loads, dim>, n_corners> u;
 };
 } // namespace mesoslip
 

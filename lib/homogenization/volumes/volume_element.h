@@ -19,8 +19,8 @@ struct LocalCell
   double volume                  = 0.; ///< in any unit, that of the other cells
   std::array<double, dim> centre = {}; ///< m
 
-  /** Mean strain (SUBC: for 1 Pa) of the cell, a column for each load case. */
-  VoigtMatrix<dim> strain = VoigtMatrix<dim>::Zero();
+  /** Mean strain (SUBC: for 1 Pa) of the cell, a column for each load case and the last for one kelvin. */
+  UnitStrains<dim> strain = UnitStrains<dim>::Zero();
 };
 
 /** Values of all cells that become a dataset of a file. */
@@ -42,15 +42,16 @@ public:
   using Action = std::function<void(const LocalCell<dim> &)>; ///< with a cell
   using Values = std::function<void(const LocalCell<dim> &, double *out)>; ///< of a cell
 
-  /** With the number of a material, a volume and strains of the unit load cases, one a column (SUBC: for 1 Pa). */
+  /** With the number of a material, a volume and strains as of LocalCell. */
   using Sample =
-    std::function<void(const unsigned int, const double, const VoigtMatrix<dim> &)>;
+    std::function<void(const unsigned int, const double, const UnitStrains<dim> &)>;
 
   virtual ~VolumeElement() = default;
 
   /**
    * Solves the load cases of @p condition: unit strains (KUBC, PBC, MUBC; engineering shear) or stresses
-   * of 1 Pa (SUBC). Calls @p case_done, if any, after each load case. Collective.
+   * of 1 Pa (SUBC) and, if a material expands, one kelvin at zero macroscopic strain (SUBC: stress), for which
+   * MUBC hold what they hold for normal strains. Calls @p case_done, if any, after each load case. Collective.
    * @throws NotConverged, which names condition and load case
    * @throws UserError if the volume does not allow the condition
    */

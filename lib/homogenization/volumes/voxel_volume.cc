@@ -43,6 +43,24 @@ constexpr unsigned int place(const unsigned int m)
   return dim == 2 ? 2 * m : m;
 }
 
+/** Place of a load case (Voigt and, last, heat) in the solver. */
+template <int dim>
+constexpr unsigned int place_of_case(const unsigned int k)
+{
+  return k < n_voigt<dim> ? place<dim>(k) : voxel::Solver::heat;
+}
+
+/** The part of strains that is in the plane. */
+template <int dim>
+UnitStrains<dim> in_plane(const UnitStrains<3> &space)
+{
+  UnitStrains<dim> result;
+  for (unsigned int k = 0; k <= n_voigt<dim>; ++k)
+    for (unsigned int i = 0; i < n_voigt<dim>; ++i)
+      result(i, k) = space(place<dim>(i), place_of_case<dim>(k));
+  return result;
+}
+
 /** The same matrix in space; what is not in the plane is zero. */
 template <int dim>
 VoigtMatrix<3> in_space(const VoigtMatrix<dim> &matrix)
@@ -82,8 +100,12 @@ VoxelVolume<dim>::VoxelVolume(const UniformGrid<dim> &the_grid,
   , cells(the_cells)
 {
   for (const ElasticPhase<dim> &phase : the_phases)
-    phases.push_back(
-      {in_space<dim>(phase.stiffness), phase.density, phase.mean_dilatation});
+    {
+      phases.push_back(
+        {in_space<dim>(phase.stiffness), phase.density, phase.mean_dilatation});
+      for (unsigned int m = 0; m < n_voigt<dim>; ++m)
+        phases.back().thermal_stress[place<dim>(m)] = phase.thermal_stress[m];
+    }
 }
 
 template <int dim>
@@ -94,19 +116,20 @@ VolumeSums<dim> VoxelVolume<dim>::solve(const BoundaryCondition wanted,
   condition = wanted;
   solver.reset();
   solver = std::make_unique<voxel::Solver>(cells, phases, sides_of(condition), dim == 2);
-  std::array<SolverReport, n_voigt<dim>> reports;
-  for (unsigned int k = 0; k < n_voigt<dim>; ++k)
+  const std::vector<unsigned int> order = order_of_cases<dim>(has_expansion(phases));
+  std::vector<SolverReport> reports(order.size());
+  for (const unsigned int k : order)
     try
       {
         if (condition == BoundaryCondition::MUBC)
-          solver->hold(held_components(condition, place<dim>(k)));
-        reports[k] = solver->solve(place<dim>(k), tolerance);
+          solver->hold(held_components(condition, place_of_case<dim>(k)));
+        reports[k] = solver->solve(place_of_case<dim>(k), tolerance);
         if (case_done)
           case_done();
       }
     catch (const NotConverged &error)
       {
-        throw NotConverged(to_string(condition) + " " + voigt_names<dim>[k] + ": " +
+        throw NotConverged(to_string(condition) + " " + name_of_case<dim>(k) + ": " +
                              error.what(),
                            error.reason, error.reached);
       }
@@ -125,7 +148,7 @@ VolumeSums<dim> VoxelVolume<dim>::integrate() const
     {
       sums.phases.push_back({in_plane<dim>(strains.sum), strains.n_cells});
       sums.volume += strains.n_cells;
-      mean += strains.sum;
+      mean += strains.sum.leftCols<6>();
     }
   mean /= sums.volume;
   // Of stresses the solver gives the complementary energy, twice the work of the tractions
@@ -168,9 +191,10 @@ void VoxelVolume<dim>::for_each(const Action &action) const
           {
             cell.centre[0] = centre(0, i);
             cell.phase     = row.phase[i];
-            for (unsigned int load = 0; load < n_voigt<dim>; ++load)
+            for (unsigned int load = 0; load <= n_voigt<dim>; ++load)
               for (unsigned int m = 0; m < n_voigt<dim>; ++m)
-                cell.strain(m, load) = row.strain[place<dim>(load)][place<dim>(m)][i];
+                cell.strain(m, load) =
+                  row.strain[place_of_case<dim>(load)][place<dim>(m)][i];
             action(cell);
           }
       }
@@ -184,9 +208,9 @@ void VoxelVolume<dim>::for_each_sample(const Sample &visit) const
   for (unsigned int d = 0; d < dim; ++d)
     spacing[d] = part.spacing[place<dim>(d)];
   StrainModes<dim> modes(spacing);
-  VoigtMatrix<dim> applied = VoigtMatrix<dim>::Zero();
+  UnitStrains<dim> applied = UnitStrains<dim>::Zero();
   if (condition != BoundaryCondition::SUBC)
-    applied.setIdentity();
+    applied.setIdentity(); // 0 of heat
   voxel::Solver::NodesOfRow row;
   for (unsigned int k = 0; k < planes().count; ++k)
     for (unsigned int j = 0; j < cells.grid.cells[1]; ++j)
@@ -196,15 +220,15 @@ void VoxelVolume<dim>::for_each_sample(const Sample &visit) const
           {
             for (unsigned int corner = 0; corner < 1U << dim; ++corner)
               for (unsigned int c = 0; c < dim; ++c)
-                for (unsigned int load = 0; load < n_voigt<dim>; ++load)
+                for (unsigned int load = 0; load <= n_voigt<dim>; ++load)
                   // In 2D the second bit is that of z.
                   modes.displacement(corner, c)[load] = row.displacement(
-                    place<dim>(load), c, dim == 2 ? corner & 2U : corner >> 1,
+                    place_of_case<dim>(load), c, dim == 2 ? corner & 2U : corner >> 1,
                     i + corner % 2);
             const unsigned int phase = row.phase[i];
             modes.visit(
               phases[phase].mean_dilatation, 1.,
-              [&](const double volume, const VoigtMatrix<dim> &strain) {
+              [&](const double volume, const UnitStrains<dim> &strain) {
                 visit(phase, volume, strain);
               },
               applied);

@@ -2,6 +2,8 @@
 #include "material/stiffness_derivatives.h"
 #include "morphology/phases/phase_parameters.h"
 
+#include <Eigen/Geometry>
+
 #include <array>
 
 namespace mesoslip
@@ -31,6 +33,35 @@ std::vector<StiffnessEntry> given_entries(const std::size_t n)
   return given;
 }
 } // namespace
+
+VoigtVector<3> PhaseParameters::thermal_stress_in_space() const
+{
+  const Eigen::Vector3d along_axes = expansion.size() == 1
+                                       ? Eigen::Vector3d::Constant(expansion[0])
+                                       : Eigen::Vector3d(expansion.data());
+  const Eigen::Matrix3d rotated =
+    is_turned_in_3d()
+      ? rotation()
+      : Eigen::Matrix3d(Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()));
+  return stiffness<3>() * turned_expansion(along_axes, rotated);
+}
+
+template <int dim>
+VoigtVector<dim> PhaseParameters::thermal_stress() const
+{
+  if (expansion.empty())
+    return VoigtVector<dim>::Zero();
+  const VoigtVector<3> full = thermal_stress_in_space();
+  if constexpr (dim == 3)
+    return full;
+  else
+    return {full[0], full[1], full[5]};
+}
+
+double PhaseParameters::transverse_thermal_stress() const
+{
+  return expansion.empty() ? 0. : thermal_stress_in_space()[2];
+}
 
 OrthotropicConstants PhaseParameters::orthotropic() const
 {
@@ -86,6 +117,8 @@ void PhaseParameters::check_deviations(const std::size_t n_constants) const
                     " constants; give one number for all or one for each");
 }
 
+template VoigtVector<2> PhaseParameters::thermal_stress<2>() const;
+template VoigtVector<3> PhaseParameters::thermal_stress<3>() const;
 template std::vector<PhaseConstant<2>> PhaseParameters::constants<2>() const;
 template std::vector<PhaseConstant<3>> PhaseParameters::constants<3>() const;
 } // namespace mesoslip

@@ -50,6 +50,16 @@ void bind_derivatives(Keys &keys, PhaseParameters &phase)
     "entries of the matrix as they are given). They are taken as independent, "
     "and the deviations of the effective stiffness follow; empty: none [-]",
     0, 21);
+  keys.bind_list(
+    "Thermal expansion", phase.expansion, Range::any(),
+    "Coefficient of linear thermal expansion, one number for all directions or "
+    "three along the axes 1, 2, 3 of the material, which are x, y, z before "
+    "they are turned; the expansion of the composite follows, and Loads may "
+    "change the temperature; empty: none [1/K]",
+    0, 3);
+  keys.require(
+    phase.expansion.size() != 2, "Thermal expansion",
+    "there are two numbers; give one, or three along the axes of the material");
   keys.bind(
     "Loss factor", phase.loss_factor, Range::non_negative(),
     "Imaginary over real part of the stiffness, the same for all its entries: the "
@@ -143,7 +153,8 @@ std::vector<Phase<dim>> make_phases(const std::vector<PhaseParameters> &paramete
 {
   std::vector<Phase<dim>> phases;
   for (const PhaseParameters &p : parameters)
-    phases.push_back({p.name, p.stiffness<dim>(), p.density, p.friction_coefficient});
+    phases.push_back({p.name, p.stiffness<dim>(), p.density, p.friction_coefficient,
+                      p.thermal_stress<dim>()});
   return phases;
 }
 
@@ -220,6 +231,11 @@ void PhaseParameters::check() const
     {
       throw UserError(section + "': " + error.what());
     }
+  if (dim == 2 && !expansion.empty() && type == Type::stiffness)
+    throw UserError(section +
+                    "/Thermal expansion' needs the stiffness along z, of which Type = "
+                    "stiffness says nothing in 2D; give the moduli as isotropic or "
+                    "orthotropic");
   if (!deviations.empty())
     check_deviations(constants<dim>().size());
 }

@@ -56,6 +56,9 @@ struct PhaseParameters
    * known. */
   std::vector<double> deviations;
 
+  /** 1/K along the axes 1, 2, 3 of the material, one number for all of them; empty: it does not expand. */
+  std::vector<double> expansion;
+
   double loss_factor = 0.; ///< imaginary over real part of the stiffness [-]
 
   /** Throws UserError naming the key when the material makes no sense. */
@@ -65,6 +68,13 @@ struct PhaseParameters
   /** Pa. Throws std::invalid_argument where check() throws. */
   template <int dim>
   VoigtMatrix<dim> stiffness() const;
+
+  /** Stress (Pa/K) that a change of temperature takes off, in 2D in plane strain: Phase::thermal_stress. */
+  template <int dim>
+  VoigtVector<dim> thermal_stress() const;
+
+  /** Its component zz (Pa/K) in plane strain. */
+  double transverse_thermal_stress() const;
 
   /** How the stiffness follows from each of the constants, in the order of their keys. */
   template <int dim>
@@ -87,6 +97,9 @@ private:
   /** A stiffness in the axes of the material (Pa) in those of space. */
   template <int dim>
   VoigtMatrix<dim> turned(const VoigtMatrix<dim> &of_material) const;
+
+  /** Thermal stress of the solid in space (Pa/K). */
+  VoigtVector<3> thermal_stress_in_space() const;
 
   /** The constants of an orthotropic phase. */
   OrthotropicConstants orthotropic() const;

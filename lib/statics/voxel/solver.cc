@@ -36,7 +36,7 @@ Solver::Solver(const CellPlanes &cells,
                const bool flat)
   : K(cells, the_phases, kind_of(sides, flat))
   , iteration(K)
-  , strains(the_phases.size(), VoigtMatrix<3>::Zero())
+  , strains(the_phases.size(), UnitStrains<3>::Zero())
 {
   bool has_unknowns = true;
   for (unsigned int d = 0; d < 3; ++d)
@@ -76,10 +76,11 @@ double Solver::gross_load(const unsigned int k) const
     for (unsigned int c = 0; c < 3; ++c)
       for (unsigned int d = 0; d < 3; ++d)
         {
+          const unsigned int m = voigt_index<3>(c, d);
           const double stress =
-            grid.sides == Sides::free
-              ? (voigt_index<3>(c, d) == k ? 1. : 0.)
-              : K.of_phases[phase].stiffness(voigt_index<3>(c, d), k) / K.modulus;
+            k == heat                   ? K.of_phases[phase].thermal_stress[m] / K.modulus
+            : grid.sides == Sides::free ? (m == k ? 1. : 0.)
+                                        : K.of_phases[phase].stiffness(m, k) / K.modulus;
           // On each of eight nodes, or of four that have twice as much.
           const double force = stress * volume / (4. * grid.spacing[d]);
           sum += K.n_cells[phase] * (grid.flat ? 16. : 8.) * force * force;
@@ -93,11 +94,56 @@ CellLoad Solver::load_of(const unsigned int k) const
   const auto &edge    = K.grid.spacing;
   const double volume = edge[0] * edge[1] * edge[2];
   CellLoad load;
+  if (k == heat)
+    return load;
   if (K.grid.sides == Sides::free)
     load.stress[k] = K.grid.flat ? volume / 2. : volume / 4.;
   else
     load.strain[k] = K.grid.flat ? 2. : 4.;
   return load;
+}
+
+/** Adds those of the thermal stresses of the cells around the nodes. */
+void Solver::add_forces_of_heat(VoxelField<double> &force) const
+{
+  const VoxelGrid &grid = K.grid;
+  const double volume   = grid.spacing[0] * grid.spacing[1] * grid.spacing[2];
+  // Of a flat grid the nodes at both ends of y are one.
+  const double share = volume / ((grid.flat ? 2. : 4.) * K.modulus);
+  for_each_row(
+    grid, [&](const unsigned int c, const unsigned int j, const unsigned int k) {
+      double *const row = force.row(c, j, k);
+      for (unsigned int z = 0; z < 2; ++z)
+        for (unsigned int y = 0; y < (grid.flat ? 1U : 2U); ++y)
+          for (unsigned int i = 1; i <= grid.n_nodes(0); ++i)
+            for (unsigned int x = 0; x < 2; ++x)
+              {
+                // Of the cell before the node along an axis the node is at the upper end.
+                const std::array<unsigned int, 3> before = {{1 - x, 1 - y, 1 - z}};
+                const std::size_t phase =
+                  K.phases[K.grid.cell_row(j - before[1], k - before[2]) * grid.stride() +
+                           i - before[0]];
+                if (phase >= K.of_phases.size())
+                  continue; // beyond the box
+                const VoigtVector<3> &stress = K.of_phases[phase].thermal_stress;
+                for (unsigned int d = 0; d < 3; ++d)
+                  if (!(grid.flat && d == 1))
+                    row[i] += (before[d] == 1 ? share : -share) / grid.spacing[d] *
+                              stress[voigt_index<3>(grid.axis_of(c), d)];
+              }
+    });
+}
+
+/** outer() of one kelvin: the forces differ from cell to cell. */
+double Solver::outer_of_heat(VoxelField<double> &v, VoxelField<float> &out)
+{
+  VoxelField<double> exact(K.grid);
+  K.forces(CellLoad(), v, out, exact.data());
+  add_forces_of_heat(exact);
+  std::copy_n(exact.data(), exact.size(), out.data());
+  if (K.grid.sides == Sides::mixed)
+    multigrid->finest().clear_held(out.data());
+  return sum_over_ranks(K.grid, kernels().dot(out.size(), out.data(), out.data()));
 }
 
 /** Residual of load case @p k, and the square of its norm. */
@@ -106,6 +152,8 @@ double Solver::outer(const unsigned int k,
                      VoxelField<float> &out,
                      double *exact)
 {
+  if (k == heat)
+    return outer_of_heat(v, out);
   const double square = K.forces(load_of(k), v, out, exact);
   if (K.grid.sides != Sides::mixed)
     return square;
@@ -132,7 +180,8 @@ Solver::solve(const unsigned int k, const double tolerance, const unsigned int l
   AssertThrow(
     K.grid.sides != Sides::mixed || multigrid,
     dealii::ExcMessage("hold() has to be called before mixed sides are solved."));
-  n_solved = k == K.grid.load_case(n_solved) ? n_solved + 1 : 0;
+  if (k != heat)
+    n_solved = k == K.grid.load_case(n_solved) ? n_solved + 1 : 0;
   if (!multigrid)
     return {};
   if (u.size() == 0)
@@ -148,7 +197,7 @@ Solver::solve(const unsigned int k, const double tolerance, const unsigned int l
   problem.limit             = limit;
   problem.trusted_drop      = trusted_drop(K.grid);
   const SolverReport report = iteration.solve(u, *multigrid, problem);
-  if (K.grid.sides == Sides::mixed)
+  if (K.grid.sides == Sides::mixed && k != heat)
     K.forces(load_of(k), u, iteration.r); // other load cases move what this one holds
   keep(k);
   return report;

@@ -59,8 +59,12 @@ public:
    *  called before the first solve(), and between load cases that differ. */
   void hold(const HeldOnSides &held);
 
+  /** Number of the load case of one kelvin without macroscopic strain (free sides: stress), where
+   *  ElasticPhase::thermal_stress is what holds it. */
+  static constexpr unsigned int heat = 6;
+
   /**
-   * Solves load case @p k (Voigt) from zero until the residual is @p tolerance times that
+   * Solves load case @p k (Voigt, or heat) from zero until the residual is @p tolerance times that
    * of zero. @p limit bounds the iterations.
    * @throws NotConverged
    */
@@ -86,7 +90,7 @@ public:
 
     /** Sum over these cells of RowOfCells::strain, a column for each load case that was
      *  solved. */
-    VoigtMatrix<3> sum;
+    UnitStrains<3> sum;
   };
 
   /** Of each phase, in the order of the stiffnesses. Not collective. */
@@ -99,7 +103,7 @@ public:
 
     /** Mean strain (for free sides: for 1 Pa) of each cell, that of E included: [load
      *  case][Voigt component]. */
-    std::array<std::array<std::vector<double>, 6>, 6> strain;
+    std::array<std::array<std::vector<double>, 6>, 7> strain;
   };
 
   /** Evaluates row @p j along y of plane @p k of cells; planes are numbered from the first
@@ -120,12 +124,12 @@ public:
                         const unsigned int i) const
     {
       const std::vector<double> &values = u[load][c][side];
-      return values.empty() ? 0. : factor * values[first + i];
+      return values.empty() ? 0. : factor[load] * values[first + i];
     }
 
-    double factor      = 1.; ///< from the numbers that are kept
-    unsigned int first = 0;  ///< ghosts before the first node
-    std::array<std::array<std::array<std::vector<double>, 4>, 3>, 6> u; ///< that are kept
+    std::array<double, 7> factor = {}; ///< from the numbers that are kept
+    unsigned int first           = 0;  ///< ghosts before the first node
+    std::array<std::array<std::array<std::vector<double>, 4>, 3>, 7> u; ///< that are kept
   };
 
   /** Evaluates the same row as the function above. */
@@ -150,6 +154,9 @@ private:
                VoxelField<float> &out,
                double *exact = nullptr);
   double gross_load(const unsigned int k) const;
+  double outer_of_heat(VoxelField<double> &v, VoxelField<float> &out);
+  void add_forces_of_heat(VoxelField<double> &force) const;
+  double unit_of_kept(const unsigned int load) const;
   void keep(const unsigned int k);
   double dot_with_kept(const unsigned int k);
   void sum_strains(const unsigned int k);
@@ -164,8 +171,8 @@ private:
   HeldOnSides held_on_sides = {};
   unsigned int n_solved     = 0;       ///< cases in order that are
   VoxelField<double> u;                ///< of the case that is being solved
-  std::array<PackedField, 6> kept;     ///< those that were
-  std::vector<VoigtMatrix<3>> strains; ///< of the fluctuations, summed for each phase
+  std::array<PackedField, 7> kept;     ///< those that were
+  std::vector<UnitStrains<3>> strains; ///< of the fluctuations, summed for each phase
   VoigtMatrix<3> corrections = VoigtMatrix<3>::Zero(); ///< u_k . residual of l, k <= l
 };
 } // namespace mesoslip::voxel

@@ -75,7 +75,7 @@ void Solver::keep(const unsigned int k)
   iteration.release(); // before memory is taken
   kept[k] = PackedField();
   kept[k] = PackedField(u);
-  for (unsigned int l = 0; l <= k; ++l)
+  for (unsigned int l = 0; l <= k && k != heat; ++l)
     if (!kept[l].empty())
       corrections(l, k) = dot_with_kept(l);
 }
@@ -131,10 +131,11 @@ std::vector<Solver::PhaseStrains> Solver::phase_strains() const
   for (std::size_t id = 0; id < strains.size(); ++id)
     {
       result.push_back({K.n_cells[id], strains[id]});
+      auto of_unit_loads = result[id].sum.leftCols<6>();
       if (K.grid.sides == Sides::free)
-        result[id].sum /= K.modulus;
+        of_unit_loads /= K.modulus;
       else
-        result[id].sum += K.n_cells[id] * VoigtMatrix<3>::Identity();
+        of_unit_loads += K.n_cells[id] * VoigtMatrix<3>::Identity();
     }
   return result;
 }
@@ -161,9 +162,10 @@ VoigtMatrix<3> Solver::effective_stiffness() const
   VoigtMatrix<3> work_of_load = VoigtMatrix<3>::Zero();
   for (std::size_t id = 0; id < strains.size(); ++id)
     if (K.grid.sides == Sides::free)
-      work_of_load += strains[id] / cells;
+      work_of_load += strains[id].leftCols<6>() / cells;
     else
-      work_of_load -= K.of_phases[id].stiffness / K.modulus * strains[id] / cells;
+      work_of_load -=
+        K.of_phases[id].stiffness / K.modulus * strains[id].leftCols<6>() / cells;
   for (unsigned int k = 0; k < 6; ++k)
     for (unsigned int l = k; l < 6; ++l)
       work_of_load(k, l) = work_of_load(l, k) =
@@ -185,13 +187,20 @@ void Solver::read_phases(const unsigned int line,
     phase[i] = K.phases[first_cell_of_row(line, plane) + i];
 }
 
+/** What turns the displacements that are kept into those of a load of one, in units of length. */
+double Solver::unit_of_kept(const unsigned int load) const
+{
+  return K.grid.sides == Sides::free && load != heat ? 1. / K.modulus : 1.;
+}
+
 void Solver::evaluate(const unsigned int j, const unsigned int k, NodesOfRow &row) const
 {
   const unsigned int plane = k + K.grid.first_cell_plane(), line = j + K.grid.first();
   read_phases(line, plane, row.phase);
-  row.factor = K.grid.sides == Sides::free ? 1. / K.modulus : 1.;
-  row.first  = K.grid.first();
-  for (unsigned int load = 0; load < 6; ++load)
+  row.first = K.grid.first();
+  for (unsigned int load = 0; load <= heat; ++load)
+    row.factor[load] = unit_of_kept(load);
+  for (unsigned int load = 0; load <= heat; ++load)
     for (unsigned int c = 0; c < K.grid.n_components() && !kept[load].empty(); ++c)
       for (unsigned int side = 0; side < 4; ++side)
         {
@@ -207,7 +216,7 @@ void Solver::evaluate(const unsigned int j, const unsigned int k, RowOfCells &ro
   read_phases(line, plane, row.phase);
   const bool free = K.grid.sides == Sides::free;
   std::array<std::vector<double>, 4> nodes;
-  for (unsigned int load = 0; load < 6; ++load)
+  for (unsigned int load = 0; load <= heat; ++load)
     {
       for (unsigned int m = 0; m < 6; ++m)
         row.strain[load][m].assign(K.grid.cells[0], !free && m == load ? 1. : 0.);
@@ -221,7 +230,7 @@ void Solver::evaluate(const unsigned int j, const unsigned int k, RowOfCells &ro
           kept[load].read_row(c, y, z, nodes[corner].data());
           return nodes[corner].data();
         },
-        free ? 1. / K.modulus : 1., row.strain[load]);
+        unit_of_kept(load), row.strain[load]);
     }
 }
 } // namespace mesoslip::voxel

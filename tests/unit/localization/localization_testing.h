@@ -58,8 +58,9 @@ inline std::vector<double> uniform_strain(const UniformGrid<2> &grid,
 /** The materials of the tests. */
 inline std::vector<Phase<2>> test_phases()
 {
-  return {{"matrix", isotropic_stiffness<2>(30e9, 0.2), 1700., 0.2},
-          {"fibre", isotropic_stiffness<2>(240e9, 0.3), 2400., 0.3}};
+  const VoigtVector<2> none = VoigtVector<2>::Zero(); // GCC 12 stumbles over the default
+  return {{"matrix", isotropic_stiffness<2>(30e9, 0.2), 1700., 0.2, none},
+          {"fibre", isotropic_stiffness<2>(240e9, 0.3), 2400., 0.3, none}};
 }
 
 /** All cells of a grid. */

@@ -16,7 +16,7 @@
 doc/python.md describes it all, doc/file_formats.md what the files hold. SI units; rows from the bottom, the last axis along x.
 """
 
-from . import participation
+from . import participation, wear
 from .array import Array
 from .derived import principal, von_mises
 from .files import FormatError, Grid, Mesh, ResultFile
@@ -27,4 +27,4 @@ from .programs import RunError, find_program, run, run_chain
 __version__ = "0.2.0"
 
 __all__ = ["Array", "Chain", "FormatError", "Grid", "Mesh", "ResultFile", "RunError", "RunFolder", "find_program", "open", "participation", "principal", "run",
-           "run_chain", "von_mises"]
+           "run_chain", "von_mises", "wear"]

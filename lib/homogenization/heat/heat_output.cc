@@ -1,0 +1,165 @@
+#include "homogenization/heat/heat_output.h"
+
+#include "base/errors.h"
+#include "io/table.h"
+#include "material/engineering_constants.h"
+#include "parameters/parameters.h"
+#include "program/run_context.h"
+
+#include <algorithm>
+#include <iomanip>
+#include <sstream>
+
+namespace mesoslip
+{
+namespace
+{
+using nlohmann::json;
+
+/** Mean thermal stress (Pa/K) over all members and those of the @p conditions. */
+template <int dim>
+VoigtVector<dim> mean_thermal_stress(const std::vector<EnsembleMember<dim>> &members,
+                                     const std::vector<BoundaryCondition> &conditions)
+{
+  VoigtVector<dim> sum = VoigtVector<dim>::Zero();
+  double n             = 0.;
+  for (const EnsembleMember<dim> &member : members)
+    for (const HomogenizedResponse<dim> &response : member.responses)
+      if (std::count(conditions.begin(), conditions.end(), response.condition) > 0)
+        {
+          sum += response.heat.stress;
+          n += 1.;
+        }
+  return sum / n;
+}
+
+template <int dim>
+json numbers(const VoigtVector<dim> &vector)
+{
+  return std::vector<double>(vector.begin(), vector.end());
+}
+} // namespace
+
+template <int dim>
+std::map<std::string, VoigtVector<dim>> expansions(const RveParameters &parameters,
+                                                   const RveResults<dim> &results)
+{
+  std::map<std::string, VoigtVector<dim>> found;
+  const std::vector<EnsembleMember<dim>> &members = results.members;
+  if (!members[0].responses[0].heat.exists)
+    return found;
+  for (const BoundaryCondition condition : parameters.conditions)
+    found[to_string(condition)] =
+      inverse<dim>(mean_stiffness<dim>(members, {condition})) *
+      mean_thermal_stress<dim>(members, {condition});
+  VoigtVector<dim> stress =
+    mean_thermal_stress<dim>(members, effective_conditions(parameters));
+  if (!parameters.effective_full)
+    stress.template tail<n_voigt<dim> - dim>().setZero();
+  found["effective"] = inverse<dim>(results.effective) * stress;
+  return found;
+}
+
+template <int dim>
+void write_expansion(const RveParameters &parameters,
+                     const RveResults<dim> &results,
+                     const RunContext &context)
+{
+  const auto found = expansions<dim>(parameters, results);
+  if (found.empty())
+    return;
+  std::vector<std::string> headings = {"of"};
+  for (const char *name : voigt_names<dim>)
+    headings.push_back(std::string("expansion_") + name + " [1/K]");
+  for (const char *name : voigt_names<dim>)
+    headings.push_back(std::string("thermal_stress_") + name + " [Pa/K]");
+  TableWriter table(context.file("expansion.csv"), headings);
+  for (const auto &[of, expansion] : found)
+    {
+      const VoigtMatrix<dim> D =
+        of == "effective"
+          ? results.effective
+          : mean_stiffness<dim>(results.members, {boundary_condition(of)});
+      std::vector<std::string> row = {of};
+      for (const double value : expansion)
+        row.push_back(to_text(value));
+      for (const double value : VoigtVector<dim>(D * expansion))
+        row.push_back(to_text(value));
+      table.add_row(row);
+    }
+  table.flush();
+}
+
+template <int dim>
+void summarize_expansion(const RveParameters &parameters,
+                         const RveResults<dim> &results,
+                         json &summary)
+{
+  for (const auto &[of, expansion] : expansions<dim>(parameters, results))
+    summary["expansion"][of] = numbers<dim>(expansion);
+  for (const HomogenizedResponse<dim> &response : results.members[0].responses)
+    if (response.heat.exists)
+      {
+        summary["thermal_stress"][to_string(response.condition)] =
+          numbers<dim>(response.heat.stress);
+        summary["expansion_residual"][to_string(response.condition)] =
+          response.heat.residual;
+      }
+}
+
+void log_expansion(RunContext &context)
+{
+  const json found = context.summary().value("expansion", json());
+  if (found.is_null())
+    return;
+  const std::vector<double> effective = found["effective"];
+  std::ostringstream line;
+  line << "Effective expansion (1e-6/K)" << std::setprecision(5);
+  for (std::size_t k = 0; k < effective.size(); ++k)
+    line << "  "
+         << (effective.size() == n_voigt<2> ? voigt_names<2>[k] : voigt_names<3>[k])
+         << " " << 1e6 * effective[k];
+  context.log(line.str());
+}
+
+template <int dim>
+std::vector<std::string>
+expansion_warnings(const RveParameters &parameters,
+                   const std::vector<EnsembleMember<dim>> &members)
+{
+  constexpr double refuse_above = 0.01, tell_above = 1e-5;
+  std::vector<std::string> sentences;
+  for (const EnsembleMember<dim> &member : members)
+    for (const HomogenizedResponse<dim> &response : member.responses)
+      {
+        const double error = response.heat.residual;
+        if (error <= tell_above)
+          continue;
+        const std::string sentence =
+          to_string(response.condition) +
+          brief_text(
+            2,
+            ": the thermal stress of the unit load cases and the one of the case of "
+            "heat differ by ",
+            error, "; lower Homogenization/Tolerance (now ", parameters.tolerance, ")") +
+          (members.size() > 1 ? " (" + member.origin + ")" : "");
+        if (!(error <= refuse_above))
+          throw NumericalFailure(sentence);
+        sentences.push_back(sentence);
+      }
+  return sentences;
+}
+
+#define MESOSLIP_INSTANTIATE(dim)                                                        \
+  template std::map<std::string, VoigtVector<dim>> expansions<dim>(                      \
+    const RveParameters &, const RveResults<dim> &);                                     \
+  template void write_expansion<dim>(const RveParameters &, const RveResults<dim> &,     \
+                                     const RunContext &);                                \
+  template void summarize_expansion<dim>(const RveParameters &, const RveResults<dim> &, \
+                                         json &);                                        \
+  template std::vector<std::string> expansion_warnings<dim>(                             \
+    const RveParameters &, const std::vector<EnsembleMember<dim>> &);
+MESOSLIP_INSTANTIATE(2)
+MESOSLIP_INSTANTIATE(3)
+#undef MESOSLIP_INSTANTIATE
+} // namespace mesoslip

@@ -1,0 +1,43 @@
+#ifndef mesoslip_homogenization_heat_heat_output_h
+#define mesoslip_homogenization_heat_heat_output_h
+
+#include "homogenization/rve_program.h"
+#include "io/json.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace mesoslip
+{
+/** Expansion (1/K, engineering shear) by condition, means over the members, and "effective"; empty where nothing
+ * expands. That is D^-1 of the mean thermal stress of those conditions of which the effective stiffness D is
+ * the mean. */
+template <int dim>
+std::map<std::string, VoigtVector<dim>> expansions(const RveParameters &parameters,
+                                                   const RveResults<dim> &results);
+
+/** expansion.csv, if a phase expands. */
+template <int dim>
+void write_expansion(const RveParameters &parameters,
+                     const RveResults<dim> &results,
+                     const RunContext &context);
+
+/** Adds the expansion to summary.json. */
+template <int dim>
+void summarize_expansion(const RveParameters &parameters,
+                         const RveResults<dim> &results,
+                         nlohmann::json &summary);
+
+/** Effective expansion of a summary, new or restored, on the console. */
+void log_expansion(RunContext &context);
+
+/** Sentences where a solved case and reciprocity do not agree. @throws NumericalFailure where not even two digits
+ * hold */
+template <int dim>
+std::vector<std::string>
+expansion_warnings(const RveParameters &parameters,
+                   const std::vector<EnsembleMember<dim>> &members);
+} // namespace mesoslip
+
+#endif
