@@ -127,6 +127,12 @@ void write_rve_file(const std::string &path, const RveContent<dim> &content)
   for (const auto &[of, expansion] : content.expansion)
     write_dataset(file, "/expansion/" + of, {v},
                   std::vector<double>(expansion.begin(), expansion.end()), "1/K");
+  for (const auto &[of, k] : content.conductivity)
+    write_dataset(file, "/conductivity/" + of, {dim, dim}, k);
+  Shape tensors = cells;
+  tensors.insert(tensors.end(), {dim, dim});
+  for (const auto &[of, field] : content.conduction)
+    write_dataset(file, "/conduction/" + of, tensors, field, "-");
   std::vector<XdmfField> shown = {{"phase", phases_dataset, Values::phases}};
   for (const std::string &of : content.reserved)
     {

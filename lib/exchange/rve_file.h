@@ -53,6 +53,12 @@ struct RveContent
   std::map<std::string, VoigtVector<dim>>
     expansion; ///< the same (1/K); empty: nothing expands
 
+  /** Conductivities [dim][dim] by condition, and "effective"; empty: not asked for. */
+  std::map<std::string, std::vector<double>> conductivity;
+
+  /** Fields of conduction [cells][dim][dim] by name: "gradient/PBC", "flux/SUBC". */
+  std::map<std::string, std::vector<double>> conduction;
+
   /** Conditions whose concentration tensors are in the file since reserve_concentration(). */
   std::vector<std::string> reserved;
 };

@@ -1,6 +1,7 @@
 #ifndef mesoslip_homogenization_ensemble_h
 #define mesoslip_homogenization_ensemble_h
 
+#include "homogenization/conduction/conduction_response.h"
 #include "homogenization/loads/load_evaluation.h"
 #include "homogenization/loads/load_parameters.h"
 #include "homogenization/response.h"
@@ -69,11 +70,14 @@ struct EnsembleMember
   /** For each condition whose cases are superposed, in their order, each load. */
   std::vector<LoadResult<dim>> loads;
 
+  /** Conductivities, in the order of the conditions; empty: not asked for. */
+  std::vector<ConductionResponse<dim>> conduction;
+
   /** Saves or restores all members, for boost::serialization. */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    serialize_members<5>(archive, *this);
+    serialize_members<6>(archive, *this);
   }
 };
 

@@ -213,6 +213,17 @@ protected:
     return std::make_unique<VoxelVolume<2>>(*grid, planes(), phases);
   }
 
+  ConductionCells<2> cells_for_conduction(const unsigned int m) const override
+  {
+    const Microstructure made = make_microstructure(parameters.microstructure.member(m));
+    ConductionCells<2> cells  = conduction_cells(*grid);
+    for (std::size_t k = 0; k < cells.mesh.cells.size() && !made.map.id.empty(); ++k)
+      cells.mesh.cells[k].material_id = made.map.id[k];
+    for (const PhaseParameters &phase : parameters.microstructure.phases)
+      cells.conductivity.push_back(phase.conductivity<2>());
+    return cells;
+  }
+
   std::string advice(const NotConverged &failure) const override
   {
     const std::string more = VolumeAnalysis<2>::advice(failure);

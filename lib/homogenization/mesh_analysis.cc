@@ -123,6 +123,14 @@ protected:
       parameters.mesh.degree);
   }
 
+  ConductionCells<dim> cells_for_conduction(const unsigned int m) const override
+  {
+    ConductionCells<dim> cells = conduction_cells(volumes[m].mesh);
+    for (const PhaseParameters &phase : parameters.microstructure.phases)
+      cells.conductivity.push_back(phase.conductivity<dim>());
+    return cells;
+  }
+
 private:
   using VolumeAnalysis<dim>::parameters;
 

@@ -1,6 +1,7 @@
 #include "homogenization/rve_program.h"
 
 #include "exchange/rve_file.h"
+#include "homogenization/conduction/conduction_output.h"
 #include "homogenization/derivatives/derivative_output.h"
 #include "homogenization/heat/heat_output.h"
 #include "homogenization/loads/load_output.h"
@@ -148,31 +149,6 @@ void log_identities(const EnsembleMember<dim> &member, RunContext &context)
     }
 }
 } // namespace
-
-template <int dim>
-void write_rve_results(RveResults<dim> &results, RunContext &context)
-{
-  RveContent<dim> &content       = results.first;
-  content.summary                = context.summary().dump();
-  content.stiffness["effective"] = results.effective;
-  for (const HomogenizedResponse<dim> &response : results.members[0].responses)
-    content.stiffness[to_string(response.condition)] = response.stiffness;
-  content.expansion = results.expansion;
-  write_rve_file(context.file("rve.h5"), content);
-}
-
-bool restore_rve_summary(RunContext &context)
-{
-  auto stored = json::parse(read_rve_summary(context.file("rve.h5")), nullptr, false);
-  if (!stored.is_object() || !stored.contains("stiffness"))
-    return false;
-  for (const auto &warning : stored.value("warnings", json::array()))
-    if (warning.is_string())
-      context.warn(warning.get<std::string>());
-  stored.erase("warnings");
-  context.summary().update(stored);
-  return true;
-}
 
 template <int dim>
 void write_rve_tables(const RveParameters &parameters,
@@ -327,23 +303,23 @@ void write_rve_summary(const RveParameters &parameters,
     out["reference_stiffness"] =
       matrix_json<dim>(stiffness_from_coefficients<dim>(parameters.reference));
   summarize_expansion<dim>(parameters, results, out);
+  summarize_conductivity<dim>(parameters, results, out);
   summarize_derivatives<dim>(parameters, results, out);
   if (!parameters.loads.loads.empty())
     out["loads"] = loads_json<dim>(parameters, results);
   log_stiffness<dim>(context);
   log_identities(first, context);
   log_expansion(context);
+  log_conductivity(context);
   log_derivatives(context);
   log_loads<dim>(context);
 }
 
-template void write_rve_results<2>(RveResults<2> &, RunContext &);
 template void
 write_rve_tables<2>(const RveParameters &, const RveResults<2> &, const RunContext &);
 template void log_stiffness<2>(RunContext &);
 template void
 write_rve_summary<2>(const RveParameters &, const RveResults<2> &, RunContext &);
-template void write_rve_results<3>(RveResults<3> &, RunContext &);
 template void
 write_rve_tables<3>(const RveParameters &, const RveResults<3> &, const RunContext &);
 template void log_stiffness<3>(RunContext &);

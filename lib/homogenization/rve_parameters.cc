@@ -127,6 +127,13 @@ void RveParameters::check() const
     throw UserError("Homogenization/Effective is " + effective +
                     ", which is not among the Boundary conditions");
   loads.check(conditions, microstructure.phases);
+  const PhaseParameters &first = microstructure.phases[0];
+  for (const PhaseParameters &phase : microstructure.phases)
+    if (phase.conductivities.empty() != first.conductivities.empty())
+      throw UserError("Phases: " + (phase.conductivities.empty() ? phase : first).name +
+                      " has no Conductivity and " +
+                      (phase.conductivities.empty() ? first : phase).name +
+                      " has one; give it for all phases or for none");
   for (const PhaseParameters &phase : microstructure.phases)
     if (mesh.dim == 2 && phase.type == PhaseParameters::Type::stiffness &&
         !(loads.von_mises_limit.empty() && loads.principal_limit.empty()))

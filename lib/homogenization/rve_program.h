@@ -30,7 +30,9 @@ struct RveResults
 
 /** rve.h5 (with the summary written before) and rve.xdmf. */
 template <int dim>
-void write_rve_results(RveResults<dim> &results, RunContext &context);
+void write_rve_results(const RveParameters &parameters,
+                       RveResults<dim> &results,
+                       RunContext &context);
 
 /**
  * Takes over the summary of the run that wrote the rve.h5 in the output folder.

@@ -4,6 +4,7 @@
 #include "base/object_exchange.h"
 #include "exchange/cell_datasets.h"
 #include "exchange/loads_file.h"
+#include "homogenization/conduction/conduction_output.h"
 #include "homogenization/derivatives/derivative_output.h"
 #include "homogenization/heat/heat_output.h"
 #include "homogenization/loads/load_output.h"
@@ -189,6 +190,7 @@ void VolumeAnalysis<dim>::run(RunContext &context)
         {
           log_stiffness<dim>(context);
           log_expansion(context);
+          log_conductivity(context);
           log_derivatives(context);
           log_loads<dim>(context);
         }
@@ -199,7 +201,7 @@ void VolumeAnalysis<dim>::run(RunContext &context)
                           "engineering_constants.csv", "phase_means.csv", "ensemble.csv",
                           "rectangles.csv", "loads.h5", "loads.xdmf", "loads.csv",
                           "loads_ensemble.csv", "derivatives.csv", "uncertainty.csv",
-                          "loss_factors.csv", "expansion.csv"});
+                          "loss_factors.csv", "expansion.csv", "conductivity.csv"});
   for (const std::string &slip : slips())
     context.warn(slip);
   RveResults<dim> results;
@@ -218,6 +220,9 @@ void VolumeAnalysis<dim>::run(RunContext &context)
     context.warn(warning);
   for (const std::string &warning : expansion_warnings<dim>(parameters, results.members))
     context.warn(warning);
+  for (const std::string &warning :
+       conductivity_warnings<dim>(parameters, results.members))
+    context.warn(warning);
   for (const std::string &warning : load_warnings<dim>(parameters, results.members))
     context.warn(warning);
   const auto scope = context.timer().scope("Output");
@@ -231,9 +236,10 @@ void VolumeAnalysis<dim>::run(RunContext &context)
   write_rve_tables<dim>(parameters, results, context);
   write_derivatives<dim>(parameters, results, context);
   write_expansion<dim>(parameters, results, context);
+  write_conductivity<dim>(parameters, results, context);
   write_loads<dim>(parameters, results, context);
   write_rve_summary<dim>(parameters, results, context);
-  write_rve_results<dim>(results, context);
+  write_rve_results<dim>(parameters, results, context);
 }
 
 template class VolumeAnalysis<2>;

@@ -2,6 +2,7 @@
 #define mesoslip_homogenization_volume_analysis_h
 
 #include "exchange/datasets.h"
+#include "homogenization/conduction/conduction_cells.h"
 #include "homogenization/rve_program.h"
 #include "homogenization/volumes/volume_element.h"
 #include "material/plausibility.h"
@@ -102,6 +103,10 @@ protected:
     return of_phases;
   }
 
+  /** The cells of member @p m and, in the order of their materials, their conductivities; on one rank, which
+   * has or makes all of its morphology. */
+  virtual ConductionCells<dim> cells_for_conduction(const unsigned int m) const = 0;
+
   /** What explains a solve that failed, or helps; empty: nothing is known. */
   virtual std::string advice(const NotConverged &failure) const;
 
@@ -137,6 +142,12 @@ private:
 
   /** Conditions whose concentration tensors are written, in the order of their names. */
   std::vector<std::string> reserved_conditions() const;
+
+  /** Computes conductivities of member @p m, if they are asked for, on the rank that has its results; fields are kept
+   * of the first one. */
+  void solve_conduction(const unsigned int m,
+                        EnsembleMember<dim> &member,
+                        RunContext &context);
 
   /** The changes of each material with each variation. */
   std::vector<std::vector<VoigtMatrix<dim>>> changes_of_materials() const;

@@ -1,9 +1,12 @@
+#include "base/errors.h"
 #include "base/object_exchange.h"
 #include "exchange/cell_datasets.h"
 #include "exchange/loads_file.h"
+#include "homogenization/conduction/conduction_volume.h"
 #include "homogenization/derivatives/variations.h"
 #include "homogenization/loads/load_output.h"
 #include "homogenization/volume_analysis.h"
+#include "program/machine.h"
 #include "program/run_context.h"
 
 #include <algorithm>
@@ -12,6 +15,10 @@ namespace mesoslip
 {
 namespace
 {
+/** Bytes of a cell with its node in ConductionVolume, as measured: mesh, matrix, multigrid. */
+template <int dim>
+constexpr double bytes_per_conducting_cell = dim == 2 ? 600. : 1200.;
+
 /** Writes the concentration tensors of the cells for the @p condition that @p volume has solved last.
  * Collective among the ranks that have them. */
 template <int dim>
@@ -110,6 +117,38 @@ VolumeAnalysis<dim>::changes_of_materials() const
 }
 
 template <int dim>
+void VolumeAnalysis<dim>::solve_conduction(const unsigned int m,
+                                           EnsembleMember<dim> &member,
+                                           RunContext &context)
+{
+  if (parameters.microstructure.phases[0].conductivities.empty())
+    return;
+  const auto scope = context.timer().scope("Conduction");
+  const auto solve = [&]() {
+    const ConductionCells<dim> cells = cells_for_conduction(m);
+    ConductionVolume<dim> volume(cells);
+    for (const BoundaryCondition condition : parameters.conditions)
+      {
+        try
+          {
+            member.conduction.push_back(volume.solve(condition, parameters.tolerance));
+          }
+        catch (const NotConverged &e)
+          {
+            throw NumericalFailure(
+              e.what()); // NotConverged is that of the ranks together
+          }
+        if (m > 0 || !parameters.write_concentration)
+          member.conduction.back().concentration.clear();
+      }
+  };
+  if (owner(m)) // of this rank alone
+    solve();
+  else
+    on_root(context.communicator(), solve);
+}
+
+template <int dim>
 void VolumeAnalysis<dim>::solve_member(const unsigned int m,
                                        const std::string &loads_file,
                                        EnsembleMember<dim> &member,
@@ -168,6 +207,9 @@ void VolumeAnalysis<dim>::solve_member(const unsigned int m,
 template <int dim>
 RveResults<dim> VolumeAnalysis<dim>::compute(RunContext &context)
 {
+  if (!parameters.microstructure.phases[0].conductivities.empty())
+    require_memory({bytes_per_conducting_cell<dim> * static_cast<double>(n_cells()),
+                    "take fewer cells, or leave out Phases/.../Conductivity"});
   RveResults<dim> results;
   const unsigned int n = parameters.n_members;
   context.progress().start("Load cases", n_cases() * n);
@@ -178,6 +220,7 @@ RveResults<dim> VolumeAnalysis<dim>::compute(RunContext &context)
       if (!owner(m) || *owner(m) == context.rank())
         {
           begin_member(m, member, results, context);
+          solve_conduction(m, member, context);
           solve_member(m, loads_file, member, context);
         }
       results.members.push_back(std::move(member));

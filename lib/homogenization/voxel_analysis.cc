@@ -158,6 +158,30 @@ protected:
       *grid, CellPlanes(*grid, volume.material_id(), MPI_COMM_WORLD), phases);
   }
 
+  ConductionCells<3> cells_for_conduction(const unsigned int m) const override
+  {
+    // Each rank has its planes alone.
+    const VoxelMorphology whole =
+      make_voxels(parameters.microstructure.member(m), MPI_COMM_SELF);
+    ConductionCells<3> cells = conduction_cells(whole.grid);
+    const CellView material  = whole.material_id();
+    for (std::size_t k = 0; k < cells.mesh.cells.size(); ++k)
+      cells.mesh.cells[k].material_id = material[k];
+    const std::vector<OrientedPhase> &oriented = whole.orientations.materials;
+    for (const PhaseParameters &phase : parameters.microstructure.phases)
+      cells.conductivity.push_back(phase.conductivity<3>());
+    if (whole.orientations.empty())
+      return cells;
+    const std::vector<Tensor2<3>> of_phases = std::move(cells.conductivity);
+    cells.conductivity.clear();
+    for (const OrientedPhase &one : oriented)
+      {
+        const Eigen::Matrix3d R = one.rotation();
+        cells.conductivity.emplace_back(R * of_phases[one.phase] * R.transpose());
+      }
+    return cells;
+  }
+
 private:
   VoxelMorphology volume; ///< of the member at hand
 };

@@ -72,6 +72,32 @@ std::vector<StiffnessEntry> stiffness_entries()
   return entries;
 }
 
+/** A VoigtVector that is zero at first: GCC 12 ends with an internal error where a list of aggregates leaves out a
+ * member whose default is VoigtVector::Zero(). */
+template <int dim>
+struct ZeroedVector : VoigtVector<dim>
+{
+  ZeroedVector()
+  {
+    this->setZero();
+  }
+
+  /** Those numbers. */
+  template <typename Other>
+  ZeroedVector(const Eigen::MatrixBase<Other> &other)
+    : VoigtVector<dim>(other)
+  {
+  }
+
+  /** Saves or restores all numbers, for boost::serialization. */
+  template <class Archive>
+  void serialize(Archive &archive, const unsigned int)
+  {
+    for (int k = 0; k < n_voigt<dim>; ++k)
+      archive &(*this)[k];
+  }
+};
+
 /** One constituent of the composite. */
 template <int dim>
 struct Phase
@@ -88,7 +114,7 @@ struct Phase
   double friction_coefficient = 0.;
 
   /** C alpha (Pa/K): the stress is C strain less this times the change of temperature. */
-  VoigtVector<dim> thermal_stress = VoigtVector<dim>(VoigtVector<dim>::Zero());
+  ZeroedVector<dim> thermal_stress = {};
 };
 } // namespace mesoslip
 

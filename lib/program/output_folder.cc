@@ -30,9 +30,10 @@ constexpr std::array<const char *, 4> papers = {
   {"summary.json", "log.txt", "parameters.prm", "original.prm"}};
 
 /** Results of the programs, but those of XDMF that go with them. */
-constexpr std::array<const char *, 25> results = {{"complex_modes.csv",
+constexpr std::array<const char *, 26> results = {{"complex_modes.csv",
                                                    "complex_modes.h5",
                                                    "complex_modes_sweep.csv",
+                                                   "conductivity.csv",
                                                    "derivatives.csv",
                                                    "dynamics.h5",
                                                    "energy.csv",

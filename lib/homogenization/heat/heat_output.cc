@@ -3,6 +3,7 @@
 #include "base/errors.h"
 #include "io/table.h"
 #include "material/engineering_constants.h"
+#include "material/plausibility.h"
 #include "parameters/parameters.h"
 #include "program/run_context.h"
 

@@ -39,11 +39,24 @@ VoigtVector<3> PhaseParameters::thermal_stress_in_space() const
   const Eigen::Vector3d along_axes = expansion.size() == 1
                                        ? Eigen::Vector3d::Constant(expansion[0])
                                        : Eigen::Vector3d(expansion.data());
-  const Eigen::Matrix3d rotated =
-    is_turned_in_3d()
-      ? rotation()
-      : Eigen::Matrix3d(Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()));
-  return stiffness<3>() * turned_expansion(along_axes, rotated);
+  return stiffness<3>() * turned_expansion(along_axes, axes());
+}
+
+Eigen::Matrix3d PhaseParameters::axes() const
+{
+  return is_turned_in_3d()
+           ? rotation()
+           : Eigen::Matrix3d(Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()));
+}
+
+template <int dim>
+Eigen::Matrix<double, dim, dim, Eigen::RowMajor> PhaseParameters::conductivity() const
+{
+  const Eigen::Vector3d along_axes = conductivities.size() == 1
+                                       ? Eigen::Vector3d::Constant(conductivities[0])
+                                       : Eigen::Vector3d(conductivities.data());
+  const Eigen::Matrix3d full = axes() * along_axes.asDiagonal() * axes().transpose();
+  return full.topLeftCorner<dim, dim>();
 }
 
 template <int dim>
@@ -119,6 +132,10 @@ void PhaseParameters::check_deviations(const std::size_t n_constants) const
 
 template VoigtVector<2> PhaseParameters::thermal_stress<2>() const;
 template VoigtVector<3> PhaseParameters::thermal_stress<3>() const;
+template Eigen::Matrix<double, 2, 2, Eigen::RowMajor>
+PhaseParameters::conductivity<2>() const;
+template Eigen::Matrix<double, 3, 3, Eigen::RowMajor>
+PhaseParameters::conductivity<3>() const;
 template std::vector<PhaseConstant<2>> PhaseParameters::constants<2>() const;
 template std::vector<PhaseConstant<3>> PhaseParameters::constants<3>() const;
 } // namespace mesoslip

@@ -5,6 +5,7 @@
 #include "material/stiffness.h"
 #include "parameters/keys.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
@@ -60,6 +61,19 @@ void bind_derivatives(Keys &keys, PhaseParameters &phase)
   keys.require(
     phase.expansion.size() != 2, "Thermal expansion",
     "there are two numbers; give one, or three along the axes of the material");
+  keys.bind_list(
+    "Conductivity", phase.conductivities, Range::non_negative(),
+    "Conductivity of heat or of a current, in one unit for all phases, one "
+    "number for all directions or three along the axes 1, 2, 3 of the material; "
+    "the conductivity of the composite follows, under the Boundary conditions of "
+    "Homogenization, where a mean strain stands for a mean gradient; empty: none "
+    "[W/(m K), S/m]",
+    0, 3);
+  keys.require(phase.conductivities.size() != 2 &&
+                 std::all_of(phase.conductivities.begin(), phase.conductivities.end(),
+                             [](const double k) { return k > 0.; }),
+               "Conductivity",
+               "give one number above 0, or three along the axes of the material");
   keys.bind(
     "Loss factor", phase.loss_factor, Range::non_negative(),
     "Imaginary over real part of the stiffness, the same for all its entries: the "

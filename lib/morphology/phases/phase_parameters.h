@@ -59,6 +59,9 @@ struct PhaseParameters
   /** 1/K along the axes 1, 2, 3 of the material, one number for all of them; empty: it does not expand. */
   std::vector<double> expansion;
 
+  /** W/(m K) or S/m along the axes 1, 2, 3 of the material, one number for all of them; empty: not given. */
+  std::vector<double> conductivities;
+
   double loss_factor = 0.; ///< imaginary over real part of the stiffness [-]
 
   /** Throws UserError naming the key when the material makes no sense. */
@@ -72,6 +75,10 @@ struct PhaseParameters
   /** Stress (Pa/K) that a change of temperature takes off, in 2D in plane strain: Phase::thermal_stress. */
   template <int dim>
   VoigtVector<dim> thermal_stress() const;
+
+  /** Conductivity (W/(m K) or S/m) in the axes of space, in 2D of the plane; conductivities are not empty. */
+  template <int dim>
+  Eigen::Matrix<double, dim, dim, Eigen::RowMajor> conductivity() const;
 
   /** Its component zz (Pa/K) in plane strain. */
   double transverse_thermal_stress() const;
@@ -97,6 +104,9 @@ private:
   /** A stiffness in the axes of the material (Pa) in those of space. */
   template <int dim>
   VoigtMatrix<dim> turned(const VoigtMatrix<dim> &of_material) const;
+
+  /** Columns are the axes of the material in space. */
+  Eigen::Matrix3d axes() const;
 
   /** Thermal stress of the solid in space (Pa/K). */
   VoigtVector<3> thermal_stress_in_space() const;

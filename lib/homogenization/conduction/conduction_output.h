@@ -1,0 +1,50 @@
+#ifndef mesoslip_homogenization_conduction_conduction_output_h
+#define mesoslip_homogenization_conduction_conduction_output_h
+
+#include "homogenization/rve_program.h"
+#include "io/json.h"
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace mesoslip
+{
+/** Conductivity by condition, means over the members, and "effective", the mean over those of which the effective
+ * stiffness is the mean; empty: it was not asked for. */
+template <int dim>
+std::map<std::string, Tensor2<dim>> conductivities(const RveParameters &parameters,
+                                                   const RveResults<dim> &results);
+
+/** Lower and upper bounds by name: "wiener" (Reuss and Voigt) and, for isotropic phases in an isotropic morphology,
+ * "hashin_shtrikman". Empty where a phase is not isotropic. */
+template <int dim>
+std::map<std::string, std::array<double, 2>>
+conductivity_bounds(const RveParameters &parameters,
+                    const std::vector<double> &fractions);
+
+/** conductivity.csv, if it was asked for. */
+template <int dim>
+void write_conductivity(const RveParameters &parameters,
+                        const RveResults<dim> &results,
+                        const RunContext &context);
+
+/** Adds conductivities, bounds, residuals and iterations to summary.json. */
+template <int dim>
+void summarize_conductivity(const RveParameters &parameters,
+                            const RveResults<dim> &results,
+                            nlohmann::json &summary);
+
+/** Effective conductivity of a summary, new or restored, on the console. */
+void log_conductivity(RunContext &context);
+
+/** Sentences where the two ways to the conductivity do not agree. @throws NumericalFailure where not even two digits
+ * hold */
+template <int dim>
+std::vector<std::string>
+conductivity_warnings(const RveParameters &parameters,
+                      const std::vector<EnsembleMember<dim>> &members);
+} // namespace mesoslip
+
+#endif

@@ -1,0 +1,44 @@
+#ifndef mesoslip_homogenization_conduction_conduction_response_h
+#define mesoslip_homogenization_conduction_conduction_response_h
+
+#include "base/serialize_members.h"
+#include "homogenization/load_cases.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace mesoslip
+{
+/** A tensor of rank two that relates vectors, such as a conductivity. */
+template <int dim>
+using Tensor2 = Eigen::Matrix<double, dim, dim, Eigen::RowMajor>;
+
+/** What the load cases of one boundary condition say about the conductivity of a volume. */
+template <int dim>
+struct ConductionResponse
+{
+  BoundaryCondition condition = BoundaryCondition::KUBC; ///< on the boundary
+
+  /** Effective conductivity, in the unit of the phases, from the energy: of second order in the error of the
+   * solutions. MUBC: the diagonal. */
+  Tensor2<dim> conductivity = Tensor2<dim>::Zero();
+
+  /** Largest difference from the one from the mean flux (SUBC: gradient), over the largest entry. */
+  double residual = 0.;
+
+  std::vector<unsigned int> iterations; ///< by load case
+
+  /** Of each cell the mean gradient for a unit gradient, a column for each axis (SUBC: the flux for a unit flux). */
+  std::vector<Tensor2<dim>> concentration;
+
+  /** Saves or restores all members, for boost::serialization. */
+  template <class Archive>
+  void serialize(Archive &archive, const unsigned int)
+  {
+    serialize_members<5>(archive, *this);
+  }
+};
+} // namespace mesoslip
+
+#endif
