@@ -28,7 +28,7 @@ struct ElasticPhase
   bool mean_dilatation = false;
 
   /** Phase::thermal_stress (Pa/K). */
-  VoigtVector<dim> thermal_stress = VoigtVector<dim>::Zero();
+  ZeroedVector<dim> thermal_stress = {};
 
   /**
    * Stiffness (Pa) against what the strain of a quadrilateral or hexahedron differs from its mean.

@@ -21,17 +21,30 @@ TEST(Loads, MixedLoadsOfAnIsotropicSolid)
   const double E = 70e9, nu = 0.3;
   const auto D = isotropic_stiffness<3>(E, nu);
   // Uniaxial stress, then with one lateral strain held: E / (1 - nu^2).
-  const auto free = solve_mixed_load<3>(
-    D, {"free", {none, none, none, none, none, none}, {1e6, none, 0., none, none, none}});
+  const VoigtVector<3> cold = VoigtVector<3>::Zero();
+  const auto free           = solve_mixed_load<3>(
+    D, cold,
+    {"free", {none, none, none, none, none, none}, {1e6, none, 0., none, none, none}});
   EXPECT_NEAR(free.strain[0], 1e6 / E, 1e-14 * 1e6 / E);
   EXPECT_NEAR(free.strain[1], -nu * 1e6 / E, 1e-14 * 1e6 / E);
   EXPECT_EQ(free.stress[1], 0.);
   const auto held = solve_mixed_load<3>(
-    D, {"held", {none, 0., none, none, none, none}, {1e6, none, none, none, none, 2e6}});
+    D, cold,
+    {"held", {none, 0., none, none, none, none}, {1e6, none, none, none, none, 2e6}});
   EXPECT_NEAR(held.strain[0], 1e6 * (1. - nu * nu) / E, 1e-14 * 1e6 / E);
   EXPECT_NEAR(held.stress[1], nu * 1e6, 1e-8);
   EXPECT_NEAR(held.strain[5], 2e6 * 2. * (1. + nu) / E, 1e-14 * 1e6 / E);
   EXPECT_EQ(held.strain[1], 0.);
+  // 50 K at zero strain, and free.
+  VoigtVector<3> beta = cold;
+  beta.head<3>().setConstant(E * 1e-5 / (1. - 2. * nu));
+  const auto warm = solve_mixed_load<3>(
+    D, beta, {"warm", std::vector<double>(6, 0.), std::vector<double>(6, none), 50.});
+  EXPECT_NEAR(warm.stress[0], -50. * beta[0], 1e-9 * beta[0]);
+  const auto wider = solve_mixed_load<3>(
+    D, beta, {"wider", std::vector<double>(6, none), std::vector<double>(6, none), 50.});
+  EXPECT_NEAR(wider.strain[2], 50e-5, 1e-15);
+  EXPECT_EQ(wider.stress[2], 0.);
 }
 
 TEST(Loads, MomentsOfPartsAreThoseOfTheWhole)
@@ -108,7 +121,7 @@ TEST(Loads, InvariantsOfPlaneStrain)
                                             E * nu / (1. + nu) / (1. - 2. * nu), 0.)};
   const LocalFields<2> fields({phase});
   std::vector<double> values(fields.quantities().size());
-  fields.evaluate(0, VoigtVector<2>(1e-3, 0., 0.), values.data());
+  fields.evaluate(0, VoigtVector<2>(1e-3, 0., 0.), 0., values.data());
   const double mu = E / 2. / (1. + nu), zz = values[6];
   EXPECT_EQ(fields.quantities()[6].name, "stress_zz");
   EXPECT_NEAR(zz, nu * (values[3] + values[4]), 1e-6);

@@ -162,7 +162,9 @@ std::string state_line(const std::string &what, const json &state, const double 
 std::string heating_text(const json &prescribed)
 {
   const double heating = prescribed.value("temperature_change", 0.);
-  return heating == 0. ? std::string() : brief_text(6, ", ", heating, " K warmer");
+  return heating == 0. ? std::string()
+                       : brief_text(6, ", ", std::fabs(heating),
+                                    heating > 0. ? " K warmer" : " K colder");
 }
 
 std::string phase_line(const std::string &phase, const json &quantities)

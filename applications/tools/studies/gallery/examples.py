@@ -43,7 +43,7 @@ EXAMPLES = (
             "Stresses in loads under the load shear under pressure", RVE),
     Example("Stresses that cooling leaves",
             "Glass spheres in epoxy after curing: stiffness, expansion and loss factors of the composite, how certain they are, and the stresses of 100 K of cooling, "
-            "alone and under tension ([composites](composites.md)).", ("voxels/curing.prm",), "Stresses in loads under the load cold under tension", RVE),
+            "alone and under tension ([composites](composites.md)).", ("voxels/curing.prm",), "Stresses in curing under the load cold under tension", RVE),
     Example("Modes of vibration of the paper's pin", "Lowest frequencies and shapes, with the bottom free and held.", ("modal.prm",), "Lowest modes", CONTACT),
     Example("Which vibrations of sliding grow",
             "Complex modes of the pin that slides steadily: growth rate over frequency ([complex modes](complex_modes/README.md)).", ("complex_modes.prm",),
