@@ -29,6 +29,9 @@ PROGRAM = "rve_homogenization"
 SEEDS = {"random fibres": "Microstructure/Random fibres/Seed", "random inclusions": "Microstructure/Random inclusions/Seed"}
 
 
+SHOWN = ("E_iso", "G_iso", "E_x", "G_xy", "expansion_xx")  # in the picture; the table has all
+
+
 class SizeError(Exception):
     """One sentence for the user."""
 
@@ -143,7 +146,7 @@ def evaluate(volume, runs, error):
             row = {"property": name, "unit": unit, "size": factor, "volume": measure, "members": len(values), "mean": mean,
                    "deviation": deviation, "relative_error": 2 * of_mean / abs(mean) if mean else math.nan,
                    "needed": math.ceil((2 * deviation / (error * mean))**2) if mean and deviation == deviation else None}
-            if name.startswith("fraction") and 0 < mean < 1:
+            if volume.type == "voxels" and name.startswith("fraction") and 0 < mean < 1:  # random placements meet their fraction
                 row["integral_range"] = deviation**2 * measure / (mean * (1 - mean))
             rows.append(row)
     return rows
@@ -156,24 +159,25 @@ def say(rows, error, dim):
         own = [row for row in rows if row["property"] == name]
         print(f"{name} ({own[0]['unit']}): variance falls with the volume to the power {slope(own):.2f} (-1 for sizes beyond the range of correlations)")
         for row in own:
-            needed = f"{row['needed']} volumes for {100 * error:g} %" if row["needed"] is not None else "one morphology says nothing of deviations"
+            needed = f"{row['needed']} volume{'s' * (row['needed'] > 1)} for {100 * error:g} %" if row["needed"] is not None else "one morphology says nothing of deviations"
             extra = f", integral range {row['integral_range']:.3g} {unit}" if "integral_range" in row else ""
             print(f"  size {row['size']:<6g} {row['volume']:.3g} {unit}, {row['members']} members: mean {row['mean']:.5g}, deviation "
                   f"{row['deviation']:.2g} ({100 * row['deviation'] / abs(row['mean']):.2g} %), {needed}{extra}")
-        drift = [abs(a["mean"] - b["mean"]) > 2 * math.hypot(a["deviation"] / math.sqrt(a["members"]), b["deviation"] / math.sqrt(b["members"]))
+        drift = [abs(a["mean"] - b["mean"]) > 3 * math.hypot(a["deviation"] / math.sqrt(a["members"]), b["deviation"] / math.sqrt(b["members"]))
                  for a, b in zip(own, own[1:])]
         if drift and drift[-1]:
-            print("  the means of the two largest sizes differ beyond their errors: the conditions at the sides still matter; take larger volumes, or PBC")
+            print("  the means of the two largest sizes differ by more than three standard errors: the conditions at the sides still matter; take larger volumes, or PBC")
 
 
 def draw(rows, error, path, dim):
     import matplotlib
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
+    import matplotlib.ticker
 
-    figure, (left, right) = plt.subplots(1, 2, figsize=(11, 4.6), layout="constrained")
-    names = list(dict.fromkeys(row["property"] for row in rows))
-    scale = 1e3**dim
+    figure, (left, right) = plt.subplots(1, 2, figsize=(11.5, 4.4), layout="constrained")
+    names = [name for name in dict.fromkeys(row["property"] for row in rows) if name.startswith("fraction") or name in SHOWN]
+    rows, scale = [row for row in rows if row["property"] in names], 1e3**dim
     for k, name in enumerate(names):
         own = [row for row in rows if row["property"] == name and row["mean"] and row["deviation"] == row["deviation"]]
         if not own:
@@ -193,7 +197,8 @@ def draw(rows, error, path, dim):
     right.set(xlabel=of, ylabel="standard deviation over mean", title="Deviation of one volume")
     for axes in (left, right):
         axes.grid(alpha=0.3)
-    right.legend(fontsize="small")
+    right.xaxis.set_minor_formatter(matplotlib.ticker.NullFormatter())
+    right.legend(loc="upper left", bbox_to_anchor=(1.02, 1.0), fontsize="small", frameon=False)
     figure.savefig(path, dpi=130)
     plt.close(figure)
 

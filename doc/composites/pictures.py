@@ -65,8 +65,8 @@ def main():
         subprocess.run([os.path.join(programs, "contact_dynamics"), os.path.join(EXAMPLES, "squeal.prm"), "--output", os.path.join(folder, "squeal"), "--quiet"], check=True)
         with mesoslip.open(os.path.join(folder, "squeal")) as run:
             picture_dispersion(run)
-        subprocess.run([sys.executable, os.path.join(TOOLS, "volume_size.py"), os.path.join(EXAMPLES, "voxels", "curing.prm"), "--sizes", "0.5,0.75,1", "--members",
-                        "32,16,8", "--programs", programs, "--output", os.path.join(folder, "size")], check=True)
+        subprocess.run([sys.executable, os.path.join(TOOLS, "volume_size.py"), os.path.join(EXAMPLES, "voxels", "curing.prm"), "--sizes", "1,1.5,2", "--members",
+                        "24,12,6", "--programs", programs, "--output", os.path.join(folder, "size")], check=True)
         shutil.copyfile(os.path.join(folder, "size", "volume_size.png"), os.path.join(HERE, "volume_size.png"))
 
 

@@ -23,6 +23,11 @@ std::string thermal_stress_dataset(const std::string &condition)
   return "/thermal_stress/" + condition;
 }
 
+std::string transverse_thermal_stress_dataset(const std::string &condition)
+{
+  return "/thermal_stress_zz/" + condition;
+}
+
 namespace
 {
 const char rve_program[] = "rve_homogenization";
@@ -80,7 +85,11 @@ void reserve_concentration(const std::string &path,
     {
       reserve(concentration_dataset(condition), {n_voigt<dim>, n_voigt<dim>}, "-");
       if (heat)
-        reserve(thermal_stress_dataset(condition), {n_voigt<dim>}, "Pa/K");
+        {
+          reserve(thermal_stress_dataset(condition), {n_voigt<dim>}, "Pa/K");
+          if (dim == 2)
+            reserve(transverse_thermal_stress_dataset(condition), {}, "Pa/K");
+        }
     }
   file.leave();
 }
@@ -268,6 +277,36 @@ std::vector<double> RveFile<dim>::concentration(const std::string &name,
                              "rve_homogenization again");
   return read_cells<double>(file, dataset, first, count, concentration_hint(file, name),
                             2);
+}
+
+template <int dim>
+std::vector<Eigen::Matrix<double, n_voigt<dim> + 1, 1>> RveFile<dim>::thermal_stress(
+  const std::string &name, const std::size_t first, const std::size_t count) const
+{
+  constexpr std::size_t n = n_voigt<dim>;
+  const std::string hint =
+    "give phases a Thermal expansion and run rve_homogenization with " + name +
+    " among its boundary conditions";
+  const auto stress =
+    read_cells<double>(file, thermal_stress_dataset(name), first, count, hint, 1);
+  const auto zz = dim == 2
+                    ? read_cells<double>(file, transverse_thermal_stress_dataset(name),
+                                         first, count, hint)
+                    : std::vector<double>();
+  std::vector<Eigen::Matrix<double, n + 1, 1>> result(count);
+  for (std::size_t k = 0; k < count; ++k)
+    result[k] << Eigen::Map<const VoigtVector<dim>>(&stress[n * k]),
+      (dim == 2 ? zz[k] : 0.);
+  return result;
+}
+
+template <int dim>
+VoigtVector<dim> RveFile<dim>::expansion(const std::string &name) const
+{
+  const auto values =
+    file.read<double>("/expansion/" + name, {n_voigt<dim>},
+                      "give phases a Thermal expansion and run rve_homogenization again");
+  return Eigen::Map<const VoigtVector<dim>>(values.data());
 }
 
 template <int dim>

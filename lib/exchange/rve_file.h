@@ -69,6 +69,9 @@ std::string concentration_dataset(const std::string &condition);
 /** The dataset of the stresses of one kelvin without macroscopic strain (SUBC: stress). */
 std::string thermal_stress_dataset(const std::string &condition);
 
+/** In 2D that of sigma_zz of one kelvin; NaN where it is not known. */
+std::string transverse_thermal_stress_dataset(const std::string &condition);
+
 /**
  * Begins rve.h5, of which @p path is the name, and leaves it, with room for the concentration tensors of all
  * cells under @p conditions, which ParallelRows fills before write_rve_file() adds the rest: in Voigt
@@ -176,6 +179,14 @@ public:
   std::vector<double> concentration(const std::string &name,
                                     const std::size_t first,
                                     const std::size_t count) const;
+
+  /** Stress for one kelvin without macroscopic strain under condition @p name (Pa/K) of @p count cells from cell
+   * @p first on: components in Voigt order and, in 2D, zz. @throws UserError if no phase expands */
+  std::vector<Eigen::Matrix<double, n_voigt<dim> + 1, 1>> thermal_stress(
+    const std::string &name, const std::size_t first, const std::size_t count) const;
+
+  /** Thermal expansion (1/K) under condition @p name. @throws UserError if no phase expands */
+  VoigtVector<dim> expansion(const std::string &name) const;
 
   /** The points and cells of a mesh. @throws UserError */
   Mesh<dim> mesh() const;

@@ -10,6 +10,7 @@
 #include "program/run_context.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace mesoslip
 {
@@ -41,16 +42,25 @@ void write_concentration(const VolumeElement<dim> &volume,
 template <int dim>
 void write_thermal_stress(const VolumeElement<dim> &volume,
                           const BoundaryCondition condition,
-                          const std::vector<ElasticPhase<dim>> &phases,
+                          const std::vector<LoadedPhase<dim>> &phases,
                           const std::string &path)
 {
-  constexpr std::size_t n = n_voigt<dim>;
-  volume.write(path, {{thermal_stress_dataset(to_string(condition)), n}}, n,
+  constexpr std::size_t n                 = n_voigt<dim>;
+  const std::string name                  = to_string(condition);
+  const std::vector<CellDataset> in_space = {{thermal_stress_dataset(name), n}},
+                                 in_plane = {
+                                   {thermal_stress_dataset(name), n},
+                                   {transverse_thermal_stress_dataset(name), 1, n}};
+  volume.write(path, dim == 2 ? in_plane : in_space, n + 1,
                [&](const LocalCell<dim> &cell, double *out) {
-                 const ElasticPhase<dim> &phase = phases[cell.phase];
-                 const VoigtVector<dim> stress =
-                   phase.stiffness * cell.strain.col(n) - phase.thermal_stress;
-                 std::copy_n(stress.data(), n, out);
+                 const LoadedPhase<dim> &phase = phases[cell.phase];
+                 const VoigtVector<dim> strain = cell.strain.col(n),
+                                        stress =
+                                          phase.stiffness * strain - phase.thermal_stress;
+                 out  = std::copy_n(stress.data(), n, out);
+                 *out = phase.transverse
+                          ? phase.transverse->dot(strain) - phase.transverse_thermal
+                          : std::numeric_limits<double>::quiet_NaN();
                });
 }
 } // namespace
@@ -193,7 +203,7 @@ void VolumeAnalysis<dim>::solve_member(const unsigned int m,
         {
           write_concentration(*volume, condition, phases, context.file("rve.h5"));
           if (has_expansion(phases))
-            write_thermal_stress(*volume, condition, phases, context.file("rve.h5"));
+            write_thermal_stress(*volume, condition, of_cells, context.file("rve.h5"));
         }
       if (!parameters.loads.loads.empty() && parameters.loads.uses(condition))
         for (LoadResult<dim> &result :

@@ -39,6 +39,11 @@ void bind_localization(Keys &keys, LocalizationParameters &p)
     "Concentration", p.concentration, {"KUBC", "PBC", "MUBC"},
     "Boundary conditions of the homogenization whose strain concentration tensors L "
     "are used: local strain = L : macroscopic strain");
+  keys.bind(
+    "Temperature change", p.heating, Range::any(),
+    "Change of temperature since the phases were free of stress, at which the body "
+    "could expand freely before it slides: the stresses that it leaves in the phases "
+    "are added. Needs a Thermal expansion of phases in the RVE file [K]");
   keys.bind("Variant", variant, {"local strain", "mean strain", "both"},
             "Macroscopic strain that L is applied to: that of the homogeneous run at the "
             "place (eq. 24), its mean over the body (eq. 23), or both in turn");
@@ -167,6 +172,11 @@ void LocalizationParameters::check()
     check_input(
       direct_run, "Direct run", "dynamics.h5",
       "run contact_dynamics with the heterogeneous body first, or leave it empty");
+  if (heating != 0. && !direct_run.empty())
+    throw UserError(
+      "Localization/Temperature change is " + to_text(heating) +
+      ", but contact_dynamics knows no heat, so that stresses of the direct run "
+      "have no thermal part; remove it or Input/Direct run");
   if (from > to)
     throw UserError("Window/From: " + to_text(from) + " s lies after To, " + to_text(to) +
                     " s");

@@ -23,6 +23,8 @@ struct LocalizationParameters
 
   /** KUBC, PBC or MUBC. */
   std::string concentration = "KUBC";
+
+  double heating = 0.; ///< change of temperature of volume and body (K)
   /** Eq. 24: the macroscopic strain at the place. */
   bool local_strain = true;
   /** Eq. 23: its mean over the body. */

@@ -152,6 +152,8 @@ private:
     StressMap<dim> map = plain_map(files, parameters, share);
     const VoigtMatrix<dim> mean =
       multiply_by_concentration(map, files, parameters.concentration, share, ranks);
+    if (parameters.heating != 0.)
+      add_heat(map, files, parameters, share, ranks);
     if (input != nullptr)
       {
         const std::string warning =
@@ -184,6 +186,7 @@ private:
   {
     const StressMap<dim> map = localized_map();
     series.matrices          = matrices_of_probes(map);
+    series.residuals         = residuals_of_probes(map);
     const bool by_place      = plan.is_body && parameters.local_strain,
                by_mean       = plan.is_body && parameters.mean_strain,
                fields        = parameters.fields.any();
@@ -253,6 +256,23 @@ private:
     for (std::size_t p = 0; p < plan.probes.size(); ++p)
       matrices.push_back(Eigen::Map<const VoigtMatrix<dim>>(&entries[n * p]));
     return matrices;
+  }
+
+  /** Stresses of heat there. */
+  std::vector<VoigtVector<dim>> residuals_of_probes(const StressMap<dim> &map) const
+  {
+    std::vector<double> all(n_voigt<dim> * plan.probes.size());
+    for (std::size_t p = 0; p < plan.probes.size() && map.residuals() != nullptr; ++p)
+      {
+        const std::size_t k = share.place_of(plan.probes[p]);
+        for (unsigned int c = 0; k != share.elsewhere && c < n_voigt<dim>; ++c)
+          all[n_voigt<dim> * p + c] = (*map.residuals())(c, k);
+      }
+    sum_over_ranks(all, ranks);
+    std::vector<VoigtVector<dim>> residuals;
+    for (std::size_t p = 0; p < plan.probes.size(); ++p)
+      residuals.push_back(Eigen::Map<const VoigtVector<dim>>(&all[n_voigt<dim> * p]));
+    return residuals;
   }
 
   void compare_fields()

@@ -6,6 +6,7 @@
 #include "material/voigt.h"
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace mesoslip
@@ -60,6 +61,26 @@ public:
     return result;
   }
 
+  /** Sets the stress (Pa) of cell @p i of row @p j without macroscopic strain, in 2D with the part of sigma_zz that
+   * is not the ratio times the others. */
+  void set_residual(const std::size_t j,
+                    const std::size_t i,
+                    const VoigtVector<dim> &stress,
+                    const double zz)
+  {
+    if (!residual)
+      residual.emplace(data.n_cells(), data.n_in_row(), n_voigt<dim> + 1);
+    for (unsigned int c = 0; c < n_voigt<dim>; ++c)
+      residual->array(c, j)[i] = stress[c];
+    residual->array(n_voigt<dim>, j)[i] = zz;
+  }
+
+  /** What set_residual() was told, all components and zz; null: nothing. */
+  const CellRows *residuals() const
+  {
+    return residual ? &*residual : nullptr;
+  }
+
   /** The ratio of the cells of row @p j; nothing that may be read in 3D. */
   const double *ratio(const std::size_t j) const
   {
@@ -76,7 +97,8 @@ public:
   static constexpr unsigned int n_numbers = n_entries + (dim == 2 ? 1 : 0); ///< of a cell
 
 private:
-  CellRows data; ///< see rows()
+  CellRows data;                    ///< see rows()
+  std::optional<CellRows> residual; ///< see residuals()
 };
 
 /**

@@ -2,6 +2,8 @@
 
 #include "base/object_exchange.h"
 
+#include <cmath>
+
 namespace mesoslip
 {
 namespace
@@ -121,6 +123,36 @@ VoigtMatrix<dim> multiply_by_concentration(StressMap<dim> &map,
 }
 
 template <int dim>
+void add_heat(StressMap<dim> &map,
+              const LocalizationFiles<dim> &files,
+              const LocalizationParameters &parameters,
+              const VolumeShare<dim> &share,
+              const MPI_Comm ranks)
+{
+  constexpr unsigned int zz = n_voigt<dim>;
+  const double heating      = parameters.heating;
+  const std::string &name   = parameters.concentration;
+  const auto add            = [&](const std::size_t first, const std::size_t count) {
+    const VoigtVector<dim> expansion = files.rve.expansion(name);
+    const auto per_kelvin = files.rve.thermal_stress(name, share.first + first, count);
+    for (std::size_t k = 0; k < count; ++k)
+      {
+        const std::size_t cell = first + k, j = cell / share.n_in_row,
+                          i           = cell % share.n_in_row;
+        const VoigtVector<dim> held   = per_kelvin[k].template head<n_voigt<dim>>(),
+                               stress = held + map.matrix(cell) * expansion;
+        // What the ratio does not know of sigma_zz; nothing where that is not known at all.
+        double rest = 0.;
+        if (dim == 2 && !std::isnan(per_kelvin[k][zz]))
+          rest = per_kelvin[k][zz] - map.ratio(j)[i] * (held[0] + held[1]);
+        map.set_residual(j, i, heating * stress, heating * rest);
+      }
+  };
+  on_all_ranks(ranks,
+               [&]() { for_each_piece(share.n_cells, files.cells_in_layer(), add); });
+}
+
+template <int dim>
 std::vector<CellRegion> regions_of(const LocalizationFiles<dim> &files,
                                    const LocalizationParameters &parameters,
                                    const VolumeShare<dim> &share)
@@ -156,18 +188,21 @@ std::vector<CellRegion> regions_of(const LocalizationFiles<dim> &files,
                                  parameters.surface_depth, parameters.edge_distance);
 }
 
-#define MESOSLIP_INSTANTIATE(dim)                                             \
-  template VolumeShare<dim> make_share(const LocalizationFiles<dim> &,        \
-                                       const LocalizationPlan<dim> &,         \
-                                       const CellSet<dim> &, const MPI_Comm); \
-  template StressMap<dim> plain_map(const LocalizationFiles<dim> &,           \
-                                    const LocalizationParameters &,           \
-                                    const VolumeShare<dim> &);                \
-  template VoigtMatrix<dim> multiply_by_concentration(                        \
-    StressMap<dim> &, const LocalizationFiles<dim> &, const std::string &,    \
-    const VolumeShare<dim> &, const MPI_Comm);                                \
-  template std::vector<CellRegion> regions_of(const LocalizationFiles<dim> &, \
-                                              const LocalizationParameters &, \
+#define MESOSLIP_INSTANTIATE(dim)                                                  \
+  template void add_heat(StressMap<dim> &, const LocalizationFiles<dim> &,         \
+                         const LocalizationParameters &, const VolumeShare<dim> &, \
+                         const MPI_Comm);                                          \
+  template VolumeShare<dim> make_share(const LocalizationFiles<dim> &,             \
+                                       const LocalizationPlan<dim> &,              \
+                                       const CellSet<dim> &, const MPI_Comm);      \
+  template StressMap<dim> plain_map(const LocalizationFiles<dim> &,                \
+                                    const LocalizationParameters &,                \
+                                    const VolumeShare<dim> &);                     \
+  template VoigtMatrix<dim> multiply_by_concentration(                             \
+    StressMap<dim> &, const LocalizationFiles<dim> &, const std::string &,         \
+    const VolumeShare<dim> &, const MPI_Comm);                                     \
+  template std::vector<CellRegion> regions_of(const LocalizationFiles<dim> &,      \
+                                              const LocalizationParameters &,      \
                                               const VolumeShare<dim> &);
 MESOSLIP_INSTANTIATE(2)
 MESOSLIP_INSTANTIATE(3)

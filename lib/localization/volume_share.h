@@ -58,6 +58,15 @@ VoigtMatrix<dim> multiply_by_concentration(StressMap<dim> &map,
                                            const VolumeShare<dim> &share,
                                            const MPI_Comm ranks);
 
+/** Adds to a map that has C L the stress of parameters.heating in a volume that expands freely. Collective. @throws
+ * UserError if no phase expands */
+template <int dim>
+void add_heat(StressMap<dim> &map,
+              const LocalizationFiles<dim> &files,
+              const LocalizationParameters &parameters,
+              const VolumeShare<dim> &share,
+              const MPI_Comm ranks);
+
 /** The regions of the cells of this rank in which fields are compared. */
 template <int dim>
 std::vector<CellRegion> regions_of(const LocalizationFiles<dim> &files,

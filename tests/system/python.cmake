@@ -51,7 +51,7 @@ mesoslip_python_tests(system 1 chains/material_card chains/volume_size chains/ch
                       programs/disk programs/earlier_results programs/profile_rows programs/terminal report/browser report/whole_page
                       report/report_layout report/report_modes sliding/complex_modes_growth sliding/complex_modes_laws
                       sliding/contact_map)
-mesoslip_python_tests(system 2 chains/chain chains/drafts chains/package homogenization/mesh localization/mesh_localization localization/voxels
+mesoslip_python_tests(system 2 chains/chain chains/drafts chains/package homogenization/mesh localization/heat localization/mesh_localization localization/voxels
                       pages/first_steps pages/paper pages/tomogram programs/files programs/other_processors
                       programs/ranks programs/xdmf sliding/boxes sliding/complex_modes sliding/friction_homogenization sliding/mesh_dynamics
                       sliding/mesh_flat sliding/mesh_modes sliding/mesh_periodic sliding/mesh_static_contact sliding/one_run sliding/oriented_boxes
