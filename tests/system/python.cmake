@@ -45,7 +45,7 @@ function(mesoslip_long_test script processors)
                        ENVIRONMENT PYTHONPATH=${CMAKE_SOURCE_DIR}/tests/scenes)
 endfunction()
 
-mesoslip_python_tests(system 1 chains/material_card chains/volume_size chains/chain_inputs chains/chain_validation chains/counter_localization chains/python_module chains/python_runs chains/setup chains/shortcuts
+mesoslip_python_tests(system 1 chains/export_volume chains/material_card chains/volume_size chains/chain_inputs chains/chain_validation chains/counter_localization chains/python_module chains/python_runs chains/setup chains/shortcuts
                       homogenization/refused_statics pages/dependencies pages/gallery pages/guide pages/links pages/mesh_scripts pages/parameter_reference pages/prediction
                       pages/site pages/studies pages/thickness pages/verification_page pages/work_precision programs/bad_input programs/command_line programs/completion
                       programs/disk programs/earlier_results programs/profile_rows programs/terminal report/browser report/whole_page
