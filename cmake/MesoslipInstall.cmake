@@ -21,7 +21,7 @@ install(TARGETS rve_homogenization contact_dynamics stress_localization
 # Scripts keep their places beside one another: run_chain.py uses chain/ and calls report/make_report.py.
 install(DIRECTORY ${tools}/chain ${tools}/report ${tools}/python DESTINATION ${data_dir}/applications/tools
         FILES_MATCHING PATTERN "*.py" PATTERN "*.toml")
-install(PROGRAMS ${tools}/run_chain.py ${tools}/volume_size.py ${tools}/material_card.py ${tools}/export_volume.py
+install(PROGRAMS ${tools}/run_chain.py ${tools}/volume_size.py ${tools}/material_card.py ${tools}/export_volume.py ${tools}/complex_moduli.py
         DESTINATION ${data_dir}/applications/tools)
 install(FILES ${tools}/studies/study.py DESTINATION ${data_dir}/applications/tools/studies)
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/prm DESTINATION ${data_dir})

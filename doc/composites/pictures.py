@@ -67,6 +67,12 @@ def main():
             picture_dispersion(run)
         subprocess.run([sys.executable, os.path.join(TOOLS, "volume_size.py"), os.path.join(EXAMPLES, "voxels", "curing.prm"), "--sizes", "1,1.5,2", "--members",
                         "24,12,6", "--programs", programs, "--output", os.path.join(folder, "size")], check=True)
+        table = os.path.join(folder, "epoxy.csv")
+        with open(table, "w", encoding="utf-8") as file:
+            file.write("frequency,modulus,loss_factor\n1,2.6e9,0.015\n100,2.9e9,0.025\n1e4,3.4e9,0.04\n1e6,4.2e9,0.03\n")
+        subprocess.run([sys.executable, os.path.join(TOOLS, "complex_moduli.py"), os.path.join(EXAMPLES, "voxels", "curing.prm"), "--phase", f"epoxy={table}",
+                        "--frequencies", "1,10,100,1e3,1e4,1e5,1e6", "--programs", programs, "--output", os.path.join(folder, "moduli")], check=True)
+        shutil.copyfile(os.path.join(folder, "moduli", "complex_moduli.png"), os.path.join(HERE, "complex_moduli.png"))
         shutil.copyfile(os.path.join(folder, "size", "volume_size.png"), os.path.join(HERE, "volume_size.png"))
 
 

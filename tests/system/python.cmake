@@ -45,7 +45,7 @@ function(mesoslip_long_test script processors)
                        ENVIRONMENT PYTHONPATH=${CMAKE_SOURCE_DIR}/tests/scenes)
 endfunction()
 
-mesoslip_python_tests(system 1 chains/export_volume chains/material_card chains/volume_size chains/chain_inputs chains/chain_validation chains/counter_localization chains/python_module chains/python_runs chains/setup chains/shortcuts
+mesoslip_python_tests(system 1 chains/complex_moduli chains/export_volume chains/material_card chains/volume_size chains/chain_inputs chains/chain_validation chains/counter_localization chains/python_module chains/python_runs chains/setup chains/shortcuts
                       homogenization/refused_statics pages/dependencies pages/gallery pages/guide pages/links pages/mesh_scripts pages/parameter_reference pages/prediction
                       pages/site pages/studies pages/thickness pages/verification_page pages/work_precision programs/bad_input programs/command_line programs/completion
                       programs/disk programs/earlier_results programs/profile_rows programs/terminal report/browser report/whole_page
@@ -60,7 +60,7 @@ mesoslip_python_tests(verification 1 stability contact/hertz contact/hertz_pair 
                       contact/mesh_friction_vector contact/oblique_modes contact/random_resting_solids contact/random_static_contact
                       contact/spence contact/static_localization volumes/hexagonal_cell volumes/independent_finite_elements
                       volumes/mesh_inclusions volumes/quadratic_cells voxels/voxel_files)
-mesoslip_python_tests(verification 2 dynamics/layers dynamics/mean_dilatation contact/wear contact/large_strains contact/absorbing_layer contact/falling_friction contact/random_pairs contact/random_surfaces contact/half_spaces contact/interface_pulse contact/rupture_times contact/equal_bodies contact/random_pairs_at_rest contact/random_supports contact/two_layers contact/mesh_ranks contact/resting_flat volumes/divided_plane
+mesoslip_python_tests(verification 2 dynamics/damped_layers dynamics/layers dynamics/mean_dilatation contact/wear contact/large_strains contact/absorbing_layer contact/falling_friction contact/random_pairs contact/random_surfaces contact/half_spaces contact/interface_pulse contact/rupture_times contact/equal_bodies contact/random_pairs_at_rest contact/random_supports contact/two_layers contact/mesh_ranks contact/resting_flat volumes/divided_plane
                       volumes/conductivity volumes/derivatives volumes/thermal_expansion volumes/macroscopic_loads volumes/macroscopic_loads_kinds volumes/mixed_conditions voxels/voxel_extremes voxels/voxel_orientations
                       voxels/voxel_random voxels/voxels voxels/box_modes)
 mesoslip_python_tests(regression 1 stored_runs)
