@@ -19,8 +19,7 @@ sys.dont_write_bytecode = True  # leave no __pycache__ in a source tree
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path += [HERE, os.path.join(HERE, "studies")]
 
-from study import Study  # noqa: E402
-from volume_size import PROGRAM, SizeError, find_programs, list_of  # noqa: E402
+from volume_size import PROGRAM, SizeError, find_programs, list_of, study_in  # noqa: E402
 
 SHOWN = ("E_x", "G_xy")
 
@@ -64,8 +63,8 @@ def table_of(frequencies, summaries):
     rows = []
     for frequency, summary in zip(frequencies, summaries):
         for name, varied in summary["varied"].items():
-            if varied["unit"] == "Pa":
-                real, imaginary = varied["value"], varied["imaginary"]
+            if varied["unit"] == "Pa" and "imaginary" in varied:
+                real, imaginary = varied["real"], varied["imaginary"]
                 rows.append({"frequency": frequency, "result": name, "unit": "Pa", "real": real, "imaginary": imaginary,
                              "loss_factor": imaginary / real if real else math.nan})
     return rows
@@ -115,10 +114,10 @@ def main():
             raise SizeError("--phase wants NAME=FILE.csv")
         phases = [Phase(name.strip(), path.strip()) for name, _, path in pairs]
         frequencies = sorted(set(list_of(arguments.frequencies, float, "--frequencies")))
-        study = Study(arguments.output, find_programs(arguments.programs), arguments.jobs)
+        study = study_in(arguments, find_programs(arguments.programs))
         for frequency in frequencies:
             settings = {key: value for phase in phases for key, value in phase.at(frequency).items()}
-            study.add(f"{frequency:g}Hz", PROGRAM, arguments.prm, {"Homogenization/Write concentration": False, **settings})
+            study.add(f"{frequency:g}Hz", PROGRAM, arguments.prm, {"Homogenization/Write concentration": False, "Homogenization/Loss": "complex", **settings})
         results = study.run()
         failed = [f"{name}: {result.message}" for name, result in results.items() if result.status]
         if failed:

@@ -37,7 +37,7 @@ class Volume:
 
     def __init__(self, path):
         with mesoslip.open(path) as file:
-            if file.format != "mesoslip-rve":
+            if getattr(file, "format", "") != "mesoslip-rve":
                 raise ExportError(f"{path} is no result of rve_homogenization")
             if "mesh" in file or len(file.grid.cells) != 3:
                 raise ExportError(f"{file.path} is no volume of voxels; programs of this kind take nothing else (Dimension = 3 and no Mesh/File)")
@@ -85,6 +85,16 @@ def write_fans(volume, folder, mean_dilatation):
 
 
 def write_damask(volume, folder):
+    lines = ["homogenization:", "  direct:", "    N_constituents: 1", "    mechanical: {type: pass}", "phase:"]
+    for name, D in zip(volume.names, volume.stiffness):
+        if not np.allclose(D, cubic(D), rtol=0, atol=1e-9 * np.abs(D).max()):
+            raise ExportError(f"{volume.path}: phase {name} is not cubic in the axes of the box, as Hooke's law of DAMASK needs it for lattice: cI; "
+                              "export to FANS")
+        lines += [f"  {json.dumps(name)}:", "    lattice: cI", "    mechanical:", "      output: [F, P]",
+                  f"      elastic: {{type: Hooke, C_11: {D[0, 0]:.9e}, C_12: {D[0, 1]:.9e}, C_44: {D[3, 3]:.9e}}}"]
+    lines.append("material:")
+    for name in volume.names:
+        lines += ["  - homogenization: direct", f"    constituents: [{{phase: {json.dumps(name)}, v: 1.0, O: [1.0, 0.0, 0.0, 0.0]}}]"]
     nz, ny, nx = volume.id.shape
     data = volume.id.astype("<i4").tobytes()
     encoded = base64.b64encode(struct.pack("<Q", len(data)) + data).decode()  # one line: DAMASK reads this form alone
@@ -102,15 +112,6 @@ def write_damask(volume, folder):
 </ImageData>
 </VTKFile>
 ''')
-    lines = ["homogenization:", "  direct:", "    N_constituents: 1", "    mechanical: {type: pass}", "phase:"]
-    for name, D in zip(volume.names, volume.stiffness):
-        if not np.allclose(D, cubic(D), rtol=0, atol=1e-9 * np.abs(D).max()):
-            raise ExportError(f"{volume.path}: phase {name} is not cubic in the axes of the box, as Hooke's law of DAMASK needs it for lattice: cI; export to FANS")
-        lines += [f"  {name}:", "    lattice: cI", "    mechanical:", "      output: [F, P]",
-                  f"      elastic: {{type: Hooke, C_11: {D[0, 0]:.9e}, C_12: {D[0, 1]:.9e}, C_44: {D[3, 3]:.9e}}}"]
-    lines.append("material:")
-    for name in volume.names:
-        lines += ["  - homogenization: direct", f"    constituents: [{{phase: {name}, v: 1.0, O: [1.0, 0.0, 0.0, 0.0]}}]"]
     with open(os.path.join(folder, "material.yaml"), "w", encoding="utf-8") as file:
         file.write("\n".join(lines) + "\n")
     return ["grid.vti", "material.yaml"]
@@ -132,6 +133,8 @@ def main():
     arguments = parser.parse_args()
     try:
         volume = Volume(arguments.volume)
+        if os.path.exists(arguments.output) and not os.path.isdir(arguments.output):
+            raise ExportError(f"--output: {arguments.output} is a file")
         os.makedirs(arguments.output, exist_ok=True)
         names = write_fans(volume, arguments.output, arguments.mean_dilatation) if arguments.to == "fans" else write_damask(volume, arguments.output)
     except (ExportError, mesoslip.FormatError, FileNotFoundError) as error:

@@ -9,7 +9,9 @@ anisotropic card of calculix and abaqus. A plane volume says nothing of the stif
 """
 
 import argparse
+import json
 import os
+import re
 import sys
 
 sys.dont_write_bytecode = True  # leave no __pycache__ in a source tree
@@ -37,9 +39,9 @@ class Material:
 
     def __init__(self, path, of):
         with mesoslip.open(path) as file:
-            if file.format != "mesoslip-rve":
+            if getattr(file, "format", "") != "mesoslip-rve":
                 raise CardError(f"{path} is no result of rve_homogenization")
-            if f"stiffness/{of}" not in file:
+            if of not in file.hdf5["stiffness"] or not of.strip("/"):
                 raise CardError(f"{file.path} has no stiffness '{of}'; it has {', '.join(file.hdf5['stiffness'])}")
             self.D = np.asarray(file[f"stiffness/{of}"])
             if self.D.shape != (6, 6):
@@ -47,9 +49,12 @@ class Material:
                                 "(Dimension = 3)")
             self.D = (self.D + self.D.T) / 2
             density = np.asarray(file["phase/density"])
-            fractions = [phase["volume_fraction"] for phase in file.summary.get("phases", [])]
+            summary = json.loads(file["summary"][0])  # of the run that wrote the file
+            fractions = [phase["volume_fraction"] for phase in summary.get("phases", [])]
             known = len(fractions) == len(density) and all(rho > 0 for rho, f in zip(density, fractions) if f > 0)
             self.density = float(density @ fractions) if known else None
+            if self.density is None:
+                print("material_card.py: not all phases have a density, so the card has none", file=sys.stderr)
             self.expansion = np.asarray(file[f"expansion/{of}"]) if f"expansion/{of}" in file else None
         root = np.sqrt(np.diag(self.D))
         coupled = np.abs(self.D) / np.outer(root, root) > NEGLIGIBLE
@@ -58,7 +63,8 @@ class Material:
         self.is_orthotropic = not coupled.any()
         if self.expansion is not None:
             if np.abs(self.expansion[3:]).max() > 1e-6 * np.abs(self.expansion[:3]).max():
-                raise CardError(f"{path}: the expansion has shears, which these cards do not take; turn the volume, or set Homogenization/Effective symmetry = orthotropic")
+                raise CardError(f"{path}: the expansion has shears, which these cards do not take; turn the volume, or take the effective one with "
+                                "Homogenization/Effective symmetry = orthotropic")
             self.expansion = self.expansion[:3]
 
 
@@ -98,6 +104,8 @@ def main():
     parser.add_argument("--name", default="COMPOSITE", help="of the material (default: COMPOSITE)")
     parser.add_argument("--of", default="effective", help="effective, or a boundary condition such as PBC (default: effective)")
     arguments = parser.parse_args()
+    if not re.fullmatch(r"[A-Za-z][A-Za-z0-9_]*", arguments.name):
+        parser.error(f"--name: '{arguments.name}' is no name of a material; take letters, digits and _")
     try:
         material = Material(arguments.volume, arguments.of)
         comment = f"mesoslip, {arguments.of} stiffness of {os.path.abspath(arguments.volume)}; m, kg, s, K; axes 1, 2, 3 are x, y, z"

@@ -36,9 +36,9 @@ class SizeError(Exception):
     """One sentence for the user."""
 
 
-def read_keys(programs, prm):
-    """{"Section/Key": text} of all keys, as the program has them."""
-    done = subprocess.run([os.path.join(programs, PROGRAM), prm, "--print-parameters"], capture_output=True, text=True, check=False)
+def read_keys(programs, prm, fixed):
+    """{"Section/Key": text} of all keys, as the program has them with the `fixed` ones."""
+    done = subprocess.run([os.path.join(programs, PROGRAM), prm, "--print-parameters", *(word for item in fixed.items() for word in ("--set", "=".join(item)))], capture_output=True, text=True, check=False)
     if done.returncode:
         raise SizeError(done.stderr.strip() or f"{PROGRAM} does not run")
     keys, sections = {}, []
@@ -61,16 +61,22 @@ def numbers(text):
 class Volume:
     """What the .prm says of the volume, and the settings of another size of it."""
 
-    def __init__(self, keys, prm):
+    def __init__(self, keys):
         if keys.get("Mesh/File"):
             raise SizeError("Mesh/File is set: a mesh has one size; take a grid")
         self.dim = int(keys["Dimension"])
         self.cells = [int(n) for n in numbers(keys["Grid/Cells"])]
-        self.size = [n * h for n, h in zip(self.cells, numbers(keys["Grid/Spacing"]))] if self.dim == 3 else numbers(keys["Grid/Size"])
+        self.spacing = numbers(keys.get("Grid/Spacing", ""))
+        self.size = [n * h for n, h in zip(self.cells, self.spacing)] if self.spacing else numbers(keys["Grid/Size"])
+        if len(self.size) != self.dim or len(self.cells) != self.dim:
+            raise SizeError(f"Grid/Cells and Grid/Size (or Spacing) have to have {self.dim} numbers")
         self.type = keys["Microstructure/Type"]
         if self.type in SEEDS:
             self.seed = int(keys[SEEDS[self.type]])
         elif self.type == "voxels":
+            if not (keys.get("Microstructure/Image values") or keys.get("Microstructure/Thresholds")):
+                raise SizeError("Microstructure/Image values is empty: a small piece may have fewer phases than the file, so say which value is which phase, "
+                                "such as 0, 1")
             self.coarsening = int(keys["Microstructure/Coarsening"])
             self.start = [int(n) for n in numbers(keys["Microstructure/Crop from"])] or [0, 0, 0]
             self.whole = [int(n) for n in numbers(keys["Microstructure/Crop size"])] or [n * self.coarsening for n in self.cells]
@@ -91,7 +97,7 @@ class Volume:
         """Settings of each morphology of a size."""
         cells = self.in_cells(factor)
         edges = [edge * n / whole for edge, n, whole in zip(self.size, cells, self.cells)]
-        common = {"Grid/Cells": cells, **({} if self.dim == 3 else {"Grid/Size": edges})}
+        common = {"Grid/Cells": cells, **({} if self.spacing else {"Grid/Size": edges})}
         if self.type in SEEDS:
             # Sizes have seeds of their own, so that they are independent.
             first = self.seed + 1000003 * round(1000 * factor)
@@ -119,6 +125,8 @@ def statistics(values):
     n = len(values)
     mean = sum(values) / n
     deviation = math.sqrt(sum((v - mean)**2 for v in values) / (n - 1)) if n > 1 else math.nan
+    if deviation <= 1e-12 * abs(mean):
+        deviation = 0.0  # round-off
     return mean, deviation, deviation / math.sqrt(n)
 
 
@@ -145,7 +153,7 @@ def evaluate(volume, runs, error):
             measure = volume.measure(cells)
             row = {"property": name, "unit": unit, "size": factor, "volume": measure, "members": len(values), "mean": mean,
                    "deviation": deviation, "relative_error": 2 * of_mean / abs(mean) if mean else math.nan,
-                   "needed": math.ceil((2 * deviation / (error * mean))**2) if mean and deviation == deviation else None}
+                   "needed": max(1, math.ceil((2 * deviation / (error * mean))**2)) if mean and deviation == deviation else None}
             if volume.type == "voxels" and name.startswith("fraction") and 0 < mean < 1:  # random placements meet their fraction
                 row["integral_range"] = deviation**2 * measure / (mean * (1 - mean))
             rows.append(row)
@@ -157,12 +165,18 @@ def say(rows, error, dim):
     names = list(dict.fromkeys(row["property"] for row in rows))
     for name in names:
         own = [row for row in rows if row["property"] == name]
-        print(f"{name} ({own[0]['unit']}): variance falls with the volume to the power {slope(own):.2f} (-1 for sizes beyond the range of correlations)")
+        power = slope(own)
+        tail = f": variance falls with the volume to the power {power:.2f} (-1 for sizes beyond the range of correlations)" if power == power else ""
+        print(f"{name} ({own[0]['unit']}){tail}")
         for row in own:
             needed = f"{row['needed']} volume{'s' * (row['needed'] > 1)} for {100 * error:g} %" if row["needed"] is not None else "one morphology says nothing of deviations"
             extra = f", integral range {row['integral_range']:.3g} {unit}" if "integral_range" in row else ""
+            if row["deviation"] != row["deviation"]:
+                print(f"  size {row['size']:<6g} {row['volume']:.3g} {unit}, one member: {row['mean']:.5g}, which says nothing of deviations")
+                continue
+            relative = f" ({100 * row['deviation'] / abs(row['mean']):.2g} %)" if row["mean"] else ""
             print(f"  size {row['size']:<6g} {row['volume']:.3g} {unit}, {row['members']} members: mean {row['mean']:.5g}, deviation "
-                  f"{row['deviation']:.2g} ({100 * row['deviation'] / abs(row['mean']):.2g} %), {needed}{extra}")
+                  f"{row['deviation']:.2g}{relative}, {needed}{extra}")
         drift = [abs(a["mean"] - b["mean"]) > 3 * math.hypot(a["deviation"] / math.sqrt(a["members"]), b["deviation"] / math.sqrt(b["members"]))
                  for a, b in zip(own, own[1:])]
         if drift and drift[-1]:
@@ -179,7 +193,7 @@ def draw(rows, error, path, dim):
     names = [name for name in dict.fromkeys(row["property"] for row in rows) if name.startswith("fraction") or name in SHOWN]
     rows, scale = [row for row in rows if row["property"] in names], 1e3**dim
     for k, name in enumerate(names):
-        own = [row for row in rows if row["property"] == name and row["mean"] and row["deviation"] == row["deviation"]]
+        own = [row for row in rows if row["property"] == name and row["mean"] and row["deviation"] > 0]
         if not own:
             continue
         x, last = [scale * row["volume"] for row in own], own[-1]["mean"]
@@ -211,8 +225,18 @@ def write(rows, runs, error, folder):
         table.writerows(rows)
     slopes = {name: slope([row for row in rows if row["property"] == name]) for name in dict.fromkeys(row["property"] for row in rows)}
     with open(os.path.join(folder, "volume_size.json"), "w", encoding="utf-8") as file:
-        json.dump({"error": error, "sizes": list(runs), "rows": rows, "exponent_of_variance": {k: v if v == v else None for k, v in slopes.items()}}, file,
+        finite = [{key: None if isinstance(value, float) and not math.isfinite(value) else value for key, value in row.items()} for row in rows]
+        json.dump({"error": error, "sizes": list(runs), "rows": finite, "exponent_of_variance": {k: v if v == v else None for k, v in slopes.items()}}, file,
                   indent=1)
+
+
+def study_in(arguments, programs):
+    """The runs, which the program repeats where an input has changed."""
+    if arguments.jobs < 1:
+        raise SizeError("--jobs has to be at least 1")
+    if os.path.exists(arguments.output) and not os.path.isdir(arguments.output):
+        raise SizeError(f"--output: {arguments.output} is a file")
+    return Study(arguments.output, programs, arguments.jobs, always=True)
 
 
 def list_of(text, kind, what):
@@ -220,7 +244,7 @@ def list_of(text, kind, what):
         found = [kind(part) for part in text.split(",")]
     except ValueError:
         raise SizeError(f"{what}: '{text}' is no list of numbers such as 0.25,0.5,1") from None
-    if not found or any(not value > 0 for value in found):
+    if not found or any(not 0 < value < math.inf for value in found):
         raise SizeError(f"{what}: all numbers have to be above 0")
     return found
 
@@ -254,22 +278,28 @@ def main():
         if not os.path.isfile(arguments.prm):
             raise SizeError(f"there is no file {arguments.prm}")
         programs = find_programs(arguments.programs)
-        sizes = sorted(set(list_of(arguments.sizes, float, "--sizes")))
+        sizes = list_of(arguments.sizes, float, "--sizes")
         members = list_of(arguments.members, int, "--members")
         if len(members) not in (1, len(sizes)):
             raise SizeError(f"--members: {len(members)} numbers for {len(sizes)} sizes; give one, or one each")
-        volume = Volume(read_keys(programs, arguments.prm), arguments.prm)
+        if len({f"{size:g}" for size in sizes}) < len(sizes):
+            raise SizeError("--sizes: two of them are equal")
+        sizes, members = zip(*sorted(zip(sizes, members * len(sizes) if len(members) == 1 else members)))
         fixed = {}
         for setting in arguments.set:
             key, sign, value = setting.partition("=")
             if not sign:
                 raise SizeError(f"--set {setting}: give KEY=VALUE")
             fixed[key.strip()] = value.strip()
-        study = Study(arguments.output, programs, arguments.jobs)
+        volume = Volume(read_keys(programs, arguments.prm, fixed))
+        for key in ("Ensemble/Members", "Homogenization/Write concentration"):
+            if key in fixed:
+                raise SizeError(f"--set {key}: volume_size.py sets it itself")
+        study = study_in(arguments, programs)
         names = {}
         for k, size in enumerate(sizes):
             names[size] = []
-            for m, settings in enumerate(volume.members(size, members[min(k, len(members) - 1)])):
+            for m, settings in enumerate(volume.members(size, members[k])):
                 names[size].append(f"size{size:g}-{m + 1}")
                 study.add(names[size][-1], PROGRAM, arguments.prm,
                           {**fixed, "Homogenization/Write concentration": False, "Ensemble/Members": 1, **settings})

@@ -10,6 +10,7 @@
 #include <deal.II/base/bounding_box.h>
 
 #include <filesystem>
+#include <limits>
 
 namespace mesoslip
 {
@@ -21,6 +22,12 @@ std::string concentration_dataset(const std::string &condition)
 std::string thermal_stress_dataset(const std::string &condition)
 {
   return "/thermal_stress/" + condition;
+}
+
+std::string conduction_dataset(const std::string &condition)
+{
+  return (condition == "SUBC" ? "/conduction/flux/" : "/conduction/gradient/") +
+         condition;
 }
 
 std::string transverse_thermal_stress_dataset(const std::string &condition)
@@ -71,7 +78,7 @@ template <int dim>
 void reserve_concentration(const std::string &path,
                            const Shape &cells,
                            const std::vector<std::string> &conditions,
-                           const bool heat)
+                           const FurtherFields &further)
 {
   Hdf5File file      = Hdf5File::create(path);
   const auto reserve = [&](const std::string &dataset, const Shape &of_cell,
@@ -84,12 +91,12 @@ void reserve_concentration(const std::string &path,
   for (const std::string &condition : conditions)
     {
       reserve(concentration_dataset(condition), {n_voigt<dim>, n_voigt<dim>}, "-");
-      if (heat)
-        {
-          reserve(thermal_stress_dataset(condition), {n_voigt<dim>}, "Pa/K");
-          if (dim == 2)
-            reserve(transverse_thermal_stress_dataset(condition), {}, "Pa/K");
-        }
+      if (further.thermal_stress)
+        reserve(thermal_stress_dataset(condition), {n_voigt<dim>}, "Pa/K");
+      if (further.transverse_thermal_stress)
+        reserve(transverse_thermal_stress_dataset(condition), {}, "Pa/K");
+      if (further.conduction)
+        reserve(conduction_dataset(condition), {dim, dim}, "-");
     }
   file.leave();
 }
@@ -137,11 +144,7 @@ void write_rve_file(const std::string &path, const RveContent<dim> &content)
     write_dataset(file, "/expansion/" + of, {v},
                   std::vector<double>(expansion.begin(), expansion.end()), "1/K");
   for (const auto &[of, k] : content.conductivity)
-    write_dataset(file, "/conductivity/" + of, {dim, dim}, k);
-  Shape tensors = cells;
-  tensors.insert(tensors.end(), {dim, dim});
-  for (const auto &[of, field] : content.conduction)
-    write_dataset(file, "/conduction/" + of, tensors, field, "-");
+    write_dataset(file, "/conductivity/" + of, {dim, dim}, k, "unit of the phases");
   std::vector<XdmfField> shown = {{"phase", phases_dataset, Values::phases}};
   for (const std::string &of : content.reserved)
     {
@@ -289,14 +292,16 @@ std::vector<Eigen::Matrix<double, n_voigt<dim> + 1, 1>> RveFile<dim>::thermal_st
     " among its boundary conditions";
   const auto stress =
     read_cells<double>(file, thermal_stress_dataset(name), first, count, hint, 1);
-  const auto zz = dim == 2
-                    ? read_cells<double>(file, transverse_thermal_stress_dataset(name),
-                                         first, count, hint)
-                    : std::vector<double>();
+  const std::string transverse = transverse_thermal_stress_dataset(name);
+  const auto zz =
+    file.exists(transverse)
+      ? read_cells<double>(file, transverse, first, count, hint)
+      : std::vector<double>(count, std::numeric_limits<double>::quiet_NaN());
+  if (stress.size() != n * count || zz.size() != count)
+    throw UserError(path() + ": thermal stresses and cells differ in number; " + hint);
   std::vector<Eigen::Matrix<double, n + 1, 1>> result(count);
   for (std::size_t k = 0; k < count; ++k)
-    result[k] << Eigen::Map<const VoigtVector<dim>>(&stress[n * k]),
-      (dim == 2 ? zz[k] : 0.);
+    result[k] << Eigen::Map<const VoigtVector<dim>>(&stress[n * k]), zz[k];
   return result;
 }
 
@@ -326,11 +331,11 @@ template class RveFile<3>;
 template void reserve_concentration<2>(const std::string &,
                                        const Shape &,
                                        const std::vector<std::string> &,
-                                       const bool);
+                                       const FurtherFields &);
 template void reserve_concentration<3>(const std::string &,
                                        const Shape &,
                                        const std::vector<std::string> &,
-                                       const bool);
+                                       const FurtherFields &);
 template void write_rve_file(const std::string &, const RveContent<2> &);
 template void write_rve_file(const std::string &, const RveContent<3> &);
 } // namespace mesoslip

@@ -56,9 +56,6 @@ struct RveContent
   /** Conductivities [dim][dim] by condition, and "effective"; empty: not asked for. */
   std::map<std::string, std::vector<double>> conductivity;
 
-  /** Fields of conduction [cells][dim][dim] by name: "gradient/PBC", "flux/SUBC". */
-  std::map<std::string, std::vector<double>> conduction;
-
   /** Conditions whose concentration tensors are in the file since reserve_concentration(). */
   std::vector<std::string> reserved;
 };
@@ -69,22 +66,32 @@ std::string concentration_dataset(const std::string &condition);
 /** The dataset of the stresses of one kelvin without macroscopic strain (SUBC: stress). */
 std::string thermal_stress_dataset(const std::string &condition);
 
-/** In 2D that of sigma_zz of one kelvin; NaN where it is not known. */
+/** In 2D that of sigma_zz of one kelvin, which is there if it is known of all phases. */
 std::string transverse_thermal_stress_dataset(const std::string &condition);
+
+/** The dataset of the mean gradients of cells for unit gradients (SUBC: fluxes for unit fluxes). */
+std::string conduction_dataset(const std::string &condition);
+
+/** Fields in rve.h5 beside the concentration tensors. */
+struct FurtherFields
+{
+  bool thermal_stress            = false; ///< thermal_stress_dataset()
+  bool transverse_thermal_stress = false; ///< the one of zz
+  bool conduction                = false; ///< conduction_dataset()
+};
 
 /**
  * Begins rve.h5, of which @p path is the name, and leaves it, with room for the concentration tensors of all
  * cells under @p conditions, which ParallelRows fills before write_rve_file() adds the rest: in Voigt
  * components of strain (KUBC, PBC, MUBC: row local, column macroscopic) or stress (SUBC). @p cells is the
  * shape of an array with a number for each cell: the datasets are [ny][nx][3][3] or [nz][ny][nx][6][6] on a
- * grid, [n][3][3] or [n][6][6] on a mesh. With @p heat there is room for thermal_stress_dataset(), too, one index
- * less.
+ * grid, [n][3][3] or [n][6][6] on a mesh. @p further says what there is room for besides.
  */
 template <int dim>
 void reserve_concentration(const std::string &path,
                            const Shape &cells,
                            const std::vector<std::string> &conditions,
-                           const bool heat);
+                           const FurtherFields &further = {});
 
 /**
  * Writes rve.h5, of which @p path is the name, and `NAME.xdmf` for ParaView beside it.
@@ -181,7 +188,8 @@ public:
                                     const std::size_t count) const;
 
   /** Stress for one kelvin without macroscopic strain under condition @p name (Pa/K) of @p count cells from cell
-   * @p first on: components in Voigt order and, in 2D, zz. @throws UserError if no phase expands */
+   * @p first on: components in Voigt order and, in 2D, zz, NaN where it is not known. @throws
+   * UserError if no phase expands */
   std::vector<Eigen::Matrix<double, n_voigt<dim> + 1, 1>> thermal_stress(
     const std::string &name, const std::size_t first, const std::size_t count) const;
 

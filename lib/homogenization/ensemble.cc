@@ -214,6 +214,14 @@ VoigtMatrix<dim> mean_stiffness(const std::vector<EnsembleMember<dim>> &members,
   return n > 0. ? VoigtMatrix<dim>(sum / n) : sum;
 }
 
+double largest_loss_factor(const RveParameters &parameters)
+{
+  double largest = 0.;
+  for (const PhaseParameters &phase : parameters.microstructure.phases)
+    largest = std::max(largest, phase.loss_factor);
+  return largest;
+}
+
 std::vector<BoundaryCondition> effective_conditions(const RveParameters &parameters)
 {
   if (parameters.effective != "mean")

@@ -2,6 +2,7 @@
 #define mesoslip_homogenization_ensemble_h
 
 #include "homogenization/conduction/conduction_response.h"
+#include "homogenization/derivatives/complex_stiffness.h"
 #include "homogenization/loads/load_evaluation.h"
 #include "homogenization/loads/load_parameters.h"
 #include "homogenization/response.h"
@@ -35,6 +36,8 @@ struct RveParameters
    * in 2D D13 and D23, which are 0 otherwise. */
   bool effective_full = false;
 
+  bool complex_loss =
+    false;                  ///< loss factors from complex stiffnesses, not to first order
   bool derivatives = false; ///< those with respect to constants of phases are written
   bool write_concentration = true; ///< tensors of all cells into rve.h5
   bool reuse               = true; ///< an rve.h5 of the same digest is not computed anew
@@ -73,13 +76,19 @@ struct EnsembleMember
   /** Conductivities, in the order of the conditions; empty: not asked for. */
   std::vector<ConductionResponse<dim>> conduction;
 
+  /** Complex stiffnesses, in the order of the conditions; empty: not asked for. */
+  std::vector<ComplexStiffness<dim>> complex;
+
   /** Saves or restores all members, for boost::serialization. */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    serialize_members<6>(archive, *this);
+    serialize_members<7>(archive, *this);
   }
 };
+
+/** The largest loss factor of the phases. */
+double largest_loss_factor(const RveParameters &parameters);
 
 /** Statistics of the entries of the stiffness over the members. */
 template <int dim>

@@ -27,6 +27,16 @@ struct WholeVolume
   double fields; ///< of those that keep results: rank 0, or each that has members
 };
 
+/** More of such a cell where phases expand. */
+constexpr double bytes_of_heat = 28.;
+
+bool expands(const RveParameters &parameters)
+{
+  const auto &phases = parameters.microstructure.phases;
+  return std::any_of(phases.begin(), phases.end(),
+                     [](const PhaseParameters &phase) { return phase.expands(); });
+}
+
 WholeVolume bytes_of_whole(const RveParameters &parameters)
 {
   const double n_cells = parameters.microstructure.grid.n_cells();
@@ -34,7 +44,7 @@ WholeVolume bytes_of_whole(const RveParameters &parameters)
   const double solver  = parameters.solver == StaticSolverKind::multigrid ? 330.
                          : parameters.solver == StaticSolverKind::jacobi  ? 100.
                                                                           : 4000.;
-  const double fields  = n * 48.;
+  const double fields  = n * (expands(parameters) ? 64. : 48.);
   return {n_cells * solver, n_cells * fields};
 }
 
@@ -45,7 +55,7 @@ double bytes_here(const RveParameters &parameters, const bool divided)
   if (divided)
     return ranks * bytes_of_rank +
            copies_on_this_machine(parameters.microstructure.grid.cells[1]) *
-             bytes_per_divided_cell *
+             (bytes_per_divided_cell + (expands(parameters) ? bytes_of_heat : 0.)) *
              static_cast<double>(parameters.microstructure.grid.n_nodes());
   const WholeVolume whole = bytes_of_whole(parameters);
   if (parameters.solver == StaticSolverKind::ml)
@@ -207,18 +217,19 @@ protected:
         *grid, make_material(microstructure->map, phases), parameters.solver,
         parameters.conditions, parameters.tolerance,
         parameters.n_members > 1 ? MPI_COMM_SELF : MPI_COMM_WORLD, case_done, &timer);
-    rows = scatter_planes(in_space(*grid), CellView(microstructure->map.id),
-                          phases.size(), MPI_COMM_WORLD);
+    if (microstructure)
+      rows = scatter_planes(in_space(*grid), CellView(microstructure->map.id),
+                            phases.size(), MPI_COMM_WORLD);
     microstructure.reset(); // each rank has its rows
     return std::make_unique<VoxelVolume<2>>(*grid, planes(), phases);
   }
 
-  ConductionCells<2> cells_for_conduction(const unsigned int m) const override
+  ConductionCells<2> cells_for_conduction(const unsigned int /*m*/) const override
   {
-    const Microstructure made = make_microstructure(parameters.microstructure.member(m));
-    ConductionCells<2> cells  = conduction_cells(*grid);
-    for (std::size_t k = 0; k < cells.mesh.cells.size() && !made.map.id.empty(); ++k)
-      cells.mesh.cells[k].material_id = made.map.id[k];
+    const std::vector<std::uint8_t> &id = microstructure->map.id; // of the member at hand
+    ConductionCells<2> cells            = conduction_cells(*grid);
+    for (std::size_t k = 0; k < id.size(); ++k)
+      cells.mesh.cells[k].material_id = id[k];
     for (const PhaseParameters &phase : parameters.microstructure.phases)
       cells.conductivity.push_back(phase.conductivity<2>());
     return cells;

@@ -81,8 +81,12 @@ public:
     const std::vector<double> n = phase_volumes(body);
     homogeneous = std::count_if(n.begin(), n.end(), [](double v) { return v > 0.; }) == 1;
     for (std::size_t p = 0; p < n.size(); ++p)
-      orthotropic =
-        orthotropic && (!(n[p] > 0.) || is_orthotropic<2>(body.phases()[p].stiffness));
+      {
+        const ElasticPhase<2> &phase = body.phases()[p];
+        orthotropic = orthotropic && (!(n[p] > 0.) || is_orthotropic<2>(phase.stiffness));
+        no_shear    = no_shear && (!(n[p] > 0.) || phase.thermal_stress[2] == 0.);
+      }
+    no_shear = no_shear && orthotropic;
   }
 
   /** @throws NotConverged, which names condition and load case. */
@@ -140,8 +144,10 @@ private:
   SolverReport solve_heat(const BoundaryCondition condition, NodalField<double> &u)
   {
     u = body.zero_field();
-    // Forces inside a homogeneous body cancel.
-    if (homogeneous && condition != BoundaryCondition::SUBC)
+    // Forces inside a homogeneous body cancel; shears load the free components of MUBC.
+    if (homogeneous &&
+        (condition == BoundaryCondition::KUBC || condition == BoundaryCondition::PBC ||
+         (condition == BoundaryCondition::MUBC && no_shear)))
       return SolverReport();
     set_up(condition, n_voigt<2>);
     NodalField<double> force = of_heat;
@@ -173,6 +179,7 @@ private:
   const NodalField<double> &of_heat;
   bool homogeneous          = false; ///< one phase alone
   bool orthotropic          = true;  ///< all phases along x and y
+  bool no_shear             = true;  ///< these, and no thermal shear stress
   BoundaryCondition current = BoundaryCondition::KUBC;
   std::unique_ptr<ElasticBody<2>> periodic_body;
   std::unique_ptr<StaticSolver> solver;

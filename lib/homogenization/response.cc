@@ -67,6 +67,7 @@ void set_stiffness(HomogenizedResponse<dim> &response,
     scaled_difference<dim>(response.stiffness_from_mean, response.stiffness);
   response.symmetry_residual = scaled_difference<dim>(D, D.transpose());
 }
+/** All but ThermalResponse::held. */
 template <int dim>
 ThermalResponse<dim> thermal_response(const VolumeSums<dim> &sums,
                                       const std::vector<ElasticPhase<dim>> &phases,
@@ -74,6 +75,7 @@ ThermalResponse<dim> thermal_response(const VolumeSums<dim> &sums,
 {
   const bool stresses = response.condition == BoundaryCondition::SUBC;
   ThermalResponse<dim> heat;
+  double scale            = 0.;
   heat.exists             = true;
   VoigtVector<dim> strain = VoigtVector<dim>::Zero(), // means of the solved case
     stress                = VoigtVector<dim>::Zero();
@@ -85,9 +87,13 @@ ThermalResponse<dim> thermal_response(const VolumeSums<dim> &sums,
       heat.work += phase.strain.transpose() * beta / sums.volume;
       strain += of_heat / sums.volume;
       stress += (phases[p].stiffness * of_heat - phase.volume * beta) / sums.volume;
-      if (phase.volume > 0.)
-        heat.held +=
-          phase.volume / sums.volume * beta.dot(inverse<dim>(phases[p].stiffness) * beta);
+      // What cannot cancel, unlike the results.
+      if (phase.volume > 0. && !beta.isZero(0.))
+        scale +=
+          phase.volume / sums.volume *
+          (stresses ? VoigtVector<dim>(inverse<dim>(phases[p].stiffness) * beta) : beta)
+            .cwiseAbs()
+            .maxCoeff();
     }
   const VoigtMatrix<dim> &D       = response.stiffness;
   VoigtVector<dim> by_reciprocity = heat.work.template head<n_voigt<dim>>(),
@@ -98,8 +104,8 @@ ThermalResponse<dim> thermal_response(const VolumeSums<dim> &sums,
   heat.stress = stresses ? VoigtVector<dim>(D * by_reciprocity) : by_reciprocity;
   heat.expansion =
     stresses ? by_reciprocity : VoigtVector<dim>(inverse<dim>(D) * by_reciprocity);
-  heat.residual = (by_reciprocity - by_mean).cwiseAbs().maxCoeff() /
-                  by_reciprocity.cwiseAbs().maxCoeff();
+  const double distance = (by_reciprocity - by_mean).cwiseAbs().maxCoeff();
+  heat.residual         = scale > 0. ? distance / scale : distance;
   return heat;
 }
 } // namespace

@@ -49,7 +49,7 @@ struct ThermalResponse
     VoigtVector<dim>::Zero(); ///< D^-1 stress (1/K, engineering shear)
 
   /** Largest distance of stress from the mean stress (SUBC: of the expansion from the mean strain) of the solved case,
-   * over the largest entry. */
+   * over the mean of the phases. */
   double residual = 0.;
 
   /** Mean of a_k . beta with the strains a_k of the unit cases (Pa/K, SUBC: 1/K) and, last, a_T . beta with those
@@ -57,7 +57,8 @@ struct ThermalResponse
   Eigen::Matrix<double, n_voigt<dim> + 1, 1> work =
     Eigen::Matrix<double, n_voigt<dim> + 1, 1>::Zero();
 
-  double held = 0.; ///< mean of beta . C^-1 beta (Pa/K^2)
+  double held =
+    0.; ///< mean of alpha . C alpha in space (Pa/K^2); set where the phases are known
 
   /** Saves or restores all members, for boost::serialization. */
   template <class Archive>

@@ -29,6 +29,32 @@ void refuse_keys_of_grids(const Keys &keys, const RveParameters &parameters)
                       : reason + " and meshes are solved with ml",
                voxels ? "set it to multigrid" : "set it to ml");
 }
+/** @throws UserError unless all phases have a conductivity or none, within a range that is solved accurately */
+void check_conductivities(const std::vector<PhaseParameters> &phases)
+{
+  constexpr double most = 1e10;
+  const auto has_none   = [](const PhaseParameters &phase) {
+    return phase.conductivities.empty();
+  };
+  const auto without = std::find_if(phases.begin(), phases.end(), has_none),
+             with    = std::find_if_not(phases.begin(), phases.end(), has_none);
+  if (with == phases.end())
+    return;
+  if (without != phases.end())
+    throw UserError("Phases: " + without->name + " has no Conductivity and " +
+                    with->name + " has one; give it for all phases or for none");
+  double least = with->conductivities[0], largest = least;
+  for (const PhaseParameters &phase : phases)
+    for (const double k : phase.conductivities)
+      {
+        least   = std::min(least, k);
+        largest = std::max(largest, k);
+      }
+  if (largest > most * least)
+    throw UserError("Phases/.../Conductivity: the largest, " + to_text(largest) +
+                    ", is more than 1e10 times the least, " + to_text(least) +
+                    ", beyond which round-off decides; raise the least");
+}
 } // namespace
 
 void RveParameters::bind(Keys &keys)
@@ -79,6 +105,13 @@ void RveParameters::bind(Keys &keys)
       "phase, from the energies of the unit load cases without a further solve; they "
       "are computed, too, where a phase has a Relative deviation [-]");
     keys.bind(
+      "Loss", complex_loss, {"first order", "complex"},
+      "Loss factors of the composite: first order, from the energies of the phases "
+      "under the unit load cases; complex, those of the complex stiffness, from two "
+      "further solves of all load cases [-]");
+    keys.only_if(largest_loss_factor(*this) > 0. || !complex_loss, {"Loss"},
+                 "no phase has a Loss factor", "give one under Phases");
+    keys.bind(
       "Write concentration", write_concentration,
       "Keep the concentration tensors of all cells in rve.h5: "
       "stress_localization needs them; 72 bytes a cell and condition in 2D, 288 in "
@@ -127,13 +160,7 @@ void RveParameters::check() const
     throw UserError("Homogenization/Effective is " + effective +
                     ", which is not among the Boundary conditions");
   loads.check(conditions, microstructure.phases);
-  const PhaseParameters &first = microstructure.phases[0];
-  for (const PhaseParameters &phase : microstructure.phases)
-    if (phase.conductivities.empty() != first.conductivities.empty())
-      throw UserError("Phases: " + (phase.conductivities.empty() ? phase : first).name +
-                      " has no Conductivity and " +
-                      (phase.conductivities.empty() ? first : phase).name +
-                      " has one; give it for all phases or for none");
+  check_conductivities(microstructure.phases);
   for (const PhaseParameters &phase : microstructure.phases)
     if (mesh.dim == 2 && phase.type == PhaseParameters::Type::stiffness &&
         !(loads.von_mises_limit.empty() && loads.principal_limit.empty()))

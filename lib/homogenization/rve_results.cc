@@ -1,5 +1,4 @@
 #include "exchange/rve_file.h"
-
 #include "homogenization/conduction/conduction_output.h"
 #include "homogenization/rve_program.h"
 #include "io/json.h"
@@ -22,16 +21,6 @@ void write_rve_results(const RveParameters &parameters,
   content.expansion = results.expansion;
   for (const auto &[of, k] : conductivities<dim>(parameters, results))
     content.conductivity[of] = std::vector<double>(k.data(), k.data() + k.size());
-  for (ConductionResponse<dim> &response : results.members[0].conduction)
-    for (const Tensor2<dim> &of_cell : response.concentration)
-      {
-        std::vector<double> &all =
-          content
-            .conduction[(response.condition == BoundaryCondition::SUBC ? "flux/"
-                                                                       : "gradient/") +
-                        to_string(response.condition)];
-        all.insert(all.end(), of_cell.data(), of_cell.data() + of_cell.size());
-      }
   write_rve_file(context.file("rve.h5"), content);
 }
 

@@ -6,6 +6,7 @@
 #include "exchange/loads_file.h"
 #include "homogenization/conduction/conduction_output.h"
 #include "homogenization/derivatives/derivative_output.h"
+#include "homogenization/derivatives/loss_output.h"
 #include "homogenization/heat/heat_output.h"
 #include "homogenization/loads/load_output.h"
 #include "io/drafts.h"
@@ -50,11 +51,15 @@ bool is_up_to_date(const std::string &path,
 template <int dim>
 ResourceNeed VolumeAnalysis<dim>::need() const
 {
-  const double tensors = parameters.write_concentration
-                           ? 8. * n_voigt<dim> * (n_voigt<dim> + (expands() ? 1. : 0.)) *
+  const FurtherFields further = further_fields();
+  const double tensors        = parameters.write_concentration
+                                  ? 8. *
+                               (n_voigt<dim> * (n_voigt<dim> + (expands() ? 1. : 0.)) +
+                                (further.transverse_thermal_stress ? 1. : 0.) +
+                                (further.conduction ? dim * dim : 0.)) *
                                static_cast<double>(parameters.conditions.size())
-                           : 0.;
-  const double n       = static_cast<double>(n_cells());
+                                  : 0.;
+  const double n              = static_cast<double>(n_cells());
   return {n * (1. + tensors) + bytes_of_loads<dim>(parameters, n),
           "set Homogenization/Write concentration = false, or take fewer cells"};
 }
@@ -67,6 +72,8 @@ void VolumeAnalysis<dim>::describe(std::ostream &out) const
     out << line << '\n';
   for (const std::string &line : lines_of_cells())
     out << line << '\n';
+  if (const double bytes = bytes_of_conduction(1); bytes > 0.)
+    out << "conduction: about " << bytes_text(bytes) << " on the rank that solves it\n";
   out << n_cases() * parameters.n_members << " load cases, about " << memory() << '\n'
       << bytes_text(need().bytes) << " on the disk\n";
   for (const std::vector<std::string> &sentences : {warnings, slips()})
@@ -92,7 +99,12 @@ void VolumeAnalysis<dim>::write_draft(const std::string &folder) const
     content.stiffness["effective"] = hill;
     for (const BoundaryCondition condition : parameters.conditions)
       content.stiffness[to_string(condition)] = hill;
-    reserve_concentration<dim>(path, shape(), content.reserved, false);
+    FurtherFields heat = further_fields();
+    heat.conduction    = false;
+    reserve_concentration<dim>(path, shape(), content.reserved, heat);
+    for (const auto &[of, D] : content.stiffness)
+      if (heat.thermal_stress)
+        content.expansion[of].setZero();
     are_written_by_ranks = content.phase_id.empty();
     if (are_written_by_ranks)
       reserve_cells(path, shape(), !content.orientations.empty());
@@ -108,9 +120,8 @@ template <int dim>
 bool VolumeAnalysis<dim>::expands() const
 {
   const auto &phases = parameters.microstructure.phases;
-  return std::any_of(phases.begin(), phases.end(), [](const PhaseParameters &phase) {
-    return !phase.expansion.empty();
-  });
+  return std::any_of(phases.begin(), phases.end(),
+                     [](const PhaseParameters &phase) { return phase.expands(); });
 }
 
 template <int dim>
@@ -204,6 +215,11 @@ void VolumeAnalysis<dim>::run(RunContext &context)
                           "loss_factors.csv", "expansion.csv", "conductivity.csv"});
   for (const std::string &slip : slips())
     context.warn(slip);
+  const unsigned int n_ranks = ranks_of_this_machine();
+  on_root(context.communicator(), [&]() {
+    require_memory({bytes_of_conduction(n_ranks),
+                    "take fewer cells, or leave out Phases/.../Conductivity"});
+  });
   RveResults<dim> results;
   try
     {
@@ -217,6 +233,8 @@ void VolumeAnalysis<dim>::run(RunContext &context)
   if (!context.root())
     return;
   for (const std::string &warning : result_warnings<dim>(results.members, parameters))
+    context.warn(warning);
+  for (const std::string &warning : loss_warnings<dim>(parameters, results.members))
     context.warn(warning);
   for (const std::string &warning : expansion_warnings<dim>(parameters, results.members))
     context.warn(warning);

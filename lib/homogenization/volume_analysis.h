@@ -2,7 +2,9 @@
 #define mesoslip_homogenization_volume_analysis_h
 
 #include "exchange/datasets.h"
+#include "exchange/rve_file.h"
 #include "homogenization/conduction/conduction_cells.h"
+#include "homogenization/derivatives/variations.h"
 #include "homogenization/rve_program.h"
 #include "homogenization/volumes/volume_element.h"
 #include "material/plausibility.h"
@@ -96,11 +98,11 @@ protected:
     return loaded_phases<dim>(parameters.microstructure.phases);
   }
 
-  /** A stiffness, or a change of it (Pa), of each of these materials, from those of the phases. */
-  virtual std::vector<VoigtMatrix<dim>>
-  of_materials(const std::vector<VoigtMatrix<dim>> &of_phases) const
+  /** A stiffness, or a change of it (Pa), of material @p material, from that of its phase. */
+  virtual VoigtMatrix<dim> turned(const std::size_t /*material*/,
+                                  const VoigtMatrix<dim> &of_phase) const
   {
-    return of_phases;
+    return of_phase;
   }
 
   /** The cells of member @p m and, in the order of their materials, their conductivities; on one rank, which
@@ -115,11 +117,19 @@ protected:
   const std::optional<UniformGrid<dim>> grid; ///< of the cells; empty: a mesh
 
 private:
-  /** Number of load cases of a member. */
-  std::uint64_t n_cases() const
+  /** Number of load cases of a member, but those of solve_loss(). */
+  std::uint64_t n_first_cases() const
   {
     return (std::uint64_t{n_voigt<dim>} + (expands() ? 1 : 0)) *
            parameters.conditions.size();
+  }
+
+  /** Number of all of them. */
+  std::uint64_t n_cases() const
+  {
+    return n_first_cases() + (parameters.complex_loss ? std::uint64_t{2} * n_voigt<dim> *
+                                                          parameters.conditions.size()
+                                                      : 0);
   }
 
   /** Whether a phase expands. */
@@ -149,8 +159,19 @@ private:
                         EnsembleMember<dim> &member,
                         RunContext &context);
 
-  /** The changes of each material with each variation. */
-  std::vector<std::vector<VoigtMatrix<dim>>> changes_of_materials() const;
+  /** Sets the complex stiffnesses of @p member, whose load cases were solved. Collective among those that did. */
+  void solve_loss(const unsigned int m, EnsembleMember<dim> &member, RunContext &context);
+
+  /** The changes of each of these materials with the @p variations. */
+  std::vector<StiffnessChanges<dim>>
+  changes_of(const std::vector<LoadedPhase<dim>> &of_cells,
+             const std::vector<Variation<dim>> &variations) const;
+
+  /** Fields in rve.h5 beside the concentration tensors. */
+  FurtherFields further_fields() const;
+
+  /** Bytes of ConductionVolume on the ranks of this machine; 0: no conductivity is asked for. */
+  double bytes_of_conduction(const unsigned int n_ranks) const;
 
   /** Makes room in rve.h5 and loads.h5 for what the ranks write of the first member; returns where the fields
    * of loads go (empty: nowhere). Collective. */

@@ -6,11 +6,10 @@
 #include "homogenization/derivatives/variations.h"
 #include "homogenization/loads/load_output.h"
 #include "homogenization/volume_analysis.h"
-#include "program/machine.h"
+#include "io/parallel_rows.h"
 #include "program/run_context.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace mesoslip
 {
@@ -38,29 +37,28 @@ void write_concentration(const VolumeElement<dim> &volume,
                });
 }
 
-/** Writes the stress of the cells for one kelvin in the same way. */
+/** Writes the stress of the cells for one kelvin in the same way, in 2D @p with_transverse with sigma_zz. */
 template <int dim>
 void write_thermal_stress(const VolumeElement<dim> &volume,
                           const BoundaryCondition condition,
                           const std::vector<LoadedPhase<dim>> &phases,
+                          const bool with_transverse,
                           const std::string &path)
 {
-  constexpr std::size_t n                 = n_voigt<dim>;
-  const std::string name                  = to_string(condition);
-  const std::vector<CellDataset> in_space = {{thermal_stress_dataset(name), n}},
-                                 in_plane = {
-                                   {thermal_stress_dataset(name), n},
-                                   {transverse_thermal_stress_dataset(name), 1, n}};
-  volume.write(path, dim == 2 ? in_plane : in_space, n + 1,
+  constexpr std::size_t n           = n_voigt<dim>;
+  const std::string name            = to_string(condition);
+  std::vector<CellDataset> datasets = {{thermal_stress_dataset(name), n}};
+  if (with_transverse)
+    datasets.push_back({transverse_thermal_stress_dataset(name), 1, n});
+  volume.write(path, datasets, with_transverse ? n + 1 : n,
                [&](const LocalCell<dim> &cell, double *out) {
                  const LoadedPhase<dim> &phase = phases[cell.phase];
                  const VoigtVector<dim> strain = cell.strain.col(n),
                                         stress =
                                           phase.stiffness * strain - phase.thermal_stress;
-                 out  = std::copy_n(stress.data(), n, out);
-                 *out = phase.transverse
-                          ? phase.transverse->dot(strain) - phase.transverse_thermal
-                          : std::numeric_limits<double>::quiet_NaN();
+                 out = std::copy_n(stress.data(), n, out);
+                 if (with_transverse)
+                   *out = phase.transverse->dot(strain) - phase.transverse_thermal;
                });
 }
 } // namespace
@@ -72,7 +70,9 @@ std::string VolumeAnalysis<dim>::reserve_fields(const RunContext &context) const
   on_root(context.communicator(), [&]() {
     const std::string rve = context.file("rve.h5"), loads = context.file("loads.h5");
     if (parameters.write_concentration || are_cells_divided())
-      reserve_concentration<dim>(rve, shape(), reserved_conditions(), expands());
+      reserve_concentration<dim>(rve, shape(), reserved_conditions(),
+                                 parameters.write_concentration ? further_fields()
+                                                                : FurtherFields());
     if (are_cells_divided())
       reserve_cells(rve, shape(), !parameters.microstructure.orientation.file.empty());
     loads_file = reserve_loads<dim>(parameters, loads, shape());
@@ -111,18 +111,40 @@ void VolumeAnalysis<dim>::begin_member(const unsigned int m,
 }
 
 template <int dim>
-std::vector<std::vector<VoigtMatrix<dim>>>
-VolumeAnalysis<dim>::changes_of_materials() const
+FurtherFields VolumeAnalysis<dim>::further_fields() const
 {
-  std::vector<std::vector<VoigtMatrix<dim>>> changes;
-  for (const Variation<dim> &variation :
-       variations_of<dim>(parameters.microstructure.phases, parameters.derivatives))
-    {
-      const auto of_all = of_materials(variation.stiffness);
-      changes.resize(of_all.size());
-      for (std::size_t m = 0; m < of_all.size(); ++m)
-        changes[m].push_back(of_all[m]);
-    }
+  FurtherFields further;
+  further.thermal_stress = expands();
+  for (const LoadedPhase<dim> &phase :
+       loaded_phases<dim>(parameters.microstructure.phases))
+    further.transverse_thermal_stress =
+      dim == 2 && further.thermal_stress && phase.transverse.has_value() &&
+      (phase.part == 0 || further.transverse_thermal_stress);
+  further.conduction = !parameters.microstructure.phases[0].conductivities.empty();
+  return further;
+}
+
+template <int dim>
+double VolumeAnalysis<dim>::bytes_of_conduction(const unsigned int n_ranks) const
+{
+  if (!further_fields().conduction)
+    return 0.;
+  // Members that are dealt out are solved side by side.
+  return bytes_per_conducting_cell<dim> * static_cast<double>(n_cells()) *
+         (owner(0) ? std::min(n_ranks, parameters.n_members) : 1U);
+}
+
+template <int dim>
+std::vector<StiffnessChanges<dim>>
+VolumeAnalysis<dim>::changes_of(const std::vector<LoadedPhase<dim>> &of_cells,
+                                const std::vector<Variation<dim>> &variations) const
+{
+  std::vector<StiffnessChanges<dim>> changes(of_cells.size());
+  for (std::size_t m = 0; m < changes.size(); ++m)
+    for (std::size_t v = 0; v < variations.size(); ++v)
+      if (const VoigtMatrix<dim> &of_phase = variations[v].stiffness[of_cells[m].part];
+          !of_phase.isZero(0.))
+        changes[m].emplace_back(v, turned(m, of_phase));
   return changes;
 }
 
@@ -138,19 +160,21 @@ void VolumeAnalysis<dim>::solve_conduction(const unsigned int m,
     const ConductionCells<dim> cells = cells_for_conduction(m);
     ConductionVolume<dim> volume(cells);
     for (const BoundaryCondition condition : parameters.conditions)
-      {
-        try
-          {
-            member.conduction.push_back(volume.solve(condition, parameters.tolerance));
-          }
-        catch (const NotConverged &e)
-          {
-            throw NumericalFailure(
-              e.what()); // NotConverged is that of the ranks together
-          }
-        if (m > 0 || !parameters.write_concentration)
-          member.conduction.back().concentration.clear();
-      }
+      try
+        {
+          member.conduction.push_back(volume.solve(condition, parameters.tolerance));
+          if (m == 0 && parameters.write_concentration)
+            ParallelRows(context.file("rve.h5"), conduction_dataset(to_string(condition)),
+                         MPI_COMM_SELF)
+              .write_rows(0, volume.concentration());
+        }
+      catch (const NotConverged &e)
+        {
+          // NotConverged is that of the ranks together.
+          throw NumericalFailure(
+            e.what() + std::string("; check Phases/.../Conductivity, whose values "
+                                   "should not differ by many orders of magnitude"));
+        }
   };
   if (owner(m)) // of this rank alone
     solve();
@@ -177,6 +201,9 @@ void VolumeAnalysis<dim>::solve_member(const unsigned int m,
          material.thermal_stress});
       part.push_back(material.part);
     }
+  const auto variations =
+    variations_of<dim>(parameters.microstructure.phases, parameters.derivatives);
+  const auto changes   = changes_of(of_cells, variations);
   std::uint64_t done   = m * n_cases();
   const auto case_done = [&]() { context.progress().update(++done); };
   const auto volume    = make_volume(phases, case_done, timer);
@@ -197,13 +224,18 @@ void VolumeAnalysis<dim>::solve_member(const unsigned int m,
       const auto rest                   = timer.scope("Responses");
       HomogenizedResponse<dim> response = homogenize<dim>(sums, phases);
       response.derivatives =
-        stiffness_derivatives(*volume, response, changes_of_materials());
+        stiffness_derivatives(*volume, response, changes, variations.size());
+      for (std::size_t k = 0; k < of_cells.size(); ++k)
+        response.heat.held +=
+          sums.phases[k].volume / sums.volume * of_cells[k].thermal_energy;
       gather_parts(response, sums, part, parameters.microstructure.phases.size());
       if (parameters.write_concentration && m == 0)
         {
           write_concentration(*volume, condition, phases, context.file("rve.h5"));
           if (has_expansion(phases))
-            write_thermal_stress(*volume, condition, of_cells, context.file("rve.h5"));
+            write_thermal_stress(*volume, condition, of_cells,
+                                 further_fields().transverse_thermal_stress,
+                                 context.file("rve.h5"));
         }
       if (!parameters.loads.loads.empty() && parameters.loads.uses(condition))
         for (LoadResult<dim> &result :
@@ -217,9 +249,6 @@ void VolumeAnalysis<dim>::solve_member(const unsigned int m,
 template <int dim>
 RveResults<dim> VolumeAnalysis<dim>::compute(RunContext &context)
 {
-  if (!parameters.microstructure.phases[0].conductivities.empty())
-    require_memory({bytes_per_conducting_cell<dim> * static_cast<double>(n_cells()),
-                    "take fewer cells, or leave out Phases/.../Conductivity"});
   RveResults<dim> results;
   const unsigned int n = parameters.n_members;
   context.progress().start("Load cases", n_cases() * n);
@@ -232,6 +261,8 @@ RveResults<dim> VolumeAnalysis<dim>::compute(RunContext &context)
           begin_member(m, member, results, context);
           solve_conduction(m, member, context);
           solve_member(m, loads_file, member, context);
+          if (parameters.complex_loss)
+            solve_loss(m, member, context);
         }
       results.members.push_back(std::move(member));
     }

@@ -18,6 +18,8 @@ constexpr double bytes_per_voxel = 210.;
 constexpr double anisotropic_bytes = 30.;
 /** More where orientations are read: two bytes more for each cell, and in the solver one more. */
 constexpr double orientation_bytes = 5.;
+/** More where phases expand: the case of heat, its forces. */
+constexpr double heat_bytes = 42.;
 /** More for MUBC, whose multigrid is made anew while load cases are kept, with three diagonals. */
 constexpr double mixed_bytes = 25.;
 
@@ -31,6 +33,12 @@ double bytes_of_solver(const RveParameters &parameters)
       bytes = bytes_per_voxel + anisotropic_bytes;
   if (!microstructure.orientation.file.empty())
     bytes += orientation_bytes;
+  for (const PhaseParameters &phase : microstructure.phases)
+    if (phase.expands())
+      {
+        bytes += heat_bytes;
+        break;
+      }
   if (std::find(parameters.conditions.begin(), parameters.conditions.end(),
                 BoundaryCondition::MUBC) != parameters.conditions.end())
     bytes += mixed_bytes;
@@ -121,32 +129,23 @@ protected:
     if (volume.orientations.empty())
       return VolumeAnalysis<3>::materials();
     const std::vector<OrientedPhase> &oriented = volume.orientations.materials;
-    std::vector<VoigtMatrix<3>> of_phases;
-    std::vector<VoigtVector<3>> thermal;
-    for (const PhaseParameters &phase : parameters.microstructure.phases)
-      {
-        of_phases.push_back(phase.stiffness<3>());
-        thermal.push_back(phase.thermal_stress<3>());
-      }
-    const std::vector<VoigtMatrix<3>> stiffness = of_materials(of_phases);
+    const std::vector<LoadedPhase<3>> phases   = VolumeAnalysis<3>::materials();
     std::vector<LoadedPhase<3>> loaded;
-    for (std::size_t k = 0; k < oriented.size(); ++k)
-      loaded.push_back({oriented[k].phase,
-                        stiffness[k],
-                        {},
-                        oriented[k].turned(thermal[oriented[k].phase])});
+    for (const OrientedPhase &material : oriented)
+      {
+        loaded.push_back(phases[material.phase]);
+        loaded.back().stiffness      = material.turned(loaded.back().stiffness);
+        loaded.back().thermal_stress = material.turned(loaded.back().thermal_stress);
+      }
     return loaded;
   }
 
-  std::vector<VoigtMatrix<3>>
-  of_materials(const std::vector<VoigtMatrix<3>> &of_phases) const override
+  VoigtMatrix<3> turned(const std::size_t material,
+                        const VoigtMatrix<3> &of_phase) const override
   {
-    if (volume.orientations.empty())
-      return of_phases;
-    std::vector<VoigtMatrix<3>> turned;
-    for (const OrientedPhase &material : volume.orientations.materials)
-      turned.push_back(material.turned(of_phases[material.phase]));
-    return turned;
+    return volume.orientations.empty()
+             ? of_phase
+             : volume.orientations.materials[material].turned(of_phase);
   }
 
   std::unique_ptr<VolumeElement<3>>
@@ -160,7 +159,7 @@ protected:
 
   ConductionCells<3> cells_for_conduction(const unsigned int m) const override
   {
-    // Each rank has its planes alone.
+    // Each rank has its planes alone, so that rank 0 reads or makes all of them once more.
     const VoxelMorphology whole =
       make_voxels(parameters.microstructure.member(m), MPI_COMM_SELF);
     ConductionCells<3> cells = conduction_cells(whole.grid);

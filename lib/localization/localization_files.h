@@ -47,6 +47,16 @@ struct LocalizationFiles
     return !rve.is_mesh() && homogeneous.is_grid;
   }
 
+  /** @throws UserError where the RVE file lacks what @p p applies to strains and temperature */
+  void require_tensors(const LocalizationParameters &p) const
+  {
+    rve.concentration(p.concentration, 0, 1);
+    if (p.heating == 0.)
+      return;
+    rve.expansion(p.concentration);
+    rve.thermal_stress(p.concentration, 0, 1);
+  }
+
   /** Names of the phases. */
   std::vector<std::string> phase_names() const;
 

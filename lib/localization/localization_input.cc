@@ -86,7 +86,7 @@ LocalizationInput<dim>::LocalizationInput(const LocalizationParameters &p,
   if (!files.rve.change_note().empty())
     warnings.push_back(files.rve.change_note());
   // These tell if there are none, or other phases.
-  files.rve.concentration(p.concentration, 0, 1);
+  files.require_tensors(p);
   for_each_piece(volume.n_cells(), volume.cells_in_layer(),
                  [this](const std::size_t first, const std::size_t count) {
                    files.rve.constituent_ids(first, count);

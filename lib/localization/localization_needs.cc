@@ -91,7 +91,8 @@ RankMemory memory_need(const LocalizationInput<dim> &input, const unsigned int n
       ? bytes_of_rows(input.volume, StressStatistics<dim>::n_numbers(p.fields))
       : 0.;
   const double tensor =
-    bytes_of_rows(input.volume, Map::n_numbers) + sizeof(std::uint16_t);
+    bytes_of_rows(input.volume, Map::n_numbers + (p.heating != 0. ? Map::n_thermal : 0)) +
+    sizeof(std::uint16_t);
   const double place =
     (is_body && !input.files.are_grids() ? vector + 2. * sizeof(unsigned int) : 0.) +
     (input.volume.is_grid ? 0. : of_number);

@@ -177,6 +177,11 @@ void LocalizationParameters::check()
       "Localization/Temperature change is " + to_text(heating) +
       ", but contact_dynamics knows no heat, so that stresses of the direct run "
       "have no thermal part; remove it or Input/Direct run");
+  if (heating != 0. && !out_of_plane_ratio.empty())
+    throw UserError(
+      "Localization/Out-of-plane ratio and Temperature change are both given; "
+      "stresses of heat are those of plane strain, whose sigma_zz is known: "
+      "remove the ratio");
   if (from > to)
     throw UserError("Window/From: " + to_text(from) + " s lies after To, " + to_text(to) +
                     " s");

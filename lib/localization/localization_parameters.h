@@ -24,7 +24,7 @@ struct LocalizationParameters
   /** KUBC, PBC or MUBC. */
   std::string concentration = "KUBC";
 
-  double heating = 0.; ///< change of temperature of volume and body (K)
+  double heating = 0.; ///< change of temperature since the phases were free of stress (K)
   /** Eq. 24: the macroscopic strain at the place. */
   bool local_strain = true;
   /** Eq. 23: its mean over the body. */

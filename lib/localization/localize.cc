@@ -186,7 +186,7 @@ private:
   {
     const StressMap<dim> map = localized_map();
     series.matrices          = matrices_of_probes(map);
-    series.residuals         = residuals_of_probes(map);
+    series.thermal           = thermal_of_probes(map);
     const bool by_place      = plan.is_body && parameters.local_strain,
                by_mean       = plan.is_body && parameters.mean_strain,
                fields        = parameters.fields.any();
@@ -259,20 +259,20 @@ private:
   }
 
   /** Stresses of heat there. */
-  std::vector<VoigtVector<dim>> residuals_of_probes(const StressMap<dim> &map) const
+  std::vector<VoigtVector<dim>> thermal_of_probes(const StressMap<dim> &map) const
   {
     std::vector<double> all(n_voigt<dim> * plan.probes.size());
-    for (std::size_t p = 0; p < plan.probes.size() && map.residuals() != nullptr; ++p)
+    for (std::size_t p = 0; p < plan.probes.size() && map.thermal() != nullptr; ++p)
       {
         const std::size_t k = share.place_of(plan.probes[p]);
         for (unsigned int c = 0; k != share.elsewhere && c < n_voigt<dim>; ++c)
-          all[n_voigt<dim> * p + c] = (*map.residuals())(c, k);
+          all[n_voigt<dim> * p + c] = (*map.thermal())(c, k);
       }
     sum_over_ranks(all, ranks);
-    std::vector<VoigtVector<dim>> residuals;
+    std::vector<VoigtVector<dim>> thermal;
     for (std::size_t p = 0; p < plan.probes.size(); ++p)
-      residuals.push_back(Eigen::Map<const VoigtVector<dim>>(&all[n_voigt<dim> * p]));
-    return residuals;
+      thermal.push_back(Eigen::Map<const VoigtVector<dim>>(&all[n_voigt<dim> * p]));
+    return thermal;
   }
 
   void compare_fields()

@@ -8,16 +8,16 @@ namespace mesoslip
 {
 namespace
 {
-/** sigma = M eps + @p residual for [k][components] strains. */
+/** sigma = M eps + @p thermal for [k][components] strains. */
 template <int dim>
 std::vector<double> stresses(const VoigtMatrix<dim> &M,
                              const std::vector<double> &strain,
-                             const VoigtVector<dim> &residual = VoigtVector<dim>::Zero())
+                             const VoigtVector<dim> &thermal = VoigtVector<dim>::Zero())
 {
   std::vector<double> stress(strain.size());
   for (std::size_t k = 0; k < strain.size(); k += n_voigt<dim>)
     Eigen::Map<VoigtVector<dim>>(stress.data() + k) =
-      M * Eigen::Map<const VoigtVector<dim>>(strain.data() + k) + residual;
+      M * Eigen::Map<const VoigtVector<dim>>(strain.data() + k) + thermal;
   return stress;
 }
 
@@ -56,7 +56,7 @@ public:
           {
             const PlannedProbe &probe = input.probes[p];
             variant.probes.push_back(evaluate(
-              probe, histories.matrices[p], histories.residuals[p],
+              probe, histories.matrices[p], histories.thermal[p],
               macroscopic(variant, probe, followed), direct_stress(probe, followed)));
             followed += probe.recorded ? 0 : 1;
           }
@@ -116,7 +116,7 @@ private:
 
   ProbeResult evaluate(const LocalizedProbe &probe,
                        const VoigtMatrix<dim> &matrix,
-                       const VoigtVector<dim> &residual,
+                       const VoigtVector<dim> &thermal,
                        ProbeSeries series,
                        ProbeSeries direct)
   {
@@ -124,7 +124,7 @@ private:
     // Two static states are compared whatever their times.
     if (!direct.time.empty() && (series.time.size() > 1 || direct.time.size() > 1))
       restrict_to_common(series, direct, probe.name);
-    r.stress = stresses<dim>(matrix, series.values, residual);
+    r.stress = stresses<dim>(matrix, series.values, thermal);
     if (!direct.time.empty())
       r.direct_stress = resample(direct, series.time);
     r.statistics = compare_series(r.stress, direct.values, r.direct_stress, n_voigt<dim>);

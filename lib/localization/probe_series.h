@@ -12,10 +12,10 @@ namespace mesoslip
 template <int dim>
 struct ProbeHistories
 {
-  SnapshotHistories homogeneous;           ///< of the run whose strains are localized
-  SnapshotHistories direct;                ///< of the run to compare with
-  std::vector<VoigtMatrix<dim>> matrices;  ///< C L (Pa) in the cell of each probe
-  std::vector<VoigtVector<dim>> residuals; ///< stress of heat there (Pa)
+  SnapshotHistories homogeneous;          ///< of the run whose strains are localized
+  SnapshotHistories direct;               ///< of the run to compare with
+  std::vector<VoigtMatrix<dim>> matrices; ///< C L (Pa) in the cell of each probe
+  std::vector<VoigtVector<dim>> thermal;  ///< stress of heat there (Pa)
 };
 
 /**

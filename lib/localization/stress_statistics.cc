@@ -43,19 +43,19 @@ void von_mises_squares_2(const double *__restrict__ stress,
     }
 }
 
-/** The same with sigma_zz = ratio (sigma_xx + sigma_yy) + residual. */
+/** The same with sigma_zz = ratio (sigma_xx + sigma_yy) + thermal. */
 MESOSLIP_CLONES
 void heated_von_mises_squares_2(const double *__restrict__ stress,
                                 const std::size_t stride,
                                 const double *__restrict__ ratio,
-                                const double *__restrict__ residual,
+                                const double *__restrict__ thermal,
                                 const std::size_t n,
                                 double *__restrict__ square)
 {
   const double *xx = stress, *yy = stress + stride, *xy = stress + 2 * stride;
   for (std::size_t i = 0; i < n; ++i)
     {
-      const double zz = ratio[i] * (xx[i] + yy[i]) + residual[i];
+      const double zz = ratio[i] * (xx[i] + yy[i]) + thermal[i];
       const double a = xx[i] - yy[i], b = yy[i] - zz, c = zz - xx[i];
       square[i] = 0.5 * (a * a + b * b + c * c) + 3. * xy[i] * xy[i];
     }
@@ -130,14 +130,14 @@ void multiply_3(const double *m,
   multiply<6>(m, m_stride, strain.values, strain.stride, n, stress, stress_stride);
 }
 
-/** stress += residual. */
+/** stress += thermal. */
 MESOSLIP_CLONES
-void add_row(const double *__restrict__ residual,
+void add_row(const double *__restrict__ thermal,
              const std::size_t n,
              double *__restrict__ stress)
 {
   for (std::size_t i = 0; i < n; ++i)
-    stress[i] += residual[i];
+    stress[i] += thermal[i];
 }
 
 /** Running mean after the sample number 1 / @p inverse. */
@@ -219,15 +219,15 @@ void StressStatistics<dim>::add(const std::size_t j, const CellRow &strain)
   double *stress       = scratch.array(0, 0);
   (dim == 2 ? multiply_2 : multiply_3)(rows.array(0, j), rows.stride(), strain, n, stress,
                                        scratch.stride());
-  const double inverse     = 1. / static_cast<double>(++samples[j]);
-  const CellRows *residual = map.residuals();
-  for (unsigned int c = 0; residual != nullptr && c < n_voigt<dim>; ++c)
-    add_row(residual->array(c, j), n, scratch.array(c, 0));
-  if (selection.von_mises && residual != nullptr && dim == 2)
+  const double inverse    = 1. / static_cast<double>(++samples[j]);
+  const CellRows *thermal = map.thermal();
+  for (unsigned int c = 0; thermal != nullptr && c < n_voigt<dim>; ++c)
+    add_row(thermal->array(c, j), n, scratch.array(c, 0));
+  if (selection.von_mises && thermal != nullptr && dim == 2)
     {
       double *const work = scratch.array(n_voigt<dim>, 0);
       heated_von_mises_squares_2(stress, scratch.stride(), map.ratio(j),
-                                 residual->array(n_voigt<dim>, j), n, work);
+                                 thermal->array(n_voigt<dim>, j), n, work);
       add_roots(work, n, sums.array(von_mises_sum, j));
     }
   else if (selection.von_mises)

@@ -61,24 +61,25 @@ public:
     return result;
   }
 
-  /** Sets the stress (Pa) of cell @p i of row @p j without macroscopic strain, in 2D with the part of sigma_zz that
-   * is not the ratio times the others. */
-  void set_residual(const std::size_t j,
-                    const std::size_t i,
-                    const VoigtVector<dim> &stress,
-                    const double zz)
+  /** Sets the stress of heat (Pa) of cell @p i of row @p j, in 2D with the part of sigma_zz that is not the ratio times
+   * the others. */
+  void set_thermal(const std::size_t j,
+                   const std::size_t i,
+                   const VoigtVector<dim> &stress,
+                   const double zz)
   {
-    if (!residual)
-      residual.emplace(data.n_cells(), data.n_in_row(), n_voigt<dim> + 1);
+    if (!thermal_data)
+      thermal_data.emplace(data.n_cells(), data.n_in_row(), n_thermal);
     for (unsigned int c = 0; c < n_voigt<dim>; ++c)
-      residual->array(c, j)[i] = stress[c];
-    residual->array(n_voigt<dim>, j)[i] = zz;
+      thermal_data->array(c, j)[i] = stress[c];
+    if (dim == 2)
+      thermal_data->array(n_voigt<dim>, j)[i] = zz;
   }
 
-  /** What set_residual() was told, all components and zz; null: nothing. */
-  const CellRows *residuals() const
+  /** What set_thermal() was told, all components and in 2D zz; null: nothing. */
+  const CellRows *thermal() const
   {
-    return residual ? &*residual : nullptr;
+    return thermal_data ? &*thermal_data : nullptr;
   }
 
   /** The ratio of the cells of row @p j; nothing that may be read in 3D. */
@@ -93,12 +94,14 @@ public:
     return data;
   }
 
-  static constexpr unsigned int n_entries = n_voigt<dim> * n_voigt<dim>;    ///< of C L
+  static constexpr unsigned int n_entries = n_voigt<dim> * n_voigt<dim>; ///< of C L
+  static constexpr unsigned int n_thermal =
+    n_voigt<dim> + (dim == 2 ? 1 : 0);                                      ///< of heat
   static constexpr unsigned int n_numbers = n_entries + (dim == 2 ? 1 : 0); ///< of a cell
 
 private:
-  CellRows data;                    ///< see rows()
-  std::optional<CellRows> residual; ///< see residuals()
+  CellRows data;                        ///< see rows()
+  std::optional<CellRows> thermal_data; ///< see thermal()
 };
 
 /**

@@ -145,7 +145,7 @@ void add_heat(StressMap<dim> &map,
         double rest = 0.;
         if (dim == 2 && !std::isnan(per_kelvin[k][zz]))
           rest = per_kelvin[k][zz] - map.ratio(j)[i] * (held[0] + held[1]);
-        map.set_residual(j, i, heating * stress, heating * rest);
+        map.set_thermal(j, i, heating * stress, heating * rest);
       }
   };
   on_all_ranks(ranks,

@@ -63,11 +63,12 @@ class Case:
 class Study:
     """Runs under `folder`, one subfolder each. `programs` is the folder with the three executables."""
 
-    def __init__(self, folder, programs, jobs=None, keep=False, timeout=None):
+    def __init__(self, folder, programs, jobs=None, keep=False, timeout=None, always=False):
         self.folder, self.programs = os.path.abspath(folder), os.path.abspath(programs)
         self.jobs = jobs or os.cpu_count() or 1
         self.keep = keep  # take results of another build of the programs as well
         self.timeout = timeout
+        self.always = always  # run again whatever is there: programs that keep results of the same inputs know better
         self.cases, self.stamps, self.digests = {}, {}, {}
         self.lock = threading.Lock()
         self.done = 0
@@ -109,7 +110,7 @@ class Study:
     def _attempt(self, case):
         stamp, plain = self._stamps(case)
         known = self._read_stamp(case)
-        if known and (known["stamp"] == stamp or self.keep and plain in (known["stamp"], known.get("plain"))):
+        if known and not self.always and (known["stamp"] == stamp or self.keep and plain in (known["stamp"], known.get("plain"))):
             self.stamps[case.name] = known["stamp"], plain  # what needs it is stamped by the run that is there
             with self.lock:
                 self.done += 1

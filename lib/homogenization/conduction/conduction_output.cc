@@ -47,21 +47,24 @@ std::map<std::string, Tensor2<dim>> conductivities(const RveParameters &paramete
   std::map<std::string, Tensor2<dim>> found;
   if (results.members[0].conduction.empty())
     return found;
-  const double n = static_cast<double>(results.members.size());
-  for (std::size_t c = 0; c < parameters.conditions.size(); ++c)
-    {
-      Tensor2<dim> &mean = found[to_string(parameters.conditions[c])];
-      mean.setZero();
-      for (const EnsembleMember<dim> &member : results.members)
-        mean += member.conduction[c].conductivity / n;
-    }
-  const auto effective        = effective_conditions(parameters);
-  Tensor2<dim> effective_mean = Tensor2<dim>::Zero();
-  for (const BoundaryCondition condition : effective)
-    effective_mean += found[to_string(condition)] / static_cast<double>(effective.size());
+  const auto effective = effective_conditions(parameters);
+  Tensor2<dim> mean    = Tensor2<dim>::Zero();
+  double n             = 0.;
+  for (const EnsembleMember<dim> &member : results.members)
+    for (const ConductionResponse<dim> &response : member.conduction)
+      {
+        // Of the first member.
+        found.emplace(to_string(response.condition), response.conductivity);
+        if (std::count(effective.begin(), effective.end(), response.condition) > 0)
+          {
+            mean += response.conductivity;
+            n += 1.;
+          }
+      }
+  mean /= n;
   if (!parameters.effective_full)
-    effective_mean = Tensor2<dim>(effective_mean.diagonal().asDiagonal());
-  found["effective"] = effective_mean;
+    mean = Tensor2<dim>(mean.diagonal().asDiagonal());
+  found["effective"] = mean;
   return found;
 }
 

@@ -11,7 +11,7 @@
 
 namespace mesoslip
 {
-/** Conductivity by condition, means over the members, and "effective", the mean over those of which the effective
+/** Conductivity of the first member by condition, and "effective", the mean over all members and those conditions of which the effective
  * stiffness is the mean; empty: it was not asked for. */
 template <int dim>
 std::map<std::string, Tensor2<dim>> conductivities(const RveParameters &parameters,

@@ -24,19 +24,17 @@ struct ConductionResponse
    * solutions. MUBC: the diagonal. */
   Tensor2<dim> conductivity = Tensor2<dim>::Zero();
 
-  /** Largest difference from the one from the mean flux (SUBC: gradient), over the largest entry. */
+  /** Largest difference from the one from the mean flux (SUBC: gradient), over the root of its
+   * diagonal entries. */
   double residual = 0.;
 
   std::vector<unsigned int> iterations; ///< by load case
-
-  /** Of each cell the mean gradient for a unit gradient, a column for each axis (SUBC: the flux for a unit flux). */
-  std::vector<Tensor2<dim>> concentration;
 
   /** Saves or restores all members, for boost::serialization. */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    serialize_members<5>(archive, *this);
+    serialize_members<4>(archive, *this);
   }
 };
 } // namespace mesoslip

@@ -6,10 +6,12 @@
 
 #include <deal.II/base/quadrature.h>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace mesoslip
 {
@@ -17,6 +19,24 @@ namespace
 {
 /** What is left of the loads of a homogeneous volume, relative to those of its cells, is round-off. */
 constexpr double cancelled = 1e-12;
+
+/** Tolerance of the residual relative to the load of the best conductor that leaves the currents of the worst one
+ * accurate, too. */
+template <int dim>
+double tolerance_for(const std::vector<Tensor2<dim>> &conductivity, const double wanted)
+{
+  double least = conductivity[0](0, 0), largest = least;
+  for (const Tensor2<dim> &k : conductivity)
+    {
+      const auto eigenvalues =
+        Eigen::SelfAdjointEigenSolver<Tensor2<dim>>(k, Eigen::EigenvaluesOnly)
+          .eigenvalues()
+          .eval();
+      least   = std::min(least, eigenvalues[0]);
+      largest = std::max(largest, eigenvalues[dim - 1]);
+    }
+  return std::max(1e-14, std::min(wanted, 1e-3 * least / largest));
+}
 } // namespace
 
 template <int dim>
@@ -162,6 +182,44 @@ SolverReport ConductionVolume<dim>::solve_case(const unsigned int axis,
   return report;
 }
 
+/** Calls visit(number of the cell, conductivity, gradients of all load cases, volume) at the quadrature points. */
+template <int dim>
+template <typename Visit>
+void ConductionVolume<dim>::for_each_gradient(const Visit &visit) const
+{
+  for_each_cell([&](const std::size_t k, const CellGradients &gradients) {
+    const Cell &cell = cells.mesh.cells[k];
+    Eigen::Matrix<double, Eigen::Dynamic, dim> T(cell.vertices.size(), int{dim});
+    for (std::size_t v = 0; v < cell.vertices.size(); ++v)
+      for (unsigned int axis = 0; axis < dim; ++axis)
+        T(static_cast<Eigen::Index>(v), axis) = fluctuation[axis][cell.vertices[v]];
+    for (std::size_t q = 0; q < gradients.volume.size(); ++q)
+      {
+        Tensor2<dim> g = gradients.of_corners[q] * T;
+        if (condition != BoundaryCondition::SUBC)
+          g += Tensor2<dim>::Identity();
+        visit(k, cells.conductivity[cell.material_id], g, gradients.volume[q]);
+      }
+  });
+}
+
+template <int dim>
+std::vector<double> ConductionVolume<dim>::concentration() const
+{
+  std::vector<Tensor2<dim>> sums(cells.mesh.cells.size(), Tensor2<dim>::Zero());
+  std::vector<double> volumes(sums.size(), 0.), values;
+  for_each_gradient([&](const std::size_t k, const Tensor2<dim> &C, const Tensor2<dim> &g,
+                        const double volume) {
+    sums[k] += volume * (condition == BoundaryCondition::SUBC ? Tensor2<dim>(C * g) : g);
+    volumes[k] += volume;
+  });
+  values.reserve(sums.size() * dim * dim);
+  for (std::size_t k = 0; k < sums.size(); ++k)
+    for (Eigen::Index e = 0; e < sums[k].size(); ++e)
+      values.push_back(sums[k].data()[e] / volumes[k]);
+  return values;
+}
+
 template <int dim>
 ConductionResponse<dim> ConductionVolume<dim>::evaluate() const
 {
@@ -170,28 +228,12 @@ ConductionResponse<dim> ConductionVolume<dim>::evaluate() const
   response.condition  = condition;
   Tensor2<dim> energy = Tensor2<dim>::Zero(), gradient = energy, flux = energy;
   double volume = 0.;
-  for_each_cell([&](const std::size_t k, const CellGradients &gradients) {
-    const Cell &cell      = cells.mesh.cells[k];
-    const Tensor2<dim> &C = cells.conductivity[cell.material_id];
-    Eigen::Matrix<double, Eigen::Dynamic, dim> T(cell.vertices.size(), int{dim});
-    for (std::size_t v = 0; v < cell.vertices.size(); ++v)
-      for (unsigned int axis = 0; axis < dim; ++axis)
-        T(static_cast<Eigen::Index>(v), axis) = fluctuation[axis][cell.vertices[v]];
-    Tensor2<dim> sum = Tensor2<dim>::Zero();
-    double of_cell   = 0.;
-    for (std::size_t q = 0; q < gradients.volume.size(); ++q)
-      {
-        Tensor2<dim> g = gradients.of_corners[q] * T;
-        if (!fluxes)
-          g += Tensor2<dim>::Identity();
-        energy += gradients.volume[q] * g.transpose() * C * g;
-        sum += gradients.volume[q] * g;
-        of_cell += gradients.volume[q];
-      }
-    gradient += sum;
-    flux += C * sum;
-    volume += of_cell;
-    response.concentration.push_back((fluxes ? Tensor2<dim>(C * sum) : sum) / of_cell);
+  for_each_gradient([&](const std::size_t, const Tensor2<dim> &C, const Tensor2<dim> &g,
+                        const double part) {
+    energy += part * g.transpose() * C * g;
+    gradient += part * g;
+    flux += part * C * g;
+    volume += part;
   });
   energy /= volume;
   const Tensor2<dim> mean = (fluxes ? gradient : flux) / volume;
@@ -205,8 +247,13 @@ ConductionResponse<dim> ConductionVolume<dim>::evaluate() const
     for (Tensor2<dim> *one : {&by_energy, &by_mean})
       *one = Tensor2<dim>(one->diagonal().asDiagonal());
   response.conductivity = by_energy;
-  response.residual =
-    (by_energy - by_mean).cwiseAbs().maxCoeff() / by_energy.cwiseAbs().maxCoeff();
+  for (unsigned int i = 0; i < dim; ++i)
+    for (unsigned int j = 0; j < dim; ++j)
+      response.residual =
+        std::max(response.residual, std::fabs(by_energy(i, j) - by_mean(i, j)) /
+                                      std::sqrt(by_energy(i, i) * by_energy(j, j)));
+  if (!by_energy.allFinite())
+    response.residual = std::numeric_limits<double>::quiet_NaN();
   return response;
 }
 
@@ -214,7 +261,8 @@ template <int dim>
 ConductionResponse<dim> ConductionVolume<dim>::solve(const BoundaryCondition wanted,
                                                      const double tolerance)
 {
-  condition = wanted;
+  condition           = wanted;
+  const double needed = tolerance_for<dim>(cells.conductivity, tolerance);
   if (condition == BoundaryCondition::PBC && !cells.not_periodic.empty())
     throw UserError(cells.not_periodic);
   std::vector<unsigned int> iterations;
@@ -226,8 +274,9 @@ ConductionResponse<dim> ConductionVolume<dim>::solve(const BoundaryCondition wan
           if (n_unknowns > 0)
             assemble();
         }
+      iterations.push_back(0);
       if (n_unknowns > 0)
-        iterations.push_back(solve_case(axis, tolerance).iterations);
+        iterations.back() = solve_case(axis, needed).iterations;
       else
         fluctuation[axis].assign(unknown.size(), 0.);
     }

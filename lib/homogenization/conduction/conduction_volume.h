@@ -32,6 +32,10 @@ public:
   /** @throws NotConverged, UserError if opposite sides have points that are not opposite (PBC) */
   ConductionResponse<dim> solve(const BoundaryCondition wanted, const double tolerance);
 
+  /** Of each cell under the condition that was solved last the mean gradient for a unit gradient, a column for each
+   * axis (SUBC: the flux for a unit flux): [cells][dim][dim]. */
+  std::vector<double> concentration() const;
+
 private:
   /** Gradients of the shape functions, a column for each corner, at the quadrature points of a cell. */
   struct CellGradients
@@ -47,6 +51,8 @@ private:
   void number_unknowns(const unsigned int axis);
   void assemble();
   SolverReport solve_case(const unsigned int axis, const double tolerance);
+  template <typename Visit>
+  void for_each_gradient(const Visit &visit) const;
   ConductionResponse<dim> evaluate() const;
 
   static constexpr unsigned int held = ~0U; ///< in place of the number of an unknown

@@ -1,5 +1,6 @@
 #include "homogenization/derivatives/derivative_output.h"
 
+#include "homogenization/derivatives/loss_output.h"
 #include "io/table.h"
 #include "material/engineering_constants.h"
 #include "parameters/parameters.h"
@@ -136,16 +137,6 @@ void write_uncertainty(const std::vector<VariedResult> &varied,
   table.flush();
 }
 
-void write_loss(const std::vector<VariedResult> &varied, const std::string &path)
-{
-  TableWriter table(path, {"result", "real", "imaginary", "unit", "loss_factor [-]"});
-  for (const VariedResult &result : varied)
-    table.add_row(
-      {result.name, to_text(result.value), to_text(result.derivatives.back()),
-       result.unit,
-       result.value != 0. ? to_text(result.derivatives.back() / result.value) : ""});
-  table.flush();
-}
 } // namespace
 
 template <int dim>
@@ -180,7 +171,8 @@ void write_derivatives(const RveParameters &parameters,
     return;
   const auto varied = varied_results<dim>(parameters, results, variations);
   if (is_loss(variations.back()))
-    write_loss(varied, context.file("loss_factors.csv"));
+    write_loss(lossy_results<dim>(parameters, results, varied),
+               context.file("loss_factors.csv"));
   if (has_deviations(variations))
     write_uncertainty(varied, variations, context.file("uncertainty.csv"));
   if (is_loss(variations.front()))
@@ -229,9 +221,7 @@ void summarize_derivatives(const RveParameters &parameters,
       for (std::size_t v = 0; v < variations.size(); ++v)
         {
           const PhaseConstant<dim> &constant = variations[v].constant;
-          if (is_loss(variations[v]))
-            out["imaginary"] = result.derivatives[v];
-          else
+          if (!is_loss(variations[v]))
             out["derivatives"][variations[v].phase][constant.name] =
               result.derivatives[v];
           const double part = std::fabs(result.derivatives[v] * constant.deviation);
@@ -246,6 +236,13 @@ void summarize_derivatives(const RveParameters &parameters,
       out["standard_deviation"]   = deviation_of(result, variations);
       out["largest_contribution"] = why;
     }
+  if (is_loss(variations.back()))
+    for (const auto &[name, unit, value] :
+         lossy_results<dim>(parameters, results, varied))
+      {
+        summary["varied"][name]["real"]      = value.real();
+        summary["varied"][name]["imaginary"] = value.imag();
+      }
 }
 
 void log_derivatives(RunContext &context)
@@ -270,7 +267,8 @@ void log_derivatives(RunContext &context)
                << result["largest_contribution"].get<std::string>() << ")";
         }
       if (is_modulus && result.contains("imaginary"))
-        line << ", loss factor " << result["imaginary"].get<double>() / value;
+        line << ", loss factor "
+             << result["imaginary"].get<double>() / result["real"].get<double>();
       if (result.contains("standard_deviation") ||
           (is_modulus && result.contains("imaginary")))
         context.log(line.str());

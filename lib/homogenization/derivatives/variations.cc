@@ -8,13 +8,6 @@
 
 namespace mesoslip
 {
-namespace
-{
-/** The changes of a material that are not zero, with their numbers. */
-template <int dim>
-using Changes = std::vector<std::pair<std::size_t, VoigtMatrix<dim>>>;
-} // namespace
-
 template <int dim>
 std::vector<Variation<dim>> variations_of(const std::vector<PhaseParameters> &phases,
                                           const bool wanted)
@@ -44,16 +37,11 @@ template <int dim>
 std::vector<VoigtMatrix<dim>>
 stiffness_derivatives(const VolumeElement<dim> &volume,
                       const HomogenizedResponse<dim> &response,
-                      const std::vector<std::vector<VoigtMatrix<dim>>> &of_materials)
+                      const std::vector<StiffnessChanges<dim>> &changes,
+                      const std::size_t n_variations)
 {
-  std::vector<Changes<dim>> changes(of_materials.size());
-  std::size_t n = 0;
-  for (std::size_t m = 0; m < changes.size(); ++m)
-    for (n = 0; n < of_materials[m].size(); ++n)
-      if (!of_materials[m][n].isZero(0.))
-        changes[m].emplace_back(n, of_materials[m][n]);
-  std::vector<VoigtMatrix<dim>> means(n, VoigtMatrix<dim>::Zero());
-  if (n == 0)
+  std::vector<VoigtMatrix<dim>> means(n_variations, VoigtMatrix<dim>::Zero());
+  if (n_variations == 0)
     return means;
   volume.for_each_sample(
     [&](const unsigned int material, const double part, const UnitStrains<dim> &strains) {
@@ -61,7 +49,8 @@ stiffness_derivatives(const VolumeElement<dim> &volume,
       for (const auto &[k, change] : changes[material])
         means[k].noalias() += part * (strain.transpose() * (change * strain).eval());
     });
-  sum_over_ranks(means[0].data(), n * static_cast<std::size_t>(means[0].size()),
+  sum_over_ranks(means[0].data(),
+                 means.size() * static_cast<std::size_t>(means[0].size()),
                  volume.communicator());
   for (VoigtMatrix<dim> &mean : means)
     {
@@ -79,7 +68,7 @@ stiffness_derivatives(const VolumeElement<dim> &volume,
     const std::vector<PhaseParameters> &, const bool);               \
   template std::vector<VoigtMatrix<dim>> stiffness_derivatives<dim>( \
     const VolumeElement<dim> &, const HomogenizedResponse<dim> &,    \
-    const std::vector<std::vector<VoigtMatrix<dim>>> &);
+    const std::vector<StiffnessChanges<dim>> &, const std::size_t);
 MESOSLIP_INSTANTIATE(2)
 MESOSLIP_INSTANTIATE(3)
 #undef MESOSLIP_INSTANTIATE

@@ -6,6 +6,7 @@
 #include "morphology/phases/phase_parameters.h"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace mesoslip
@@ -14,8 +15,8 @@ namespace mesoslip
 template <int dim>
 struct Variation
 {
-  std::string phase; ///< name; empty: all of them lose energy
-  PhaseConstant<dim> constant;
+  std::string phase;           ///< name; empty: all of them lose energy
+  PhaseConstant<dim> constant; ///< what changes; of the loss its name alone
 
   /** Stiffness (Pa over the unit of the constant) of each phase. */
   std::vector<VoigtMatrix<dim>> stiffness;
@@ -34,18 +35,22 @@ bool is_loss(const Variation<dim> &variation)
   return variation.phase.empty();
 }
 
+/** The changes of a material that are not zero: number of the variation and stiffness (Pa over the unit of the constant). */
+template <int dim>
+using StiffnessChanges = std::vector<std::pair<std::size_t, VoigtMatrix<dim>>>;
+
 /**
- * Derivatives of the effective stiffness (Pa) along changes of the stiffness of the materials of the volume:
- * of KUBC, PBC and MUBC dD = mean of A^T dC A, of SUBC dS = -mean of A^T dC A and dD = -D dS D, with the strains A
- * of the unit load cases that were solved last. Exact for the cells of the volume: the load cases make the
- * energy stationary. @p of_materials has the changes of each material, a list of all variations a
- * material. Collective.
+ * Derivatives of the effective stiffness (Pa) along @p n_variations changes of the stiffness of the materials of the
+ * volume: of KUBC, PBC and MUBC dD = mean of A^T dC A, of SUBC dS = -mean of A^T dC A and dD = -D dS D, with the
+ * strains A of the unit load cases that were solved last. Exact for the cells of the volume: the load cases make
+ * the energy stationary. @p changes are those of each material. Collective.
  */
 template <int dim>
 std::vector<VoigtMatrix<dim>>
 stiffness_derivatives(const VolumeElement<dim> &volume,
                       const HomogenizedResponse<dim> &response,
-                      const std::vector<std::vector<VoigtMatrix<dim>>> &of_materials);
+                      const std::vector<StiffnessChanges<dim>> &changes,
+                      const std::size_t n_variations);
 } // namespace mesoslip
 
 #endif

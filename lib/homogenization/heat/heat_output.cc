@@ -35,7 +35,7 @@ VoigtVector<dim> mean_thermal_stress(const std::vector<EnsembleMember<dim>> &mem
 }
 
 template <int dim>
-json numbers(const VoigtVector<dim> &vector)
+json list_of(const VoigtVector<dim> &vector)
 {
   return std::vector<double>(vector.begin(), vector.end());
 }
@@ -49,10 +49,8 @@ std::map<std::string, VoigtVector<dim>> expansions(const RveParameters &paramete
   const std::vector<EnsembleMember<dim>> &members = results.members;
   if (!members[0].responses[0].heat.exists)
     return found;
-  for (const BoundaryCondition condition : parameters.conditions)
-    found[to_string(condition)] =
-      inverse<dim>(mean_stiffness<dim>(members, {condition})) *
-      mean_thermal_stress<dim>(members, {condition});
+  for (const HomogenizedResponse<dim> &response : members[0].responses)
+    found[to_string(response.condition)] = response.heat.expansion;
   VoigtVector<dim> stress =
     mean_thermal_stress<dim>(members, effective_conditions(parameters));
   if (!parameters.effective_full)
@@ -69,6 +67,7 @@ void write_expansion(const RveParameters &parameters,
   const auto found = expansions<dim>(parameters, results);
   if (found.empty())
     return;
+  const EnsembleMember<dim> &first  = results.members[0];
   std::vector<std::string> headings = {"of"};
   for (const char *name : voigt_names<dim>)
     headings.push_back(std::string("expansion_") + name + " [1/K]");
@@ -77,10 +76,12 @@ void write_expansion(const RveParameters &parameters,
   TableWriter table(context.file("expansion.csv"), headings);
   for (const auto &[of, expansion] : found)
     {
-      const VoigtMatrix<dim> D =
-        of == "effective"
-          ? results.effective
-          : mean_stiffness<dim>(results.members, {boundary_condition(of)});
+      const auto response = std::find_if(first.responses.begin(), first.responses.end(),
+                                         [&](const HomogenizedResponse<dim> &one) {
+                                           return to_string(one.condition) == of;
+                                         });
+      const VoigtMatrix<dim> &D =
+        response == first.responses.end() ? results.effective : response->stiffness;
       std::vector<std::string> row = {of};
       for (const double value : expansion)
         row.push_back(to_text(value));
@@ -97,12 +98,12 @@ void summarize_expansion(const RveParameters &parameters,
                          json &summary)
 {
   for (const auto &[of, expansion] : expansions<dim>(parameters, results))
-    summary["expansion"][of] = numbers<dim>(expansion);
+    summary["expansion"][of] = list_of<dim>(expansion);
   for (const HomogenizedResponse<dim> &response : results.members[0].responses)
     if (response.heat.exists)
       {
         summary["thermal_stress"][to_string(response.condition)] =
-          numbers<dim>(response.heat.stress);
+          list_of<dim>(response.heat.stress);
         summary["expansion_residual"][to_string(response.condition)] =
           response.heat.residual;
       }

@@ -10,8 +10,8 @@
 
 namespace mesoslip
 {
-/** Expansion (1/K, engineering shear) by condition, means over the members, and "effective"; empty where nothing
- * expands. That is D^-1 of the mean thermal stress of those conditions of which the effective stiffness D is
+/** Expansion (1/K, engineering shear) of the first member by condition, and "effective"; empty where nothing
+ * expands. The latter is D^-1 of the mean thermal stress of those conditions of which the effective stiffness D is
  * the mean. */
 template <int dim>
 std::map<std::string, VoigtVector<dim>> expansions(const RveParameters &parameters,

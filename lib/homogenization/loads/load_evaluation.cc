@@ -3,6 +3,7 @@
 #include "base/exchange.h"
 #include "base/object_exchange.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -138,16 +139,18 @@ private:
   std::vector<double> values;                       ///< of a cell
 };
 
-/** Volume means of strain . C strain of the unit cases, last that of one kelvin, also with one another. */
+/** Volume means of strain . C strain of the unit cases, last that of one kelvin if a load @p is_heated, also with
+ * one another. */
 template <int dim>
 Eigen::MatrixXd energies(const VolumeElement<dim> &cells,
                          const HomogenizedResponse<dim> &response,
-                         const std::vector<LoadedPhase<dim>> &phases)
+                         const std::vector<LoadedPhase<dim>> &phases,
+                         const bool is_heated)
 {
   constexpr Eigen::Index n   = n_voigt<dim>;
   Eigen::MatrixXd result     = Eigen::MatrixXd::Zero(n + 1, n + 1);
   result.topLeftCorner(n, n) = response.energy;
-  if (!response.heat.exists)
+  if (!response.heat.exists || !is_heated)
     return result;
   Eigen::VectorXd of_heat = Eigen::VectorXd::Zero(n + 1);
   cells.for_each_sample(
@@ -185,16 +188,18 @@ void set_residuals(LoadResult<dim> &result,
   // A volume that is heated may have no macroscopic strain or stress, but has those of its expansion.
   const auto distance = [heating](const VoigtVector<dim> &a, const VoigtVector<dim> &b,
                                   const VoigtVector<dim> &per_kelvin) {
-    return (a - b).cwiseAbs().maxCoeff() /
-           (b.cwiseAbs().maxCoeff() +
-            std::fabs(heating) * per_kelvin.cwiseAbs().maxCoeff());
+    const double scale = b.cwiseAbs().maxCoeff() +
+                         std::fabs(heating) * per_kelvin.cwiseAbs().maxCoeff(),
+                 off = (a - b).cwiseAbs().maxCoeff();
+    return scale > 0. ? off / scale : off;
   };
   result.strain_residual = distance(strain, result.strain, heat.expansion);
   result.stress_residual = distance(stress, result.stress, heat.stress);
   const double of_means  = stress.dot(strain);
+  const double scale =
+    std::fabs(of_means) + heating * heating * heat.stress.dot(heat.expansion);
   result.hill_mandel_residual =
-    std::fabs(work - of_means) /
-    (std::fabs(of_means) + heating * heating * heat.stress.dot(heat.expansion));
+    scale > 0. ? std::fabs(work - of_means) / scale : std::fabs(work - of_means);
   result.energy = 0.5 * (of_strain - 2. * of_heat + heating * heating * heat.held);
 }
 
@@ -245,6 +250,7 @@ loaded_phases(const std::vector<PhaseParameters> &parameters)
                         p.stiffness<dim>(),
                         {},
                         p.thermal_stress<dim>()});
+      phases.back().thermal_energy = p.thermal_energy();
       if constexpr (dim == 2)
         if (p.type != PhaseParameters::Type::stiffness)
           {
@@ -284,8 +290,11 @@ std::vector<LoadResult<dim>> evaluate_loads(const LoadParameters &loads,
       results.back().strain    = state.strain;
       results.back().stress    = state.stress;
     }
-  const auto statistics        = LoadSurvey<dim>(loads, fields, cells, amplitudes).run();
-  const Eigen::MatrixXd energy = energies(cells, response, phases);
+  const auto statistics = LoadSurvey<dim>(loads, fields, cells, amplitudes).run();
+  const bool is_heated =
+    std::any_of(loads.loads.begin(), loads.loads.end(),
+                [](const PrescribedLoad &load) { return load.heating != 0.; });
+  const Eigen::MatrixXd energy = energies(cells, response, phases, is_heated);
   for (std::size_t load = 0; load < results.size(); ++load)
     {
       results[load].phases = statistics[load];

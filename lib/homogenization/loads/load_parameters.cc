@@ -149,7 +149,7 @@ void LoadParameters::check(const std::vector<BoundaryCondition> &solved,
   };
   const bool expands =
     std::any_of(phases.begin(), phases.end(),
-                [](const PhaseParameters &phase) { return !phase.expansion.empty(); });
+                [](const PhaseParameters &phase) { return phase.expands(); });
   for (const PrescribedLoad &load : loads)
     if (load.heating != 0. && !expands)
       throw UserError("Loads/" + load.name +

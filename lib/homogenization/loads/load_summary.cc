@@ -1,5 +1,6 @@
 #include "homogenization/loads/load_members.h"
 #include "homogenization/loads/load_output.h"
+#include "material/plausibility.h"
 #include "program/run_context.h"
 
 #include <cmath>

@@ -23,6 +23,7 @@ struct LoadedPhase
 
   VoigtVector<dim> thermal_stress = VoigtVector<dim>::Zero(); ///< Pa/K
   double transverse_thermal       = 0.; ///< 2D: its component zz (Pa/K)
+  double thermal_energy           = 0.; ///< alpha . C alpha in space (Pa/K^2)
 };
 
 /** A number of a cell under a load. */

@@ -53,7 +53,14 @@ std::vector<bool> phases_that_turn(const std::vector<Phase<3>> &phases)
 {
   std::vector<bool> turns;
   for (const Phase<3> &phase : phases)
-    turns.push_back(!is_isotropic(phase.stiffness));
+    {
+      // Thermal stress without an axis is the same along all of them.
+      VoigtVector<3> rest = phase.thermal_stress;
+      rest.head<3>().array() -= phase.thermal_stress.head<3>().mean();
+      turns.push_back(!is_isotropic(phase.stiffness) ||
+                      rest.cwiseAbs().maxCoeff() >
+                        1e-12 * phase.thermal_stress.cwiseAbs().maxCoeff());
+    }
   return turns;
 }
 
@@ -114,6 +121,13 @@ void check_orientations(const MicrostructureParameters &p)
     throw UserError(key + "it needs Dimension = 3; remove it");
   require_readable_file(key, reading.file, "it has to name an array, such as a .npy");
   const auto turns = phases_that_turn(make_phases<3>(p.phases));
+  for (std::size_t k = 0; k < turns.size(); ++k)
+    if (!turns[k] && p.phases[k].conducts_along_axes())
+      throw UserError(
+        key + "it turns phases by their stiffness and expansion, which phase " +
+        p.phases[k].name +
+        " has the same along all axes, but not its Conductivity; give that as "
+        "one number");
   if (std::none_of(turns.begin(), turns.end(), [](const bool turn) { return turn; }))
     throw UserError(key +
                     "all phases are isotropic, so that orientations change nothing; "

@@ -34,12 +34,22 @@ std::vector<StiffnessEntry> given_entries(const std::size_t n)
 }
 } // namespace
 
-VoigtVector<3> PhaseParameters::thermal_stress_in_space() const
+VoigtVector<3> PhaseParameters::expansion_in_space() const
 {
   const Eigen::Vector3d along_axes = expansion.size() == 1
                                        ? Eigen::Vector3d::Constant(expansion[0])
                                        : Eigen::Vector3d(expansion.data());
-  return stiffness<3>() * turned_expansion(along_axes, axes());
+  return turned_expansion(along_axes, axes());
+}
+
+VoigtVector<3> PhaseParameters::thermal_stress_in_space() const
+{
+  return stiffness<3>() * expansion_in_space();
+}
+
+double PhaseParameters::thermal_energy() const
+{
+  return expands() ? expansion_in_space().dot(thermal_stress_in_space()) : 0.;
 }
 
 Eigen::Matrix3d PhaseParameters::axes() const
@@ -62,7 +72,7 @@ Eigen::Matrix<double, dim, dim, Eigen::RowMajor> PhaseParameters::conductivity()
 template <int dim>
 VoigtVector<dim> PhaseParameters::thermal_stress() const
 {
-  if (expansion.empty())
+  if (!expands())
     return VoigtVector<dim>::Zero();
   const VoigtVector<3> full = thermal_stress_in_space();
   if constexpr (dim == 3)
@@ -73,7 +83,7 @@ VoigtVector<dim> PhaseParameters::thermal_stress() const
 
 double PhaseParameters::transverse_thermal_stress() const
 {
-  return expansion.empty() ? 0. : thermal_stress_in_space()[2];
+  return expands() ? thermal_stress_in_space()[2] : 0.;
 }
 
 OrthotropicConstants PhaseParameters::orthotropic() const

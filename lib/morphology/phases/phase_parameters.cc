@@ -245,7 +245,14 @@ void PhaseParameters::check() const
     {
       throw UserError(section + "': " + error.what());
     }
-  if (dim == 2 && !expansion.empty() && type == Type::stiffness)
+  const bool has_axes = std::any_of(expansion.begin(), expansion.end(),
+                                    [this](const double a) { return a != expansion[0]; });
+  if (type == Type::isotropic && (has_axes || conducts_along_axes()))
+    throw UserError(
+      section + (has_axes ? "/Thermal expansion'" : "/Conductivity'") +
+      " differs along axes, which Type = isotropic has none of; give one number, "
+      "or set Type = orthotropic");
+  if (dim == 2 && expands() && type == Type::stiffness)
     throw UserError(section +
                     "/Thermal expansion' needs the stiffness along z, of which Type = "
                     "stiffness says nothing in 2D; give the moduli as isotropic or "

@@ -4,6 +4,7 @@
 #include "material/stiffness.h"
 #include "material/voigt.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -87,6 +88,23 @@ struct PhaseParameters
   template <int dim>
   std::vector<PhaseConstant<dim>> constants() const;
 
+  /** Whether it expands when it is heated. */
+  bool expands() const
+  {
+    return std::any_of(expansion.begin(), expansion.end(),
+                       [](const double value) { return value != 0.; });
+  }
+
+  /** Whether its conductivity depends on the direction. */
+  bool conducts_along_axes() const
+  {
+    return std::any_of(conductivities.begin(), conductivities.end(),
+                       [this](const double k) { return k != conductivities[0]; });
+  }
+
+  /** alpha . C alpha in space (Pa/K^2), twice the energy of one kelvin without strain. */
+  double thermal_energy() const;
+
   /** Whether one of the keys for an orientation in 3D is given. */
   bool is_turned_in_3d() const
   {
@@ -105,6 +123,9 @@ private:
   template <int dim>
   VoigtMatrix<dim> turned(const VoigtMatrix<dim> &of_material) const;
 
+  /** Expansion of the solid in space (1/K, engineering shear). */
+  VoigtVector<3> expansion_in_space() const;
+
   /** Columns are the axes of the material in space. */
   Eigen::Matrix3d axes() const;
 
@@ -114,7 +135,7 @@ private:
   /** The constants of an orthotropic phase. */
   OrthotropicConstants orthotropic() const;
 
-  /** @throws UserError unless there is no deviation, one, or one for each constant */
+  /** @throws UserError unless there is one deviation, or one for each constant */
   void check_deviations(const std::size_t n_constants) const;
 };
 

@@ -165,6 +165,7 @@ void Solver::residual(const unsigned int k,
                       VoxelField<double> &v,
                       VoxelField<double> &out)
 {
+  AssertThrow(k != heat, dealii::ExcMessage("Not of the case of heat."));
   v.set_ghosts();
   outer(k, v, multigrid->finest_buffer(), out.data());
   // From the units of stress and length.

@@ -69,7 +69,7 @@ def main():
         assert np.array_equal(np.frombuffer(raw[8:], "<i4").reshape(CELLS.shape), CELLS) and int.from_bytes(raw[:8], "little") == 4 * CELLS.size
         assert 'WholeExtent="0 5 0 3 0 4"' in text and 'Spacing="0.001 0.0012 0.0008"' in text
         material = folder.read("plain-damask", "material.yaml").decode()
-        assert re.search(r"  wood:\n    lattice: cI\n.*\n.*\n      elastic: \{type: Hooke, C_11: 1\.0", material), material
+        assert re.search(r"  \"wood\":\n    lattice: cI\n.*\n.*\n      elastic: \{type: Hooke, C_11: 1\.0", material), material
         assert "is not cubic" in export(folder, "wood", "damask", status=1)
         folder.write("plane.prm", prm({"Grid/Cells": "4, 4", "Grid/Size": "1e-3, 1e-3", "Microstructure/Type": "homogeneous", "Phases/Names": "one",
                                        "Phases/one/Young modulus": 1e9}))

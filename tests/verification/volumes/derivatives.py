@@ -3,7 +3,7 @@
 Derivatives of every condition, on plane grids with each solver, voxels and meshes of degree 1 and 2, with isotropic, nearly incompressible,
 turned orthotropic and full phases, equal central differences of two runs whose constants all change a little along a random direction. Of
 a laminate, the loss factor is that of the complex stiffness up to the square of the loss factors, and deviations of one constant are those
-of runs with it. One, two and three ranks agree.
+of runs with it. Complex stiffnesses are those of complex matrices, whatever the loss factors. One, two and three ranks agree.
 """
 
 import csv
@@ -11,6 +11,7 @@ import tempfile
 
 import numpy as np
 
+import independent_finite_elements as plane
 from macroscopic_loads import close, run
 
 from mesh_files import Box
@@ -118,6 +119,14 @@ def check_laminate(folder):
     close(factor, complex_D.imag / complex_D.real, loss["matrix"]**2, "that of the complex stiffness")
     assert "derivatives" not in found and "standard_deviation" not in found
 
+    for fibre, matrix, tolerance in ((0.002, 0.02, 1e-9), (0.05, 1.0, 1e-6)):
+        keys_of_loss = {"Phases/fibre/Loss factor": fibre, "Phases/matrix/Loss factor": matrix}
+        complex_D = 1 / sum(f / (per_modulus * E * (1 + 1j * eta)) for f, E, eta in ((0.1, 240e9, fibre), (0.9, 30e9, matrix)))
+        found = run(folder, "complex", {**LAYERS, **keys_of_loss, "Homogenization/Loss": "complex"})["varied"]["D11"]
+        close(found["real"] + 1j * found["imaginary"], complex_D, tolerance, f"complex stiffness of a laminate, loss factor {matrix}")
+    first = run(folder, "first", {**LAYERS, **keys_of_loss})
+    assert any("set Homogenization/Loss = complex" in warning for warning in first["warnings"]), first["warnings"]
+
     deviation = 0.03
     found = run(folder, "uncertain", {**LAYERS, "Phases/matrix/Relative deviation": f"{deviation}, 0"})["varied"]
     step = 1e-4
@@ -128,10 +137,75 @@ def check_laminate(folder):
         assert found[name]["largest_contribution"] == "matrix E", found[name]
 
 
+def complex_effective(phases, C, condition):
+    """Of a map of isotropic phases with complex stiffnesses, by dense matrices."""
+    K = np.zeros((plane.DOFS.max() + 1,) * 2, complex)
+    cells = [sum(B.T @ D @ B for B in plane.GAUSS) * plane.HX * plane.HY / 4 for D in C]
+    for dofs, phase in zip(plane.DOFS, phases):
+        K[np.ix_(dofs, dofs)] += cells[phase]
+    x, y = plane.I * plane.HX, plane.J * plane.HY
+    affine = np.zeros((len(K), 3))
+    affine[0::2], affine[1::2] = np.stack([x, 0 * x, y / 2], axis=1), np.stack([0 * x, y, x / 2], axis=1)
+    T = plane.columns(~np.repeat(plane.BORDER, 2))
+    if condition == "PBC":
+        T = plane.columns(np.repeat((plane.I < plane.NX) & (plane.J < plane.NY), 2))
+        T = T[(2 * plane.NODES[plane.J % plane.NY, plane.I % plane.NX][:, None] + np.arange(2)).ravel()]
+        T = T[:, 2:]
+    u = affine - T @ np.linalg.solve(T.T @ K @ T, T.T @ K @ affine)
+    return u.T @ K @ u / (plane.NX * plane.HX * plane.NY * plane.HY)
+
+
+def check_complex(folder):
+    """A random map against complex matrices; phases with one loss factor have it together, in every kind of volume."""
+    phases = np.random.default_rng(SEED).choice(3, size=(plane.NY, plane.NX))
+    E, nu, eta = np.array([30e9, 240e9, 2e9]), np.array([0.3, 0.2, 0.4]), np.array([0.1, 0.01, 0.2])
+    lame, shear = E * nu / (1 + nu) / (1 - 2 * nu), E / 2 / (1 + nu)
+    C = [(1 + 1j * e) * np.array([[m + 2 * g, m, 0], [m, m + 2 * g, 0], [0, 0, g]]) for m, g, e in zip(lame, shear, eta)]
+    folder.write("random.txt", "\n".join(" ".join(map(str, row)) for row in phases[::-1]) + "\n")
+    settings = {"Grid/Cells": f"{plane.NX}, {plane.NY}", "Grid/Size": f"{plane.NX * plane.HX}, {plane.NY * plane.HY}", "Microstructure/Type": "image",
+                "Microstructure/File": "random.txt", "Microstructure/Oblong pixels": "true", "Phases/Names": "a, b, c", "Homogenization/Loss": "complex",
+                "Homogenization/Tolerance": 1e-12, "Homogenization/Effective symmetry": "full"}
+    for name, e, n, loss in zip("abc", E, nu, eta):
+        settings |= {f"Phases/{name}/Young modulus": e, f"Phases/{name}/Poisson ratio": n, f"Phases/{name}/Loss factor": loss}
+    entries = [(i, j) for i in range(3) for j in range(i, 3)]
+    for solver, ranks in (("multigrid", 1), ("multigrid", 2), ("divided", 3), ("ml", 2)):
+        for condition in ("KUBC", "PBC"):
+            found = run(folder, "lossy", {**settings, "Homogenization/Solver": solver, "Homogenization/Boundary conditions": condition,
+                                          "Homogenization/Effective": condition}, ranks)["varied"]
+            numbers = [found[f"D{i + 1}{j + 1}"]["real"] + 1j * found[f"D{i + 1}{j + 1}"]["imaginary"] for i, j in entries]
+            expected = complex_effective(phases.ravel(), C, condition)
+            close(numbers, [expected[place] for place in entries], 5e-6, f"complex stiffness, {solver}, {condition}, {ranks} ranks: numpy")
+    strong = {**settings, "Phases/c/Loss factor": 0.8, "Homogenization/Boundary conditions": "PBC", "Homogenization/Effective": "PBC"}
+    lossy = run(folder, "strong", strong)
+    exact = complex_effective(phases.ravel(), [*C[:2], C[2] * (1 + 0.8j) / (1 + 0.2j)], "PBC")[0, 0]
+    error = abs((lossy["varied"]["D11"]["real"] + 1j * lossy["varied"]["D11"]["imaginary"]) / exact - 1)
+    print(f"loss factor 0.8: error {error:.1e}, {lossy['warnings'][-1]}")
+    told = [float(warning.split("off by ")[1].split(" %")[0]) for warning in lossy["warnings"] if "complex stiffness may be off" in warning]
+    assert error < 5e-3 and error < told[0] / 100
+    S = np.linalg.inv(expected)
+    close(found["G_xy"]["real"] + 1j * found["G_xy"]["imaginary"], 1 / S[2, 2], 5e-6, "complex shear modulus")
+    np.save(folder("cells.npy"), VOXELS.astype(np.uint8))
+    Box([5.0, 4.0, 3.0], [5, 4, 3], lambda x: "abc"[VOXELS[tuple(np.floor(x[::-1]).astype(int))]], "simplex").write(folder("loss.msh"))
+    volumes = {"voxels": {"Dimension": 3, "Grid/Cells": "5, 4, 3", "Grid/Spacing": "1e-3, 1e-3, 1e-3", "Microstructure/Type": "voxels",
+                          "Microstructure/File": "cells.npy"}, "mesh": {"Dimension": 3, "Mesh/File": "loss.msh", "Mesh/Scale": 1e-3}}
+    for name, volume in volumes.items():
+        alike = {key: (0.6 if "Loss factor" in key else value) for key, value in settings.items() if key.split("/")[0] in ("Phases", "Homogenization")}
+        found = run(folder, name + "alike", {**alike, **volume, "Homogenization/Boundary conditions": CONDITIONS}, 2)["varied"]
+        close([found[key]["imaginary"] / found[key]["real"] for key in ("D11", "D12", "D66", "E_x", "G_yz")], [0.6] * 5, 1e-9, f"{name}: one loss factor")
+    random = {**COMMON, **{key: value for key, value in settings.items() if key.startswith("Phases")}, "Homogenization/Loss": "complex"}
+    random |= {"Grid/Cells": "20, 20", "Grid/Size": "2e-3, 2e-3", "Microstructure/Type": "random fibres", "Microstructure/Random fibres/Fibre width": 1e-4,
+               "Microstructure/Random fibres/Minimum height": 4e-4, "Microstructure/Random fibres/Maximum height": 8e-4, "Ensemble/Members": 3,
+               "Homogenization/Boundary conditions": "PBC", "Homogenization/Effective": "PBC", "Phases/Names": "a, b, c"}
+    for solver in ("multigrid", "divided"):
+        numbers = [run(folder, f"members{solver}", {**random, "Homogenization/Solver": solver}, ranks)["varied"]["E_y"]["imaginary"] for ranks in (1, 2)]
+        close(numbers[1], numbers[0], 1e-9, f"three members, {solver}, 1 and 2 ranks")
+
+
 def main():
     with tempfile.TemporaryDirectory() as path:
         folder = Folder(path)
         check_laminate(folder)
+        check_complex(folder)
         check_kinds(folder)
 
 

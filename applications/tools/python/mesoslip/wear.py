@@ -20,7 +20,7 @@ Below 0.01 a run that leaves the effect out has what it would have with it; from
 
 
 def _increments(run):
-    """p |v| dt and tau . v dt of each step between two samples, [samples - 1][nodes] (J/m^2), without a friction coefficient in the first."""
+    """p |v| dt of each step between two samples, [samples - 1][nodes] (J/m^2)."""
     contact, time = run.contact_map, np.asarray(run.contact_map.time)
     for field in ("pressure", "slip velocity"):
         if field.replace(" ", "_") not in contact:
@@ -96,8 +96,8 @@ def flash_temperature(run, effusivity, share=1.0):
 def coupling(run, depth_of_wear, rise, expansion, modulus, length=None):
     """The Coupling numbers of a run: whether wear or heat, which the run leaves out, would have changed it.
 
-    expansion (1/K), modulus (Pa): of the body at the contact. length (m): over which the body answers a pressure, by default the length of the contact, in 3D the root of
-    its area."""
+    expansion (1/K), modulus (Pa): of the body at the contact. length (m): over which the body answers a pressure, by default the length of the
+    contact, in 3D the root of its area."""
     contact = run.contact_map
     area = np.asarray(contact.area)
     pressure = float((np.asarray(contact["pressure"]) @ area).mean() / area.sum())
