@@ -73,6 +73,7 @@ void write_frame(LocalizationFile &file,
                  const LocalizationResult &result)
 {
   file.write_attribute("/", "concentration", origin.concentration);
+  file.write_attribute("/", "temperature_change", origin.heating);
   if (std::isfinite(result.window.begin))
     file.write_attribute("/", "window",
                          std::array<double, 2>{{result.window.begin, result.window.end}});
@@ -179,6 +180,7 @@ LocalizationOrigin origin_of(const LocalizationInput<dim> &input)
   origin.n_dofs           = dim * input.body.n_points();
   origin.phases           = files.phase_names();
   origin.concentration    = input.parameters.concentration;
+  origin.heating          = input.parameters.heating;
   origin.snapshots        = input.plan.snapshots.count;
   origin.direct_snapshots = input.plan.direct_snapshots.count;
   origin.differences      = input.differences;
@@ -225,6 +227,7 @@ void summarize_localization(const LocalizationOrigin &origin,
   summary["dofs"]                    = origin.n_dofs;
   summary["phases"]                  = origin.phases;
   summary["concentration"]           = origin.concentration;
+  summary["temperature_change"]      = origin.heating;
   summary["window"]                  = {number_or_null(result.window.begin),
                                         number_or_null(result.window.end)};
   summary["snapshots"]               = origin.snapshots;

@@ -17,12 +17,12 @@ struct StiffnessAt
   VoigtMatrix<dim> slope = VoigtMatrix<dim>::Zero(); ///< dD/dz (Pa)
 };
 
-/** A complex stiffness (Pa). */
+/** A complex stiffness. */
 template <int dim>
 struct ComplexStiffness
 {
-  VoigtMatrix<dim> real      = VoigtMatrix<dim>::Zero();
-  VoigtMatrix<dim> imaginary = VoigtMatrix<dim>::Zero();
+  VoigtMatrix<dim> real      = VoigtMatrix<dim>::Zero(); ///< Pa
+  VoigtMatrix<dim> imaginary = VoigtMatrix<dim>::Zero(); ///< Pa
 
   /** The last term of the polynomial over the largest entry, of both parts: what it leaves out is smaller. */
   double error = 0.;

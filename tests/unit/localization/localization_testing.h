@@ -113,7 +113,7 @@ struct TestRve
     content.phases   = test_phases();
     content.phase_id = phase;
     content.reserved = {"KUBC"};
-    reserve_concentration<2>(path, shape_of_cells(grid), content.reserved, false);
+    reserve_concentration<2>(path, shape_of_cells(grid), content.reserved);
     Hdf5File file = Hdf5File::resume(path);
     file.write_row(concentration_dataset("KUBC"), 0, L);
     file.leave();
