@@ -88,7 +88,7 @@ struct LocalizationOrigin
   std::size_t n_cells = 0;                      ///< of the volume
   std::size_t n_dofs  = 0;                      ///< of the homogeneous run
   std::vector<std::string> phases;              ///< their names
-  double heating = 0.; ///< change of temperature (K)
+  double heating = 0.;                          ///< change of temperature (K)
   std::string concentration;                    ///< KUBC or PBC
   std::size_t snapshots        = 0;             ///< of the homogeneous run, used
   std::size_t direct_snapshots = 0;             ///< of the direct run, used
