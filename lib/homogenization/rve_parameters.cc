@@ -50,7 +50,7 @@ void check_conductivities(const std::vector<PhaseParameters> &phases)
         least   = std::min(least, k);
         largest = std::max(largest, k);
       }
-  if (largest > most * least)
+  if (largest > most * (1 + 1e-12) * least) // a ratio of 1e10 may round above it
     throw UserError("Phases/.../Conductivity: the largest, " + to_text(largest) +
                     ", is more than 1e10 times the least, " + to_text(least) +
                     ", beyond which round-off decides; raise the least");

@@ -74,10 +74,11 @@ void write_expansion(const RveParameters &parameters,
   for (const char *name : voigt_names<dim>)
     headings.push_back(std::string("thermal_stress_") + name + " [Pa/K]");
   TableWriter table(context.file("expansion.csv"), headings);
-  for (const auto &[of, expansion] : found)
+  for (const auto &[name, expansion] : found)
     {
-      const auto response = std::find_if(first.responses.begin(), first.responses.end(),
-                                         [&](const HomogenizedResponse<dim> &one) {
+      const std::string &of = name;
+      const auto response   = std::find_if(first.responses.begin(), first.responses.end(),
+                                           [&of](const HomogenizedResponse<dim> &one) {
                                            return to_string(one.condition) == of;
                                          });
       const VoigtMatrix<dim> &D =

@@ -142,6 +142,22 @@ def check_laminates(folder):
             close([lower, upper], [expected.min(initial=99, where=np.eye(dim) > 0), expected.max()], 1e-12, "Wiener's bounds")
 
 
+def check_contrast(folder):
+    """A laminate of 1e-2 and 1e-11, at the tolerance by default: the current across the bad conductor is as accurate as the other."""
+    np.save(folder("layers.npy"), np.tile((np.arange(10) < 4).astype(np.uint8), (3, 3, 1)))
+    settings = {"Dimension": 3, "Phases/Names": "a, b", "Phases/a/Young modulus": 1e9, "Phases/b/Young modulus": 1e9, "Phases/a/Conductivity": 1e-11,
+                "Phases/b/Conductivity": 0.1, "Homogenization/Boundary conditions": "PBC, MUBC", "Homogenization/Effective": "PBC", "Grid/Cells": "10, 3, 3",
+                "Grid/Spacing": "1e-3, 1e-3, 1e-3", "Microstructure/Type": "voxels", "Microstructure/File": "layers.npy"}
+    write(folder, "contrast", settings)
+    folder.run(0, "rve_homogenization", "contrast.prm", "--output", "contrast", "--quiet")
+    for condition in ("PBC", "MUBC"):
+        k = folder.summary("contrast")["conductivity"][condition]
+        close(k[0][0], 1 / (0.6 / 1e-11 + 0.4 / 0.1), 1e-5, f"across a laminate of contrast 1e10, {condition}")
+        close(k[1][1], 0.4 * 0.1 + 0.6e-11, 1e-9, "along it")
+    write(folder, "beyond", {**settings, "Phases/b/Conductivity": 1})
+    assert "round-off decides" in folder.run(2, "rve_homogenization", "beyond.prm", "--output", "beyond")
+
+
 def check_checkerboard(folder):
     """sqrt(k1 k2), from above."""
     errors = []
@@ -213,6 +229,7 @@ def main():
         folder = Folder(path)
         check_random(folder)
         check_laminates(folder)
+        check_contrast(folder)
         check_checkerboard(folder)
         check_ensemble(folder)
         check_spheres(folder)

@@ -230,9 +230,40 @@ def check_direct(folder):
         close([load["stress"][c] for c in ("xx", "yy", "xy")], S, 1e-9, f"{condition}: S = D E - 50 K beta")
 
 
+def check_plane_energy(folder):
+    """A body in plane strain that is free in the plane has sigma_zz = -E alpha T alone. A phase whose stiffness says nothing of z may lie beside one that
+    expands, one that expands may have no cells."""
+    one = {"Phases/Names": "one", "Phases/one/Young modulus": 3e9, "Phases/one/Poisson ratio": 0.3, "Phases/one/Thermal expansion": 5e-5,
+           "Grid/Cells": "4, 3", "Grid/Size": "4e-3, 3e-3", "Microstructure/Type": "homogeneous", "Loads/Names": "warm", "Loads/warm/Temperature change": 10}
+    for condition in CONDITIONS:
+        found = run(folder, "one", {**one, "Homogenization/Boundary conditions": condition, "Homogenization/Effective": condition})
+        load = found["loads"][0]
+        close(load["energy_density"], 3e9 * 5e-4**2 / 2, 1e-9, f"energy of a homogeneous body, {condition}")
+        close(load["phases"]["one"]["stress_zz"]["mean"], -3e9 * 5e-4, 1e-9, "its sigma_zz")
+        close(found["expansion"]["effective"][:2], 1.3 * 5e-5, 1e-9, "its expansion in the plane")
+    turned = {**one, "Phases/one/Type": "orthotropic", "Phases/one/Young moduli": "60e9, 15e9, 25e9", "Phases/one/Poisson ratios": "0.25, 0.2, 0.15",
+              "Phases/one/Shear moduli": "8e9, 6e9, 5e9", "Phases/one/Angle": 0.4, "Phases/one/Thermal expansion": "1e-6, 2e-5, 3e-5", **COMMON}
+    turned = {key: value for key, value in turned.items() if key not in ("Phases/one/Young modulus", "Phases/one/Poisson ratio")}
+    for solver in ("multigrid", "divided", "ml"):
+        found = run(folder, "turned", {**turned, "Homogenization/Solver": solver})
+        assert max(found["expansion_residual"].values()) < 1e-9, (solver, found["expansion_residual"])
+    plain = {**TWO, **EXPAND, **PLANE, "Homogenization/Boundary conditions": "PBC", "Homogenization/Effective": "PBC"}
+    unknown = {key: value for key, value in plain.items() if key not in ("Phases/stiff/Young modulus", "Phases/stiff/Poisson ratio",
+                                                                      "Phases/stiff/Thermal expansion")}
+    run(folder, "unknown", {**unknown, "Phases/stiff/Type": "stiffness", "Phases/stiff/Stiffness": "80e9, 20e9, 70e9, 30e9"})
+    with h5py.File(folder("unknown1", "rve.h5")) as file:
+        assert "thermal_stress/PBC" in file and "thermal_stress_zz" not in file
+    absent = {"Phases/Names": "soft, stiff, absent", "Phases/absent/Young modulus": 1e9, "Phases/absent/Thermal expansion": 1e-3, "Loads/Names": "warm",
+              "Loads/warm/Temperature change": 10, "Microstructure/Image values": "0, 1, 2"}
+    found = run(folder, "absent", {**{key: value for key, value in plain.items() if "expansion" not in key}, **absent})
+    assert np.abs(found["expansion"]["PBC"]).max() == 0 and found["loads"][0]["hill_mandel_residual"] == 0
+
+
 def check_sentences(folder):
     base = {**TWO, **COMMON, **PLANE, "Loads/Names": "hot", "Loads/hot/Temperature change": 10}
-    for name, more, said in (("nothing", {}, "no phase has a Thermal expansion"), ("two", {"Phases/soft/Thermal expansion": "1e-6, 2e-6"}, "two numbers"),
+    for name, more, said in (("nothing", {}, "no phase has a Thermal expansion"),
+                             ("zero", {"Phases/soft/Thermal expansion": 0}, "no phase has a Thermal expansion"),
+                             ("axes", {"Phases/soft/Thermal expansion": "1e-6, 2e-6, 3e-6"}, "differs along axes"), ("two", {"Phases/soft/Thermal expansion": "1e-6, 2e-6"}, "two numbers"),
                              ("full", {"Phases/soft/Thermal expansion": 1e-6, "Phases/soft/Type": "stiffness",
                                        "Phases/soft/Stiffness": "3e10, 1e10, 3e10, 1e10"}, "stiffness along z")):
         settings = {key: value for key, value in {**base, **more}.items() if not (name == "full" and key in ("Phases/soft/Young modulus",
@@ -259,6 +290,7 @@ def main():
         check_unidirectional(folder)
         check_kinds(folder)
         check_direct(folder)
+        check_plane_energy(folder)
         check_sentences(folder)
 
 
