@@ -69,7 +69,9 @@ std::vector<unsigned int> order_of_cases(const bool heated)
 template <int dim>
 std::string name_of_case(const unsigned int k)
 {
-  return k < n_voigt<dim> ? voigt_names<dim>[k] : "heat";
+  if (k < n_voigt<dim>)
+    return voigt_names<dim>[k];
+  return "heat";
 }
 
 /** Whether load case @p k has other prescribed displacements than the case before. */
@@ -96,13 +98,17 @@ struct LoadCaseSolutions
   /** Displacements of load case @p k. */
   NodalField<double> &field(const unsigned int k)
   {
-    return k < displacement.size() ? displacement[k] : of_heat;
+    if (k < displacement.size())
+      return displacement[k];
+    return of_heat;
   }
 
   /** The same to read. */
   const NodalField<double> &field(const unsigned int k) const
   {
-    return k < displacement.size() ? displacement[k] : of_heat;
+    if (k < displacement.size())
+      return displacement[k];
+    return of_heat;
   }
 
   std::vector<SolverReport>

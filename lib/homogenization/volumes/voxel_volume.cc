@@ -47,7 +47,9 @@ constexpr unsigned int place(const unsigned int m)
 template <int dim>
 constexpr unsigned int place_of_case(const unsigned int k)
 {
-  return k < n_voigt<dim> ? place<dim>(k) : voxel::Solver::heat;
+  if (k < n_voigt<dim>)
+    return place<dim>(k);
+  return voxel::Solver::heat;
 }
 
 /** The part of strains that is in the plane. */
