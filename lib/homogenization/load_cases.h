@@ -70,7 +70,7 @@ template <int dim>
 std::string name_of_case(const unsigned int k)
 {
   if (k < n_voigt<dim>)
-    return voigt_names<dim>[k];
+    return std::string(voigt_names<dim>[k]); // without std::string cppcheck misreads it
   return "heat";
 }
 
