@@ -19,7 +19,7 @@ sys.dont_write_bytecode = True  # leave no __pycache__ in a source tree
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path += [HERE, os.path.join(HERE, "studies")]
 
-from volume_size import PROGRAM, SizeError, find_programs, list_of, study_in  # noqa: E402
+from volume_size import PROGRAM, SizeError, find_programs, list_of, results_of, study_in  # noqa: E402
 
 SHOWN = ("E_x", "G_xy")
 
@@ -118,10 +118,7 @@ def main():
         for frequency in frequencies:
             settings = {key: value for phase in phases for key, value in phase.at(frequency).items()}
             study.add(f"{frequency:g}Hz", PROGRAM, arguments.prm, {"Homogenization/Write concentration": False, "Homogenization/Loss": "complex", **settings})
-        results = study.run()
-        failed = [f"{name}: {result.message}" for name, result in results.items() if result.status]
-        if failed:
-            raise SizeError(f"{len(failed)} of {len(results)} runs failed; {failed[0]}")
+        results = results_of(study)
     except SizeError as error:
         sys.exit(f"complex_moduli.py: {error}")
     rows = table_of(frequencies, [result.summary for result in results.values()])

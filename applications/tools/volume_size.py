@@ -239,6 +239,15 @@ def study_in(arguments, programs):
     return Study(arguments.output, programs, arguments.jobs, always=True)
 
 
+def results_of(study):
+    """{name: Result} of all runs, none of which failed."""
+    results = study.run()
+    failed = [f"{name}: {result.message}" for name, result in results.items() if result.status]
+    if failed:
+        raise SizeError(f"{len(failed)} of {len(results)} runs failed; {failed[0]}")
+    return results
+
+
 def list_of(text, kind, what):
     try:
         found = [kind(part) for part in text.split(",")]
@@ -303,10 +312,7 @@ def main():
                 names[size].append(f"size{size:g}-{m + 1}")
                 study.add(names[size][-1], PROGRAM, arguments.prm,
                           {**fixed, "Homogenization/Write concentration": False, "Ensemble/Members": 1, **settings})
-        results = study.run()
-        failed = [f"{name}: {result.message}" for name, result in results.items() if result.status]
-        if failed:
-            raise SizeError(f"{len(failed)} of {len(results)} runs failed; {failed[0]}")
+        results = results_of(study)
     except SizeError as error:
         sys.exit(f"volume_size.py: {error}")
     runs = {size: [results[name].summary for name in own] for size, own in names.items()}

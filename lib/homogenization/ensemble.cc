@@ -2,6 +2,7 @@
 
 #include "base/errors.h"
 #include "base/text.h"
+#include "homogenization/over_members.h"
 #include "material/symmetric_eigenvalues.h"
 
 #include <Eigen/Cholesky>
@@ -17,13 +18,6 @@ namespace mesoslip
 {
 namespace
 {
-/** Five digits are what the other programs and the pages count on. */
-constexpr double tell_above = 1e-5;
-
-/** A percent is about what the moduli of phases are known to: what is not sure to that is
- * no result. */
-constexpr double refuse_above = 1e-2;
-
 /** The means over two phases follow from the stiffness through the difference of the
  * phases, which magnifies its error. */
 constexpr double refuse_phase_means_above = 0.1;
@@ -202,16 +196,8 @@ template <int dim>
 VoigtMatrix<dim> mean_stiffness(const std::vector<EnsembleMember<dim>> &members,
                                 const std::vector<BoundaryCondition> &conditions)
 {
-  VoigtMatrix<dim> sum = VoigtMatrix<dim>::Zero();
-  double n             = 0.;
-  for (const EnsembleMember<dim> &member : members)
-    for (const HomogenizedResponse<dim> &response : member.responses)
-      if (std::count(conditions.begin(), conditions.end(), response.condition) > 0)
-        {
-          sum += response.stiffness;
-          n += 1.;
-        }
-  return n > 0. ? VoigtMatrix<dim>(sum / n) : sum;
+  return mean_over(members, &EnsembleMember<dim>::responses,
+                   &HomogenizedResponse<dim>::stiffness, conditions);
 }
 
 double largest_loss_factor(const RveParameters &parameters)

@@ -302,7 +302,7 @@ void write_rve_summary(const RveParameters &parameters,
   if (!parameters.reference.empty())
     out["reference_stiffness"] =
       matrix_json<dim>(stiffness_from_coefficients<dim>(parameters.reference));
-  summarize_expansion<dim>(parameters, results, out);
+  summarize_expansion<dim>(results, out);
   summarize_conductivity<dim>(parameters, results, out);
   summarize_derivatives<dim>(parameters, results, out);
   if (!parameters.loads.loads.empty())

@@ -24,15 +24,16 @@ struct RveResults
   /** Thermal expansion (1/K) by condition, and "effective"; empty: nothing expands. */
   std::map<std::string, VoigtVector<dim>> expansion;
 
+  /** Conductivity by condition, and "effective", in the unit of the phases; empty: not asked for. */
+  std::map<std::string, Tensor2<dim>> conductivity;
+
   /** Number of nodes of the first member. */
   std::size_t n_nodes = 0;
 };
 
 /** rve.h5 (with the summary written before) and rve.xdmf. */
 template <int dim>
-void write_rve_results(const RveParameters &parameters,
-                       RveResults<dim> &results,
-                       RunContext &context);
+void write_rve_results(RveResults<dim> &results, RunContext &context);
 
 /**
  * Takes over the summary of the run that wrote the rve.h5 in the output folder.

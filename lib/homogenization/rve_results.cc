@@ -1,5 +1,4 @@
 #include "exchange/rve_file.h"
-#include "homogenization/conduction/conduction_output.h"
 #include "homogenization/rve_program.h"
 #include "io/json.h"
 #include "program/run_context.h"
@@ -9,9 +8,7 @@ namespace mesoslip
 using nlohmann::json;
 
 template <int dim>
-void write_rve_results(const RveParameters &parameters,
-                       RveResults<dim> &results,
-                       RunContext &context)
+void write_rve_results(RveResults<dim> &results, RunContext &context)
 {
   RveContent<dim> &content       = results.first;
   content.summary                = context.summary().dump();
@@ -19,7 +16,7 @@ void write_rve_results(const RveParameters &parameters,
   for (const HomogenizedResponse<dim> &response : results.members[0].responses)
     content.stiffness[to_string(response.condition)] = response.stiffness;
   content.expansion = results.expansion;
-  for (const auto &[of, k] : conductivities<dim>(parameters, results))
+  for (const auto &[of, k] : results.conductivity)
     content.conductivity[of] = std::vector<double>(k.data(), k.data() + k.size());
   write_rve_file(context.file("rve.h5"), content);
 }
@@ -37,6 +34,6 @@ bool restore_rve_summary(RunContext &context)
   return true;
 }
 
-template void write_rve_results<2>(const RveParameters &, RveResults<2> &, RunContext &);
-template void write_rve_results<3>(const RveParameters &, RveResults<3> &, RunContext &);
+template void write_rve_results<2>(RveResults<2> &, RunContext &);
+template void write_rve_results<3>(RveResults<3> &, RunContext &);
 } // namespace mesoslip

@@ -249,15 +249,16 @@ void VolumeAnalysis<dim>::run(RunContext &context)
   if (!parameters.effective_full)
     results.effective = orthotropic_part<dim>(results.effective);
   results.expansion       = expansions<dim>(parameters, results);
+  results.conductivity    = conductivities<dim>(parameters, results);
   results.first.digest    = digest;
   results.first.fractions = results.members[0].fractions;
   write_rve_tables<dim>(parameters, results, context);
   write_derivatives<dim>(parameters, results, context);
-  write_expansion<dim>(parameters, results, context);
-  write_conductivity<dim>(parameters, results, context);
+  write_expansion<dim>(results, context);
+  write_conductivity<dim>(results, context);
   write_loads<dim>(parameters, results, context);
   write_rve_summary<dim>(parameters, results, context);
-  write_rve_results<dim>(parameters, results, context);
+  write_rve_results<dim>(results, context);
 }
 
 template class VolumeAnalysis<2>;

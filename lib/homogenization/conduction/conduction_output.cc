@@ -1,8 +1,7 @@
 #include "homogenization/conduction/conduction_output.h"
 
-#include "base/errors.h"
+#include "homogenization/over_members.h"
 #include "io/table.h"
-#include "material/plausibility.h"
 #include "parameters/parameters.h"
 #include "program/run_context.h"
 
@@ -47,21 +46,11 @@ std::map<std::string, Tensor2<dim>> conductivities(const RveParameters &paramete
   std::map<std::string, Tensor2<dim>> found;
   if (results.members[0].conduction.empty())
     return found;
-  const auto effective = effective_conditions(parameters);
-  Tensor2<dim> mean    = Tensor2<dim>::Zero();
-  double n             = 0.;
-  for (const EnsembleMember<dim> &member : results.members)
-    for (const ConductionResponse<dim> &response : member.conduction)
-      {
-        // Of the first member.
-        found.emplace(to_string(response.condition), response.conductivity);
-        if (std::count(effective.begin(), effective.end(), response.condition) > 0)
-          {
-            mean += response.conductivity;
-            n += 1.;
-          }
-      }
-  mean /= n;
+  for (const ConductionResponse<dim> &response : results.members[0].conduction)
+    found.emplace(to_string(response.condition), response.conductivity);
+  Tensor2<dim> mean =
+    mean_over(results.members, &EnsembleMember<dim>::conduction,
+              &ConductionResponse<dim>::conductivity, effective_conditions(parameters));
   if (!parameters.effective_full)
     mean = Tensor2<dim>(mean.diagonal().asDiagonal());
   found["effective"] = mean;
@@ -99,11 +88,9 @@ conductivity_bounds(const RveParameters &parameters, const std::vector<double> &
 }
 
 template <int dim>
-void write_conductivity(const RveParameters &parameters,
-                        const RveResults<dim> &results,
-                        const RunContext &context)
+void write_conductivity(const RveResults<dim> &results, const RunContext &context)
 {
-  const auto found = conductivities<dim>(parameters, results);
+  const auto &found = results.conductivity;
   if (found.empty())
     return;
   std::vector<std::string> headings = {"of"};
@@ -127,7 +114,7 @@ void summarize_conductivity(const RveParameters &parameters,
                             const RveResults<dim> &results,
                             json &summary)
 {
-  for (const auto &[of, k] : conductivities<dim>(parameters, results))
+  for (const auto &[of, k] : results.conductivity)
     summary["conductivity"][of] = matrix_json<dim>(k);
   const EnsembleMember<dim> &first = results.members[0];
   if (first.conduction.empty())
@@ -163,37 +150,20 @@ std::vector<std::string>
 conductivity_warnings(const RveParameters &parameters,
                       const std::vector<EnsembleMember<dim>> &members)
 {
-  constexpr double refuse_above = 0.01, tell_above = 1e-5;
-  std::vector<std::string> sentences;
-  for (const EnsembleMember<dim> &member : members)
-    for (const ConductionResponse<dim> &response : member.conduction)
-      {
-        if (response.residual <= tell_above)
-          continue;
-        const std::string sentence =
-          to_string(response.condition) +
-          brief_text(
-            2, ": the conductivities from the energy and from the mean flux differ by ",
-            response.residual, "; lower Homogenization/Tolerance (now ",
-            parameters.tolerance, ")") +
-          (members.size() > 1 ? " (" + member.origin + ")" : "");
-        if (!(response.residual <= refuse_above))
-          throw NumericalFailure(sentence);
-        sentences.push_back(sentence);
-      }
-  return sentences;
+  return residual_warnings(
+    members, &EnsembleMember<dim>::conduction, &ConductionResponse<dim>::residual,
+    "the conductivities from the energy and from the mean flux", parameters.tolerance);
 }
 
-#define MESOSLIP_INSTANTIATE(dim)                                                       \
-  template std::map<std::string, Tensor2<dim>> conductivities<dim>(                     \
-    const RveParameters &, const RveResults<dim> &);                                    \
-  template std::map<std::string, std::array<double, 2>> conductivity_bounds<dim>(       \
-    const RveParameters &, const std::vector<double> &);                                \
-  template void write_conductivity<dim>(const RveParameters &, const RveResults<dim> &, \
-                                        const RunContext &);                            \
-  template void summarize_conductivity<dim>(const RveParameters &,                      \
-                                            const RveResults<dim> &, json &);           \
-  template std::vector<std::string> conductivity_warnings<dim>(                         \
+#define MESOSLIP_INSTANTIATE(dim)                                                     \
+  template std::map<std::string, Tensor2<dim>> conductivities<dim>(                   \
+    const RveParameters &, const RveResults<dim> &);                                  \
+  template std::map<std::string, std::array<double, 2>> conductivity_bounds<dim>(     \
+    const RveParameters &, const std::vector<double> &);                              \
+  template void write_conductivity<dim>(const RveResults<dim> &, const RunContext &); \
+  template void summarize_conductivity<dim>(const RveParameters &,                    \
+                                            const RveResults<dim> &, json &);         \
+  template std::vector<std::string> conductivity_warnings<dim>(                       \
     const RveParameters &, const std::vector<EnsembleMember<dim>> &);
 MESOSLIP_INSTANTIATE(2)
 MESOSLIP_INSTANTIATE(3)

@@ -26,9 +26,7 @@ conductivity_bounds(const RveParameters &parameters,
 
 /** conductivity.csv, if it was asked for. */
 template <int dim>
-void write_conductivity(const RveParameters &parameters,
-                        const RveResults<dim> &results,
-                        const RunContext &context);
+void write_conductivity(const RveResults<dim> &results, const RunContext &context);
 
 /** Adds conductivities, bounds, residuals and iterations to summary.json. */
 template <int dim>

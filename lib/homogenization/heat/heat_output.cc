@@ -1,9 +1,8 @@
 #include "homogenization/heat/heat_output.h"
 
-#include "base/errors.h"
+#include "homogenization/over_members.h"
 #include "io/table.h"
 #include "material/engineering_constants.h"
-#include "material/plausibility.h"
 #include "parameters/parameters.h"
 #include "program/run_context.h"
 
@@ -17,21 +16,11 @@ namespace
 {
 using nlohmann::json;
 
-/** Mean thermal stress (Pa/K) over all members and those of the @p conditions. */
+/** Thermal stress (Pa/K) of a response. */
 template <int dim>
-VoigtVector<dim> mean_thermal_stress(const std::vector<EnsembleMember<dim>> &members,
-                                     const std::vector<BoundaryCondition> &conditions)
+VoigtVector<dim> thermal_stress(const HomogenizedResponse<dim> &response)
 {
-  VoigtVector<dim> sum = VoigtVector<dim>::Zero();
-  double n             = 0.;
-  for (const EnsembleMember<dim> &member : members)
-    for (const HomogenizedResponse<dim> &response : member.responses)
-      if (std::count(conditions.begin(), conditions.end(), response.condition) > 0)
-        {
-          sum += response.heat.stress;
-          n += 1.;
-        }
-  return sum / n;
+  return response.heat.stress;
 }
 
 template <int dim>
@@ -52,7 +41,8 @@ std::map<std::string, VoigtVector<dim>> expansions(const RveParameters &paramete
   for (const HomogenizedResponse<dim> &response : members[0].responses)
     found[to_string(response.condition)] = response.heat.expansion;
   VoigtVector<dim> stress =
-    mean_thermal_stress<dim>(members, effective_conditions(parameters));
+    mean_over(members, &EnsembleMember<dim>::responses, &thermal_stress<dim>,
+              effective_conditions(parameters));
   if (!parameters.effective_full)
     stress.template tail<n_voigt<dim> - dim>().setZero();
   found["effective"] = inverse<dim>(results.effective) * stress;
@@ -60,11 +50,9 @@ std::map<std::string, VoigtVector<dim>> expansions(const RveParameters &paramete
 }
 
 template <int dim>
-void write_expansion(const RveParameters &parameters,
-                     const RveResults<dim> &results,
-                     const RunContext &context)
+void write_expansion(const RveResults<dim> &results, const RunContext &context)
 {
-  const auto found = expansions<dim>(parameters, results);
+  const auto &found = results.expansion;
   if (found.empty())
     return;
   const EnsembleMember<dim> &first  = results.members[0];
@@ -94,11 +82,9 @@ void write_expansion(const RveParameters &parameters,
 }
 
 template <int dim>
-void summarize_expansion(const RveParameters &parameters,
-                         const RveResults<dim> &results,
-                         json &summary)
+void summarize_expansion(const RveResults<dim> &results, json &summary)
 {
-  for (const auto &[of, expansion] : expansions<dim>(parameters, results))
+  for (const auto &[of, expansion] : results.expansion)
     summary["expansion"][of] = list_of<dim>(expansion);
   for (const HomogenizedResponse<dim> &response : results.members[0].responses)
     if (response.heat.exists)
@@ -130,37 +116,19 @@ std::vector<std::string>
 expansion_warnings(const RveParameters &parameters,
                    const std::vector<EnsembleMember<dim>> &members)
 {
-  constexpr double refuse_above = 0.01, tell_above = 1e-5;
-  std::vector<std::string> sentences;
-  for (const EnsembleMember<dim> &member : members)
-    for (const HomogenizedResponse<dim> &response : member.responses)
-      {
-        const double error = response.heat.residual;
-        if (error <= tell_above)
-          continue;
-        const std::string sentence =
-          to_string(response.condition) +
-          brief_text(
-            2,
-            ": the thermal stress of the unit load cases and the one of the case of "
-            "heat differ by ",
-            error, "; lower Homogenization/Tolerance (now ", parameters.tolerance, ")") +
-          (members.size() > 1 ? " (" + member.origin + ")" : "");
-        if (!(error <= refuse_above))
-          throw NumericalFailure(sentence);
-        sentences.push_back(sentence);
-      }
-  return sentences;
+  return residual_warnings(
+    members, &EnsembleMember<dim>::responses,
+    [](const HomogenizedResponse<dim> &response) { return response.heat.residual; },
+    "the thermal stress of the unit load cases and the one of the case of heat",
+    parameters.tolerance);
 }
 
-#define MESOSLIP_INSTANTIATE(dim)                                                        \
-  template std::map<std::string, VoigtVector<dim>> expansions<dim>(                      \
-    const RveParameters &, const RveResults<dim> &);                                     \
-  template void write_expansion<dim>(const RveParameters &, const RveResults<dim> &,     \
-                                     const RunContext &);                                \
-  template void summarize_expansion<dim>(const RveParameters &, const RveResults<dim> &, \
-                                         json &);                                        \
-  template std::vector<std::string> expansion_warnings<dim>(                             \
+#define MESOSLIP_INSTANTIATE(dim)                                                  \
+  template std::map<std::string, VoigtVector<dim>> expansions<dim>(                \
+    const RveParameters &, const RveResults<dim> &);                               \
+  template void write_expansion<dim>(const RveResults<dim> &, const RunContext &); \
+  template void summarize_expansion<dim>(const RveResults<dim> &, json &);         \
+  template std::vector<std::string> expansion_warnings<dim>(                       \
     const RveParameters &, const std::vector<EnsembleMember<dim>> &);
 MESOSLIP_INSTANTIATE(2)
 MESOSLIP_INSTANTIATE(3)

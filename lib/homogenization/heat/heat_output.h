@@ -19,15 +19,11 @@ std::map<std::string, VoigtVector<dim>> expansions(const RveParameters &paramete
 
 /** expansion.csv, if a phase expands. */
 template <int dim>
-void write_expansion(const RveParameters &parameters,
-                     const RveResults<dim> &results,
-                     const RunContext &context);
+void write_expansion(const RveResults<dim> &results, const RunContext &context);
 
 /** Adds the expansion to summary.json. */
 template <int dim>
-void summarize_expansion(const RveParameters &parameters,
-                         const RveResults<dim> &results,
-                         nlohmann::json &summary);
+void summarize_expansion(const RveResults<dim> &results, nlohmann::json &summary);
 
 /** Effective expansion of a summary, new or restored, on the console. */
 void log_expansion(RunContext &context);

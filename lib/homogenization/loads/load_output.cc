@@ -3,6 +3,7 @@
 #include "base/text.h"
 #include "exchange/loads_file.h"
 #include "homogenization/loads/load_members.h"
+#include "homogenization/over_members.h"
 #include "io/table.h"
 #include "material/plausibility.h"
 #include "parameters/parameters.h"
@@ -223,7 +224,7 @@ std::vector<std::string> load_warnings(const RveParameters &parameters,
       "Loads: a phase has Type = stiffness, which says nothing of sigma_zz in plane "
       "strain; von Mises, hydrostatic and principal stresses are left out: give its "
       "moduli as isotropic or orthotropic to have them");
-  constexpr double tell_above = 1e-5, largest_strain = 0.1;
+  constexpr double largest_strain = 0.1;
   for (const LoadResult<dim> &result : members[0].loads)
     if (const double strain = result.strain.cwiseAbs().maxCoeff();
         strain > largest_strain)
