@@ -279,6 +279,7 @@ RveResults<dim> VolumeAnalysis<dim>::compute(RunContext &context)
 
 #define MESOSLIP_INSTANTIATE(dim)                                                     \
   template std::string VolumeAnalysis<dim>::reserve_fields(const RunContext &) const; \
+  template double VolumeAnalysis<dim>::bytes_of_conduction(const unsigned int) const; \
   template RveResults<dim> VolumeAnalysis<dim>::compute(RunContext &);
 MESOSLIP_INSTANTIATE(2)
 MESOSLIP_INSTANTIATE(3)

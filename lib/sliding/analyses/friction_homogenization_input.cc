@@ -1,6 +1,7 @@
 #include "base/errors.h"
 #include "base/files.h"
 #include "exchange/grid_file.h"
+#include "material/plausibility.h"
 #include "sliding/analyses/friction_homogenization.h"
 #include "sliding/analyses/phases_of_contact.h"
 

@@ -1,5 +1,6 @@
 #include "material/plausibility.h"
 #include "sliding/complex/complex_output.h"
+#include "sliding/run_plan.h"
 
 #include <algorithm>
 #include <cmath>

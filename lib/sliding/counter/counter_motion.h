@@ -2,6 +2,7 @@
 #define mesoslip_sliding_counter_counter_motion_h
 
 #include "contact/pair/paired_contact.h"
+#include "observation/probe_recorder.h"
 #include "sliding/sliding_body.h"
 
 #include <functional>

@@ -8,6 +8,7 @@
 #include "material/shear_impedance.h"
 #include "sliding/body_grid.h"
 #include "sliding/contact_parameters.h"
+#include "sliding/mesh/body_mesh.h"
 #include "sliding/mesh/mesh_sides.h"
 
 #include <deal.II/base/bounding_box.h>

@@ -1,6 +1,7 @@
 #include "sliding/mesh/mesh_sides.h"
 
 #include "sliding/contact_parameters.h"
+#include "sliding/mesh/body_mesh.h"
 #include "sliding/supports/side_platen.h"
 
 #include <algorithm>

@@ -3,6 +3,7 @@
 #include "base/errors.h"
 #include "base/object_exchange.h"
 #include "io/checkpoint.h"
+#include "material/plausibility.h"
 #include "parameters/keys.h"
 #include "parameters/parameters.h"
 #include "program/run_context.h"
