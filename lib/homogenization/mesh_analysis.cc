@@ -154,6 +154,12 @@ private:
           volumes.push_back(
             read_mesh<dim>(parameters.mesh, file, parameters.microstructure.phases));
           require_volume(volumes.back().mesh, periodic);
+          if (!volumes.back().mesh.bulges.empty() &&
+              !parameters.microstructure.phases[0].conductivities.empty())
+            volumes.back().warnings.push_back(
+              "the conductivity of " + file +
+              " is computed on linear cells with straight sides, other than its "
+              "stiffness, and so converges with order 2");
         }
       catch (const UserError &e)
         {

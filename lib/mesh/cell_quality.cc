@@ -2,6 +2,7 @@
 
 #include "base/errors.h"
 #include "base/text.h"
+#include "mesh/curved_cells.h"
 
 #include <deal.II/grid/grid_tools.h>
 
@@ -25,6 +26,15 @@ std::array<unsigned int, dim> neighbours(const unsigned int v, const bool is_sim
   if (mirrored)
     std::swap(result[0], result[1]);
   return result;
+}
+
+template <int dim>
+std::vector<double> coordinates(const dealii::Point<dim> &point)
+{
+  std::vector<double> x(dim);
+  for (unsigned int d = 0; d < dim; ++d)
+    x[d] = point[d];
+  return x;
 }
 
 /** Throws if the sixteen digits of the largest coordinate leave less than seven for an edge. */
@@ -95,13 +105,23 @@ MeshQuality<dim> cell_quality(const Mesh<dim> &mesh)
             }
         }
     }
+  for (const CurvedCell &curved : curved_cells(mesh))
+    {
+      const Cell &cell = mesh.cells[curved.cell];
+      quality.volume[cell.material_id] +=
+        curved.volume - cell_volume(mesh.points, cell.vertices);
+      if (!(curved.least_jacobian > 0.))
+        throw UserError("Mesh/File: the curved cell with a corner at (" +
+                        to_text(coordinates(mesh.points[cell.vertices[0]])) +
+                        ") m is turned inside out at a point, as its edges bulge too "
+                        "far; mesh that place finer or let Gmsh improve it "
+                        "(Mesh.HighOrderOptimize = 1)");
+    }
   require_near_origin(mesh, quality.largest_edge);
   if (!(quality.worst_jacobian > 1e-10))
     {
-      std::vector<double> x(dim);
-      for (unsigned int d = 0; d < dim; ++d)
-        x[d] = quality.worst_place[d];
-      throw UserError("Mesh/File: the cell at (" + to_text(x) +
+      throw UserError("Mesh/File: the cell at (" +
+                      to_text(coordinates(quality.worst_place)) +
                       ") m is twisted, concave or flat (scaled Jacobian " +
                       to_text(quality.worst_jacobian) +
                       "); mesh that place anew, for instance with another algorithm");

@@ -26,27 +26,30 @@ void append(std::vector<GmshCells> &cells,
             const unsigned int group,
             const int d,
             const int entity,
-            const std::string &file)
+            const GmshFile &file)
 {
   std::vector<int> types;
-  std::vector<std::vector<std::size_t>> cell_tags, corners;
-  gmsh::model::mesh::getElements(types, cell_tags, corners, d, entity);
+  std::vector<std::vector<std::size_t>> cell_tags, nodes;
+  gmsh::model::mesh::getElements(types, cell_tags, nodes, d, entity);
   for (std::size_t t = 0; t < types.size(); ++t)
     {
       const std::vector<unsigned int> &corner = corners_in_order(types[t], file);
-      const std::size_t n                     = corner.size();
-      GmshCells some = {group, n, std::vector<unsigned int>(corners[t].size())};
-      for (std::size_t k = 0; k < corners[t].size(); ++k)
+      GmshCells some      = {group, corner.size(), {}, middles_in_order(types[t])};
+      const std::size_t n = some.n_nodes();
+      some.tags.resize(nodes[t].size());
+      for (std::size_t k = 0; k < nodes[t].size(); ++k)
         {
-          const std::size_t tag = corners[t][k - k % n + corner[k % n]];
+          const std::size_t tag =
+            nodes[t][k % n < corner.size() ? k - k % n + corner[k % n] : k];
           if (tag > std::numeric_limits<unsigned int>::max())
-            throw UserError(file + " has a point with the number " + std::to_string(tag) +
+            throw UserError(file.name + " has a point with the number " +
+                            std::to_string(tag) +
                             "; let Gmsh renumber the mesh, so that 32 bits hold it");
           some.tags[k] = static_cast<unsigned int>(tag);
         }
       cells.push_back(std::move(some));
       cell_tags[t] = {};
-      corners[t]   = {};
+      nodes[t]     = {};
     }
 }
 
@@ -148,9 +151,9 @@ std::vector<GmshCells> cells_in_groups(const int d,
                                        const std::vector<PhysicalGroup> &groups,
                                        const bool are_faces,
                                        std::vector<std::string> &names,
-                                       const std::string &file)
+                                       const GmshFile &file)
 {
-  auto name_of = names_in_file(d, file);
+  auto name_of = names_in_file(d, file.name);
   std::vector<GmshCells> cells;
   std::map<int, std::set<std::size_t>> groups_of_entity;
   for (const PhysicalGroup &group : groups)
@@ -170,7 +173,7 @@ std::vector<GmshCells> cells_in_groups(const int d,
           if (!others.insert(number).second)
             continue;
           if (!are_faces && others.size() > 1)
-            throw UserError(file + ": part " + std::to_string(entity) +
+            throw UserError(file.name + ": part " + std::to_string(entity) +
                             " of the geometry is in two physical groups, '" +
                             names[*others.begin()] + "' and '" + names[*others.rbegin()] +
                             "'; put it into one");
@@ -181,9 +184,12 @@ std::vector<GmshCells> cells_in_groups(const int d,
 }
 } // namespace
 
-GmshContent::GmshContent(const std::string &the_file, const unsigned int dim)
+GmshContent::GmshContent(const std::string &the_file,
+                         const unsigned int dim,
+                         const int max_order)
   : file(the_file)
 {
+  const GmshFile given     = {file, max_order};
   const char *const advice = "; if it is whole, save the mesh again in Gmsh's format";
   try
     {
@@ -193,9 +199,9 @@ GmshContent::GmshContent(const std::string &the_file, const unsigned int dim)
       const auto content = [&](const int of, std::vector<std::string> &names) {
         return cells_in_groups(of,
                                of_tags ? groups_by_tag(of, file) : physical_groups(of),
-                               of < d, names, file);
+                               of < d, names, given);
       };
-      require_cells(file, d);
+      require_cells(given, d);
       cells = content(d, phases);
       require_groups(file, d, count(cells));
       faces = content(d - 1, boundaries);
@@ -238,7 +244,7 @@ std::size_t count(const std::vector<GmshCells> &cells)
 {
   std::size_t n = 0;
   for (const GmshCells &some : cells)
-    n += some.tags.size() / some.n_corners;
+    n += some.tags.size() / some.n_nodes();
   return n;
 }
 } // namespace mesoslip

@@ -10,9 +10,19 @@ namespace mesoslip
 /** Cells of one kind and physical group. */
 struct GmshCells
 {
-  unsigned int group    = 0;      ///< number of its name
-  std::size_t n_corners = 0;      ///< of a cell
-  std::vector<unsigned int> tags; ///< of the corners of all cells, as deal.II orders them
+  unsigned int group    = 0; ///< number of its name
+  std::size_t n_corners = 0; ///< of a cell
+  std::vector<unsigned int>
+    tags; ///< of the nodes of all cells: corners as deal.II orders them, then middles
+
+  /** Of a quadratic cell the corners of each edge, face or cell that a further node is in the middle of. */
+  std::vector<std::vector<unsigned int>> middles;
+
+  /** Of a cell. */
+  std::size_t n_nodes() const
+  {
+    return n_corners + middles.size();
+  }
 };
 
 /**
@@ -23,12 +33,12 @@ class GmshContent
 {
 public:
   /**
-   * Reads @p file with the Gmsh library: cells of dimension @p dim, which all have to be in
-   * a physical group, and faces that are in one.
+   * Reads @p file with the Gmsh library: cells of dimension @p dim and an order up to @p max_order, 1 or 2, which all
+   * have to be in a physical group, and faces that are in one.
    *
    * @throws UserError
    */
-  GmshContent(const std::string &file, unsigned int dim);
+  GmshContent(const std::string &file, unsigned int dim, int max_order);
 
   /** Of the point with a tag among all points. */
   unsigned int place_of(unsigned int tag) const;

@@ -53,6 +53,22 @@ struct Face
   }
 };
 
+/** How an edge, face or cell is curved: where the node in its middle is. */
+template <int dim>
+struct Bulge
+{
+  std::vector<unsigned int>
+    corners; ///< of the edge, face or cell: indices into the points, in ascending order
+  dealii::Tensor<1, dim> offset; ///< of the node from the mean of the corners (m)
+
+  /** Saves or restores all members (Boost.Serialization). */
+  template <class Archive>
+  void serialize(Archive &archive, const unsigned int)
+  {
+    serialize_members<2>(archive, *this);
+  }
+};
+
 /** A mesh of a whole body, before it is divided among the ranks. */
 template <int dim>
 struct Mesh
@@ -63,6 +79,9 @@ struct Mesh
   std::vector<Cell> cells; ///< triangles and quadrilaterals, or tetrahedra, or hexahedra
   std::vector<Face>
     faces; ///< those of groups, once in each, whether or not they bound the body
+
+  /** Of quadratic cells, in ascending order of their corners; what is not in it is straight. */
+  std::vector<Bulge<dim>> bulges;
 
   std::vector<std::string> phases;     ///< names of the groups of cells
   std::vector<std::string> boundaries; ///< names of the groups of edges (2D) or faces
@@ -86,7 +105,7 @@ struct Mesh
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    serialize_members<8>(archive, *this);
+    serialize_members<9>(archive, *this);
   }
 };
 

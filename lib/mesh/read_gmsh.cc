@@ -34,7 +34,7 @@ std::vector<Item> to_cells(std::vector<GmshCells> &some,
   cells.reserve(count(some));
   for (GmshCells &of_kind : some)
     {
-      for (std::size_t k = 0; k < of_kind.tags.size(); k += of_kind.n_corners)
+      for (std::size_t k = 0; k < of_kind.tags.size(); k += of_kind.n_nodes())
         {
           Item cell(of_kind.n_corners);
           for (std::size_t v = 0; v < of_kind.n_corners; ++v)
@@ -45,6 +45,70 @@ std::vector<Item> to_cells(std::vector<GmshCells> &some,
       of_kind.tags = {};
     }
   return cells;
+}
+
+/** Of each node of @p content in the middle of an edge, face or cell, as often as cells have it; corners are places in its points. */
+template <int dim>
+std::vector<Bulge<dim>> bulges_of(const GmshContent &content, const double scale)
+{
+  constexpr double round_off = 1e-9;
+  const auto point           = [&](const unsigned int place) {
+    dealii::Point<dim> result;
+    for (unsigned int d = 0; d < dim; ++d)
+      result[d] = scale * content.coordinates[3UL * place + d];
+    return result;
+  };
+  std::vector<Bulge<dim>> bulges;
+  for (const GmshCells &some : content.cells)
+    for (std::size_t k = 0; k < some.tags.size(); k += some.n_nodes())
+      for (std::size_t m = 0; m < some.middles.size(); ++m)
+        {
+          Bulge<dim> bulge;
+          for (const unsigned int v : some.middles[m])
+            bulge.corners.push_back(content.place_of(some.tags[k + v]));
+          // From the first corner, so that no digits are lost far from the origin.
+          const dealii::Point<dim> first = point(bulge.corners[0]);
+          bulge.offset =
+            point(content.place_of(some.tags[k + some.n_corners + m])) - first;
+          double size = 0.;
+          for (const unsigned int corner : bulge.corners)
+            {
+              const dealii::Tensor<1, dim> away = point(corner) - first;
+              size                              = std::max(size, away.norm());
+              bulge.offset -= away / static_cast<double>(bulge.corners.size());
+            }
+          if (bulge.offset.norm() <= round_off * size)
+            bulge.offset = 0.;
+          bulges.push_back(std::move(bulge));
+        }
+  return bulges;
+}
+
+/** Each bulge that is none of 0 once, in ascending order of its corners. @throws UserError if cells that share an edge or face have
+ * different ones */
+template <int dim>
+void sort_bulges(Mesh<dim> &mesh, const std::string &file)
+{
+  std::vector<Bulge<dim>> &all = mesh.bulges;
+  for (Bulge<dim> &bulge : all)
+    std::sort(bulge.corners.begin(), bulge.corners.end());
+  std::sort(all.begin(), all.end(), [](const Bulge<dim> &a, const Bulge<dim> &b) {
+    return a.corners < b.corners;
+  });
+  for (std::size_t k = 1; k < all.size(); ++k)
+    if (all[k].corners == all[k - 1].corners &&
+        !((all[k].offset - all[k - 1].offset).norm() <= 1e-6 * all[k].offset.norm()))
+      throw UserError(file + ": cells that share an edge or face have different nodes in "
+                             "its middle; mesh the body anew");
+  all.erase(std::unique(all.begin(), all.end(),
+                        [](const Bulge<dim> &a, const Bulge<dim> &b) {
+                          return a.corners == b.corners;
+                        }),
+            all.end());
+  all.erase(std::remove_if(all.begin(), all.end(),
+                           [](const Bulge<dim> &a) { return a.offset.norm() == 0.; }),
+            all.end());
+  all.shrink_to_fit();
 }
 
 /** Keeps the points that cells use. */
@@ -86,6 +150,9 @@ void set_points(Mesh<dim> &mesh, const GmshContent &content, const double scale)
   // Points of no cell stay invalid, so that faces with them are none of a cell.
   for (auto &face : mesh.faces)
     for (unsigned int &v : face.vertices)
+      v = number[v];
+  for (auto &bulge : mesh.bulges)
+    for (unsigned int &v : bulge.corners)
       v = number[v];
 }
 
@@ -131,7 +198,8 @@ void give_back_memory()
 } // namespace
 
 template <int dim>
-Mesh<dim> read_gmsh(const std::string &file, const double scale)
+Mesh<dim>
+read_gmsh(const std::string &file, const double scale, const unsigned int max_order)
 {
   Assert(scale > 0., dealii::ExcMessage("a scale is positive"));
   if (std::filesystem::path(file).extension() != ".msh")
@@ -142,13 +210,15 @@ Mesh<dim> read_gmsh(const std::string &file, const double scale)
     throw UserError("Mesh/File = " + file + " cannot be opened; check the name");
   Mesh<dim> mesh;
   {
-    GmshContent content(file, dim);
+    GmshContent content(file, dim, static_cast<int>(max_order));
     give_back_memory();
     mesh.phases     = content.phases;
     mesh.boundaries = content.boundaries;
+    mesh.bulges     = bulges_of<dim>(content, scale);
     mesh.cells      = to_cells(content.cells, content, &Cell::material_id);
     mesh.faces      = to_cells(content.faces, content, &Face::boundary_id);
     set_points(mesh, content, scale);
+    sort_bulges(mesh, file);
   }
   give_back_memory();
   orient(mesh);
@@ -156,6 +226,6 @@ Mesh<dim> read_gmsh(const std::string &file, const double scale)
   return mesh;
 }
 
-template Mesh<2> read_gmsh(const std::string &, const double);
-template Mesh<3> read_gmsh(const std::string &, const double);
+template Mesh<2> read_gmsh(const std::string &, const double, const unsigned int);
+template Mesh<3> read_gmsh(const std::string &, const double, const unsigned int);
 } // namespace mesoslip

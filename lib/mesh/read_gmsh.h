@@ -8,7 +8,7 @@ namespace mesoslip
 /**
  * Reads a mesh from @p file, which Gmsh wrote: format 2.2 or 4.1, as text or binary, with
  * triangles and quadrilaterals (dim = 2, in a plane z = constant) or with tetrahedra and
- * hexahedra (dim = 3) of first order. Phases and boundaries are the physical groups;
+ * hexahedra (dim = 3), of order 1 or also, up to @p max_order, 2. Phases and boundaries are the physical groups;
  * one without a name is called by its number. Points that belong to no cell are dropped.
  * Coordinates are multiplied by @p scale (m per unit of the file).
  *
@@ -20,7 +20,8 @@ namespace mesoslip
  * a group or in two groups, or points outside the plane
  */
 template <int dim>
-Mesh<dim> read_gmsh(const std::string &file, const double scale);
+Mesh<dim>
+read_gmsh(const std::string &file, const double scale, const unsigned int max_order = 1);
 } // namespace mesoslip
 
 #endif

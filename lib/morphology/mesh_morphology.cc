@@ -252,7 +252,7 @@ MeshMorphology<dim> read_mesh(const MeshParameters &parameters,
   MeshMorphology<dim> result;
   Mesh<dim> &mesh = result.mesh;
   result.file     = file;
-  mesh            = read_gmsh<dim>(file, parameters.scale);
+  mesh            = read_gmsh<dim>(file, parameters.scale, parameters.degree);
   mesh.tolerance  = parameters.tolerance;
   number_phases(mesh, file, phases, parameters.one_phase);
   result.description = {kinds_text(mesh) + " of " + file_name_of(file), box_line(mesh)};
@@ -261,6 +261,9 @@ MeshMorphology<dim> read_mesh(const MeshParameters &parameters,
     result.description.push_back(
       count_text(mesh.n_turned, mesh.n_turned == 1 ? "cell" : "cells") +
       " had the corners in the reverse order, which is turned");
+  if (!mesh.bulges.empty())
+    result.description.push_back(
+      count_text(mesh.bulges.size(), "edges, faces and cells are curved"));
   const MeshQuality<dim> quality = cell_quality(mesh);
   result.description.push_back(quality_line(quality));
   if (quality.worst_jacobian < poor_jacobian)

@@ -6,6 +6,12 @@ import math
 import numpy as np
 
 GMSH_TYPE = {("simplex", 1): 1, ("cube", 1): 1, ("simplex", 2): 2, ("cube", 2): 3, ("simplex", 3): 4, ("cube", 3): 5}
+# Of quadratic cells: number of the kind, and the corners around each node after the corners.
+EDGES = {"triangle": [(0, 1), (1, 2), (2, 0)], "square": [(0, 1), (1, 2), (2, 3), (3, 0)],
+         "cube": [(0, 1), (0, 3), (0, 4), (1, 2), (1, 5), (2, 3), (2, 6), (3, 7), (4, 5), (4, 7), (5, 6), (6, 7)]}
+FACES = [(0, 3, 2, 1), (0, 1, 5, 4), (0, 4, 7, 3), (1, 2, 6, 5), (2, 3, 7, 6), (4, 5, 6, 7)]
+QUADRATIC = {("simplex", 2): (9, EDGES["triangle"]), ("cube", 2): (10, [*EDGES["square"], (0, 1, 2, 3)]),
+             ("simplex", 3): (11, [*EDGES["triangle"], (3, 0), (3, 2), (3, 1)]), ("cube", 3): (12, [*EDGES["cube"], *FACES, tuple(range(8))])}
 # Corners of a square and a cube in the order of Gmsh, as steps along the axes.
 AROUND = {2: [(0, 0), (1, 0), (1, 1), (0, 1)]}
 AROUND[3] = [(*xy, z) for z in (0, 1) for xy in AROUND[2]]
@@ -30,11 +36,18 @@ class Cells:
     def __init__(self, kind, points, cells, groups):
         self.kind, self.points, self.cells, self.groups = kind, points, cells, groups
         self.faces = []  # corners (in the order of Gmsh) and group of faces (2D: edges)
+        self.middles = {}  # of quadratic cells: from the corners around a node, in ascending order, where it is
 
     def write(self, path):
         dim = self.points.shape[1]
         names = [(dim, name) for name in sorted(set(self.groups))] + [(dim - 1, name) for name in sorted({name for _, name in self.faces})]
-        points = np.hstack([self.points, np.zeros((len(self.points), 3 - dim))])
+        points = np.vstack([self.points, *self.middles.values()])
+        points = np.hstack([points, np.zeros((len(points), 3 - dim))])
+        kinds, cells = GMSH_TYPE, self.cells
+        if self.middles:
+            number = {corners: len(self.points) + k for k, corners in enumerate(self.middles)}
+            kinds = {(self.kind, dim): QUADRATIC[self.kind, dim][0]}
+            cells = [[*cell, *(number[corners] for corners in self._around_middles(cell))] for cell in self.cells]
         with open(path, "w", encoding="ascii") as file:
             file.write("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n%d\n" % len(names))
             for k, (of_dim, name) in enumerate(names, 1):
@@ -42,13 +55,24 @@ class Cells:
             file.write("$EndPhysicalNames\n$Nodes\n%d\n" % len(points))
             for k, point in enumerate(points, 1):
                 file.write("%d %r %r %r\n" % (k, *map(float, point)))
-            elements = [(self.kind, dim, *element) for element in zip(self.cells, self.groups)]
+            elements = [(self.kind, dim, *element) for element in zip(cells, self.groups)]
             elements += [(self.kind, dim - 1, *element) for element in self.faces]
             file.write("$EndNodes\n$Elements\n%d\n" % len(elements))
             for k, (kind, of_dim, corners, group) in enumerate(elements, 1):
                 tag = names.index((of_dim, group)) + 1
-                file.write(" ".join(map(str, [k, GMSH_TYPE[kind, of_dim], 2, tag, tag, *(c + 1 for c in corners)])) + "\n")
+                file.write(" ".join(map(str, [k, kinds[kind, of_dim], 2, tag, tag, *(c + 1 for c in corners)])) + "\n")
             file.write("$EndElements\n")
+
+    def curve(self, move=lambda middle, corners: middle):
+        """Makes the cells quadratic: a node in the middle of each edge, of cubes also of each face and cell, at `move`(the mean of its corners, them)."""
+        for cell in self.cells:
+            for key in self._around_middles(cell):
+                if key not in self.middles:
+                    self.middles[key] = move(self.points[list(key)].mean(axis=0), self.points[list(key)])
+        return self
+
+    def _around_middles(self, cell):
+        return [tuple(sorted(cell[c] for c in corners)) for corners in QUADRATIC[self.kind, self.points.shape[1]][1]]
 
     def name_side(self, name, axis, upper):
         """Makes a group of the faces at one end of an axis."""
@@ -120,6 +144,25 @@ def hexagonal_cell(n, fraction):
     plane = [(phase, [int(number.ravel()[k * len(points) + c]) for c in (corners[::-1] if mirrored else corners)])
              for k, (_, mirrored) in enumerate(images) for phase, corners in cells]
     return Cells("cube", merged, [corners for _, corners in plane], [phase for phase, _ in plane])
+
+
+def on_circles(mesh):
+    """Makes the cells of a hexagonal_cell(), extruded or not, quadratic, with the middles of edges between two points of a circle on it."""
+    low, high = mesh.points.min(axis=0)[:2], mesh.points.max(axis=0)[:2]
+    centres = [low + (high - low) * share for share in ((0.5, 0.5), (0, 0), (1, 0), (0, 1), (1, 1))]
+    radius = min(np.linalg.norm(mesh.points[cell][:, :2] - centre, axis=1).min()
+                 for cell, group in zip(mesh.cells, mesh.groups) if group == "resin" for centre in centres)
+
+    def move(middle, corners):
+        middle = middle.copy()
+        for centre in centres:
+            distances = np.linalg.norm(corners[:, :2] - centre, axis=1)
+            if np.all(np.abs(distances - radius) < 1e-6 * radius):
+                away = middle[:2] - centre
+                middle[:2] = centre + radius * away / np.linalg.norm(away)
+        return middle
+
+    return mesh.curve(move)
 
 
 def extruded(plane, height, layers=1):

@@ -1,4 +1,4 @@
-"""A finite element code for boxes of quadratic cells with straight sides, in scipy: triangles, tetrahedra, quadrilaterals and hexahedra,
+"""A finite element code for boxes of quadratic cells, straight or curved, in scipy: triangles, tetrahedra, quadrilaterals and hexahedra,
 under KUBC, SUBC and PBC; changes of volume in some phases are projected to linear functions in a cell, of simplices to constants."""
 
 import itertools
@@ -68,18 +68,23 @@ def effective(mesh, stiffness, condition, mean_dilatation=()):
     dim = mesh.points.shape[1]
     pairs, reference = PAIRS[dim], Reference(mesh.kind, dim)
     corners = mesh.points[np.array(mesh.cells)]
-    places = np.einsum("na,cad->cnd", reference.straight(reference.nodes)[0], corners)
+    around = reference.straight(reference.nodes)[0]
+    places = np.einsum("na,cad->cnd", around, corners)
+    for cell, nodes in zip(mesh.cells, places if mesh.middles else ()):
+        for node, share in enumerate(around):
+            key = tuple(sorted(np.array(cell)[share > 1e-6]))
+            nodes[node] = mesh.middles.get(key, nodes[node])
     size = mesh.points.max(axis=0)
     points, number = np.unique(np.round(places.reshape(-1, dim) / size, 9), axis=0, return_inverse=True)
     number, points = number.reshape(places.shape[:2]), points * size
     dofs = (dim * number[:, :, None] + np.arange(dim)).reshape(len(number), -1)
-    (straight, slopes), shape = reference.straight(reference.points), reference.quadratic(reference.points)[1]
+    values, shape = reference.quadratic(reference.points)
     n, m = dim * len(points), dofs.shape[1]
     loads, given = np.zeros((n, len(pairs))), np.zeros((n, len(pairs)))
     C = np.array([stiffness[group] for group in mesh.groups])
     all_B, weights, basis = [], [], []
     for q, weight in enumerate(reference.weights):
-        J = np.einsum("cad,ae->cde", corners, slopes[q])
+        J = np.einsum("cnd,ne->cde", places, shape[q])
         gradient = np.einsum("ne,ced->cnd", shape[q], np.linalg.inv(J))
         B = np.zeros((len(number), len(pairs), m))
         for row, (c, d) in enumerate(pairs):
@@ -88,7 +93,7 @@ def effective(mesh, stiffness, condition, mean_dilatation=()):
                 B[:, row, d::dim] += gradient[:, :, c]
         all_B.append(B)
         weights.append(weight * np.abs(np.linalg.det(J)))
-        x = np.einsum("a,cad->cd", straight[q], corners) - corners[:, 0]
+        x = np.einsum("n,cnd->cd", values[q], places) - corners[:, 0]
         basis.append(np.hstack([np.ones((len(number), 1)), x]) if mesh.kind == "cube" else np.ones((len(number), 1)))
     B, weights, basis = np.array(all_B), np.array(weights), np.array(basis)
     soft = np.isin(mesh.groups, mean_dilatation)

@@ -2,16 +2,14 @@
 
 #include "base/errors.h"
 #include "base/exchange.h"
+#include "body/mesh/curved_mapping.h"
 #include "mesh/triangulation_cells.h"
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/mpi.templates.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_tools.h>
-#include <deal.II/fe/fe_q.h>
-#include <deal.II/fe/fe_simplex_p.h>
 #include <deal.II/fe/fe_system.h>
-#include <deal.II/fe/mapping_fe.h>
 #include <deal.II/fe/mapping_q.h>
 #include <deal.II/grid/grid_tools.h>
 
@@ -21,6 +19,23 @@ namespace mesoslip
 {
 namespace
 {
+/** Of quadrilaterals and hexahedra, and of simplices. Collective. */
+template <int dim>
+dealii::hp::MappingCollection<dim>
+mappings_of(const Mesh<dim> &mesh, const MPI_Comm communicator, const unsigned int degree)
+{
+  std::vector<CurvedNode<dim>> curved;
+  if (degree > 1)
+    curved = mpi::broadcast(curved_nodes(mesh), 0, communicator);
+  if (curved.empty())
+    return dealii::hp::MappingCollection<dim>(
+      dealii::MappingQ<dim>(1), dealii::MappingFE<dim>(dealii::FE_SimplexP<dim>(1)));
+  const auto nodes =
+    std::make_shared<const std::vector<CurvedNode<dim>>>(std::move(curved));
+  return dealii::hp::MappingCollection<dim>(
+    CurvedMapping<dim>(dealii::FE_Q<dim>(2), nodes),
+    CurvedMapping<dim>(dealii::FE_SimplexP<dim>(2), nodes));
+}
 
 /** On rank 0 the points' places in the mesh: a cell and which of its corners. */
 template <int dim>
@@ -53,8 +68,7 @@ DistributedMesh<dim>::DistributedMesh(const Mesh<dim> &mesh,
   , triangulation(communicator)
   , elements(dealii::FESystem<dim>(dealii::FE_Q<dim>(degree), dim),
              dealii::FESystem<dim>(dealii::FE_SimplexP<dim>(degree), dim))
-  , mappings(dealii::MappingQ<dim>(1),
-             dealii::MappingFE<dim>(dealii::FE_SimplexP<dim>(1)))
+  , mappings(mappings_of(mesh, communicator, degree))
   , quadratures(dealii::QGauss<dim>(degree + 1), dealii::QGaussSimplex<dim>(degree + 1))
   , dof_handler(triangulation)
 {

@@ -19,7 +19,7 @@ namespace mesoslip
 /**
  * A mesh divided among the ranks by METIS, with dim degrees of freedom a node, linear or quadratic
  * displacements on simplices, and such ones along each axis on quadrilaterals and hexahedra.
- * The sides of its cells are straight.
+ * The sides of its cells are straight, with quadratic displacements also curved as the mesh has them.
  *
  * For the few files that work with it: its headers take long to compile.
  */
@@ -49,7 +49,7 @@ public:
     return relevant_dofs;
   }
 
-  /** Linear mappings, by active FE index. */
+  /** Linear mappings, or quadratic ones of a mesh with curved cells, by active FE index. */
   const dealii::hp::MappingCollection<dim> &mapping() const
   {
     return mappings;

@@ -1,6 +1,7 @@
 #include "base/errors.h"
 #include "base/text.h"
 #include "mesh/boundary.h"
+#include "mesh/curved_cells.h"
 
 #include <deal.II/base/bounding_box.h>
 
@@ -93,7 +94,10 @@ faces_of_box(const Mesh<dim> &mesh, const std::vector<BoundaryFace<dim>> &faces)
         return std::all_of(face.points.begin(), face.points.begin() + face.n_points,
                            [&](const unsigned int p) {
                              return std::fabs(mesh.points[p][axis] - level) <= off;
-                           });
+                           }) &&
+               bulge_of_face<dim>(
+                 mesh, {face.points.begin(), face.points.begin() + face.n_points},
+                 axis) <= off;
       };
       unsigned int side = 0;
       while (side < 2 * dim && !is_on(side))

@@ -4,6 +4,7 @@
 
 #include <gmsh.h>
 
+#include <numeric>
 #include <set>
 
 namespace mesoslip
@@ -14,33 +15,72 @@ namespace
 struct CellKind
 {
   int gmsh_type;                    ///< as in the file
+  int order;                        ///< 1 or 2
   std::vector<unsigned int> corner; ///< of Gmsh, in the order of deal.II
 };
 
-const std::vector<CellKind> cell_kinds = {
-  {15, {0}},         {1, {0, 1}},       {2, {0, 1, 2}},
-  {3, {0, 1, 3, 2}}, {4, {0, 1, 2, 3}}, {5, {0, 1, 3, 2, 4, 5, 7, 6}}};
+const std::vector<CellKind> cell_kinds = {{15, 1, {0}},
+                                          {1, 1, {0, 1}},
+                                          {2, 1, {0, 1, 2}},
+                                          {3, 1, {0, 1, 3, 2}},
+                                          {4, 1, {0, 1, 2, 3}},
+                                          {5, 1, {0, 1, 3, 2, 4, 5, 7, 6}},
+                                          {8, 2, {0, 1}},
+                                          {9, 2, {0, 1, 2}},
+                                          {10, 2, {0, 1, 3, 2}},
+                                          {11, 2, {0, 1, 2, 3}},
+                                          {12, 2, {0, 1, 3, 2, 4, 5, 7, 6}}};
 } // namespace
 
-const std::vector<unsigned int> &corners_in_order(const int type, const std::string &file)
+const std::vector<unsigned int> &corners_in_order(const int type, const GmshFile &file)
 {
   for (const CellKind &kind : cell_kinds)
-    if (kind.gmsh_type == type)
+    if (kind.gmsh_type == type && kind.order <= file.max_order)
       return kind.corner;
   std::string name;
   int d = 0, order = 0, n = 0, n_primary = 0;
   std::vector<double> local;
   gmsh::model::mesh::getElementProperties(type, name, d, order, n, local, n_primary);
-  throw UserError(file + " has cells of the kind '" + name + "'; " +
-                  (order > 1 ? "set Mesh.ElementOrder = 1 in Gmsh"
-                             : "mesoslip reads triangles and quadrilaterals, "
-                               "tetrahedra or hexahedra"));
+  const std::string advice =
+    order == 1 ? "mesoslip reads triangles and quadrilaterals, tetrahedra or hexahedra"
+    : order == 2 && file.max_order > 1
+      ? "set Mesh.SecondOrderIncomplete = 0 in Gmsh, for a node in the middle of each "
+        "edge, face and cell"
+      : "set Mesh.ElementOrder = 1 in Gmsh" +
+          std::string(order > 2 ? "" : "; a volume may have them with Mesh/Degree = 2");
+  throw UserError(file.name + " has cells of the kind '" + name + "'; " + advice);
+}
+
+std::vector<std::vector<unsigned int>> middles_in_order(const int type)
+{
+  std::string name;
+  int d = 0, order = 0, n = 0, n_corners = 0;
+  std::vector<double> local;
+  gmsh::model::mesh::getElementProperties(type, name, d, order, n, local, n_corners);
+  // Of the corner of deal.II with this number, Gmsh's functions: barycentric on simplices, from -1 to 1 along axes else.
+  const auto is_around = [&](const unsigned int corner, const double *const at) {
+    if (n_corners == d + 1 && d > 1)
+      return (corner > 0 ? at[corner - 1] : 1. - std::accumulate(at, at + d, 0.)) > 1e-6;
+    for (int axis = 0; axis < d; ++axis)
+      if ((corner >> axis & 1U ? 1. : -1.) * at[axis] < -1e-6)
+        return false;
+    return true;
+  };
+  std::vector<std::vector<unsigned int>> middles;
+  for (int node = n_corners; node < n; ++node)
+    {
+      middles.emplace_back();
+      for (int corner = 0; corner < n_corners; ++corner)
+        if (is_around(corner, &local[static_cast<std::size_t>(node) * d]))
+          middles.back().push_back(corner);
+    }
+  return middles;
 }
 
 namespace
 {
 /** Corners of the kinds of cells of dimension @p d. */
-std::set<std::size_t> kinds_of_cells(const int d, const std::string &file)
+std::set<std::size_t> kinds_of_cells(const int d, const GmshFile &file)
 {
   std::vector<int> types;
   gmsh::model::mesh::getElementTypes(types, d);
@@ -67,13 +107,13 @@ std::size_t n_cells(const int d)
 }
 } // namespace
 
-void require_cells(const std::string &file, const int d)
+void require_cells(const GmshFile &file, const int d)
 {
   if (d < 3 && !kinds_of_cells(d + 1, file).empty())
-    throw UserError(file + " has cells of dimension 3; set Dimension = 3");
+    throw UserError(file.name + " has cells of dimension 3; set Dimension = 3");
   const std::size_t n_kinds = kinds_of_cells(d, file).size();
   if (n_kinds == 0)
-    throw UserError(file + " has no cells of dimension " + std::to_string(d) + "; " +
+    throw UserError(file.name + " has no cells of dimension " + std::to_string(d) + "; " +
                     (d == 2 ? "mesh the surfaces"
                      : kinds_of_cells(2, file).empty()
                        ? "mesh the volumes"
@@ -81,7 +121,7 @@ void require_cells(const std::string &file, const int d)
                          "plane, else mesh the volumes") +
                     " (gmsh -" + std::to_string(d) + ")");
   if (d == 3 && n_kinds > 1)
-    throw UserError(file +
+    throw UserError(file.name +
                     " has hexahedra and tetrahedra, which share no faces; mesh all "
                     "volumes with one kind");
 }
