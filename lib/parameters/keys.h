@@ -330,6 +330,12 @@ bool is_among(const std::string &path, const std::vector<std::string> &keys);
 /** All keys in .prm syntax, with meaning, allowed values and full digits; can be parsed again. */
 void print_parameters(const Keys &keys, std::ostream &out);
 
+/** The keys without a section, those that the .prm or --set names, and others that do not have their default values, in .prm syntax.
+ * Without those whose full paths are in @p skip ("Section/" skips a section). */
+void print_given(const Keys &keys,
+                 std::ostream &out,
+                 const std::vector<std::string> &skip = {});
+
 /**
  * Lines "Section/Key = value" without the keys whose full paths are in @p skip
  * ("Section/" skips a section): text that determines a result, for digests and

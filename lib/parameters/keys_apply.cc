@@ -217,7 +217,7 @@ void Keys::only_if(const bool used,
                    const std::string &reason,
                    const std::string &remedy) const
 {
-  if (used || !reading)
+  if (used || !reading || raw.ignores_unused())
     return;
   const auto entries = set_entries(paths);
   if (entries.empty())
@@ -232,26 +232,58 @@ void Keys::only_if(const bool used,
     remedy);
 }
 
-void print_parameters(const Keys &keys, std::ostream &out)
+namespace
+{
+/** Meaning, allowed values and default as comments. */
+void print_meaning(const Key &key, const std::string &indent, std::ostream &out)
+{
+  std::string text = key.meaning + (key.meaning.empty() ? "" : "; ") + key.allowed;
+  if (key.value != key.default_value)
+    text += "; default: " + (key.default_value.empty() ? "nothing" : key.default_value);
+  for (const std::string &line :
+       dealii::Utilities::break_text_into_lines(text, 89 - indent.size() - 2))
+    out << indent << "# " << line << '\n';
+}
+
+/** Those for which @p wanted is true. */
+template <typename Wanted>
+void print_keys(const Keys &keys,
+                std::ostream &out,
+                const bool with_meaning,
+                const Wanted &wanted)
 {
   std::vector<std::string> open;
   for (const Key &key : keys.all())
     {
+      if (!wanted(key))
+        continue;
       const auto section = dealii::Utilities::split_string_list(key.section, '/');
       change_section(out, open, section);
       open                     = section;
       const std::string indent = std::string(2 * open.size(), ' ');
-      std::string text = key.meaning + (key.meaning.empty() ? "" : "; ") + key.allowed;
-      if (key.value != key.default_value)
-        text +=
-          "; default: " + (key.default_value.empty() ? "nothing" : key.default_value);
-      for (const std::string &line :
-           dealii::Utilities::break_text_into_lines(text, 89 - indent.size() - 2))
-        out << indent << "# " << line << '\n';
+      if (with_meaning)
+        print_meaning(key, indent, out);
       out << indent << "set " << key.name << " =" << (key.value.empty() ? "" : " ")
           << boost::algorithm::replace_all_copy(key.value, "#", "\\#") << '\n';
     }
   change_section(out, open, {});
+}
+} // namespace
+
+void print_parameters(const Keys &keys, std::ostream &out)
+{
+  print_keys(keys, out, true, [](const Key &) { return true; });
+}
+
+void print_given(const Keys &keys,
+                 std::ostream &out,
+                 const std::vector<std::string> &skip)
+{
+  print_keys(keys, out, false, [&](const Key &key) {
+    return (key.section.empty() || keys.is_typed(key.path()) ||
+            key.value != key.default_value) &&
+           !is_among(key.path(), skip);
+  });
 }
 
 std::string canonical_parameters(const Keys &keys, const std::vector<std::string> &skip)

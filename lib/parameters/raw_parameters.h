@@ -45,6 +45,18 @@ public:
   /** Applies 'Section/Key=value'. @throws UserError when there is no '='. */
   void override_with(const std::string &assignment);
 
+  /** From now on keys that have no effect with the others are left aside, not refused. */
+  void ignore_unused()
+  {
+    unused_is_ignored = true;
+  }
+
+  /** Whether they are. */
+  bool ignores_unused() const
+  {
+    return unused_is_ignored;
+  }
+
   /** The assignment to a key; null if there is none. Upper and lower case matter. */
   const Entry *find(const std::string &path) const;
 
@@ -82,6 +94,7 @@ private:
   std::vector<Entry> all_entries, sections;
   std::vector<std::string> all_files;
   std::string all_lines;
+  bool unused_is_ignored = false;
 };
 } // namespace mesoslip
 

@@ -36,6 +36,9 @@ po::options_description visible_options(CommandLine &line, const std::string &dr
   options.add_options()
     ("set",      po::value(&line.assignments)->value_name("'Section/Key=value'"),
                  "override a parameter of the file; may be repeated")
+    ("ignore-unused", po::bool_switch(&line.ignore_unused),
+                 "leave keys aside that have no effect with the others, instead of refusing them, "
+                 "as with --set 'Analysis=complex modes' for the file of a transient run")
     ("output,o", po::value(&line.output)->value_name("DIR"),
                  "output folder, relative to the current folder; goes before the file's "
                  "'Output folder'")
@@ -45,13 +48,18 @@ po::options_description visible_options(CommandLine &line, const std::string &dr
                  "run where inputs may be drafts, to see how long it takes; the results, in "
                  "a new folder, are drafts, too, which no other run takes")
     ("quiet,q",  po::bool_switch(&line.quiet), "print nothing but warnings and errors")
-    ("profile",  po::bool_switch(&line.profile), "print at the end where the time went");
+    ("profile",  po::bool_switch(&line.profile), "print at the end where the time went")
+    ("serve",    po::bool_switch(&line.serve),
+                 "without a file: carry out the command lines on standard input one after the "
+                 "other, each a JSON list of words on a line, and answer each with its exit "
+                 "status and message");
   // clang-format on
   return options;
 }
 } // namespace
 
-CommandLine CommandLine::parse(int argc, char **argv, const std::string &draft)
+CommandLine
+CommandLine::parse(int argc, const char *const *argv, const std::string &draft)
 {
   CommandLine line;
   std::vector<std::string> files;
@@ -88,7 +96,10 @@ CommandLine CommandLine::parse(int argc, char **argv, const std::string &draft)
                     files[1] + "' are given");
   if (!files.empty())
     line.prm_file = files.front();
-  if (line.prm_file.empty() && !line.help && !line.version && !line.print_parameters)
+  if (line.serve && argc > 2)
+    throw UserError("--serve goes with nothing else; the runs come on standard input");
+  if (line.prm_file.empty() && !line.help && !line.version && !line.print_parameters &&
+      !line.serve)
     throw UserError("a parameter file (.prm) is needed; see --help");
   return line;
 }

@@ -17,15 +17,18 @@ struct CommandLine
   bool trial            = false; ///< --try: run on drafts, too, and make drafts
   bool quiet            = false; ///< --quiet
   bool profile          = false; ///< --profile: print the timings
-  std::string output;            ///< folder after --output; empty: that of the .prm
-  std::string prm_file;          ///< path as typed
-  std::string draft;             ///< folder after --draft; empty: no draft
+  bool ignore_unused    = false; ///< --ignore-unused: keys without effect are no error
+  bool nested = false;  ///< carried out by another run, which tells what went wrong
+  bool serve  = false;  ///< --serve: carry out the command lines that come in
+  std::string output;   ///< folder after --output; empty: that of the .prm
+  std::string prm_file; ///< path as typed
+  std::string draft;    ///< folder after --draft; empty: no draft
   std::vector<std::string> assignments; ///< 'Section/Key=value' after each --set
 
   /** @p draft: what --draft writes; empty: there is no such option. @throws UserError for
    * unknown options, several files, or none where one is needed.
    */
-  static CommandLine parse(int argc, char **argv, const std::string &draft);
+  static CommandLine parse(int argc, const char *const *argv, const std::string &draft);
 
   /** What --help prints. */
   static std::string help_text(const std::string &program,

@@ -96,21 +96,16 @@ Outcome describe_current_exception()
     }
 }
 
-int conclude(const MPI_Comm communicator,
-             const std::string &program,
-             const Outcome &outcome)
+Outcome shared_outcome(const MPI_Comm communicator,
+                       const std::string &program,
+                       const Outcome &outcome)
 {
   int rank = 0, n_ranks = 1;
   MPI_Comm_rank(communicator, &rank);
   MPI_Comm_size(communicator, &n_ranks);
-  const int status  = static_cast<int>(outcome.status);
-  const bool failed = outcome.status != ExitStatus::done;
   if (n_ranks == 1)
-    {
-      if (failed)
-        say(program, outcome.message);
-      return status;
-    }
+    return outcome;
+  const bool failed = outcome.status != ExitStatus::done;
 
   // The first rank in trouble speaks for all.
   int mine = failed ? rank : n_ranks, speaker = n_ranks;
@@ -121,13 +116,26 @@ int conclude(const MPI_Comm communicator,
   else if (!completes(request, std::chrono::seconds(10)))
     {
       say(program + " (process " + std::to_string(rank) + ")", outcome.message);
-      MPI_Abort(communicator, status);
+      MPI_Abort(communicator, static_cast<int>(outcome.status));
     }
-  if (rank == speaker)
-    say(program, outcome.message);
-  int shared = status;
+  Outcome shared = outcome;
   if (speaker < n_ranks)
-    broadcast_object(communicator, shared, speaker);
+    {
+      broadcast_object(communicator, shared.status, speaker);
+      broadcast_object(communicator, shared.message, speaker);
+    }
   return shared;
+}
+
+int conclude(const MPI_Comm communicator,
+             const std::string &program,
+             const Outcome &outcome)
+{
+  int rank = 0;
+  MPI_Comm_rank(communicator, &rank);
+  const Outcome shared = shared_outcome(communicator, program, outcome);
+  if (rank == 0 && shared.status != ExitStatus::done)
+    say(program, shared.message);
+  return static_cast<int>(shared.status);
 }
 } // namespace mesoslip

@@ -25,10 +25,15 @@ void say(const std::string &speaker, const std::string &sentence);
 Outcome describe_current_exception();
 
 /**
- * Prints an error once and returns the exit status, the same on all ranks. If some ranks
+ * The outcome of the first rank that failed, on all ranks. If some ranks
  * fail and others do not get here within ten seconds, they wait for the failed ones
  * forever: then the failed rank prints its error and ends the whole run.
  */
+Outcome shared_outcome(const MPI_Comm communicator,
+                       const std::string &program,
+                       const Outcome &outcome);
+
+/** Prints the shared_outcome() once, if it is an error, and returns the exit status, the same on all ranks. */
 int conclude(const MPI_Comm communicator,
              const std::string &program,
              const Outcome &outcome);

@@ -30,7 +30,7 @@ constexpr std::array<const char *, 4> papers = {
   {"summary.json", "log.txt", "parameters.prm", "original.prm"}};
 
 /** Results of the programs, but those of XDMF that go with them. */
-constexpr std::array<const char *, 26> results = {{"complex_modes.csv",
+constexpr std::array<const char *, 28> results = {{"complex_modes.csv",
                                                    "complex_modes.h5",
                                                    "complex_modes_sweep.csv",
                                                    "conductivity.csv",
@@ -48,6 +48,8 @@ constexpr std::array<const char *, 26> results = {{"complex_modes.csv",
                                                    "loads.h5",
                                                    "loss_factors.csv",
                                                    "localization.h5",
+                                                   "map.csv",
+                                                   "map.h5",
                                                    "modal.h5",
                                                    "modes.csv",
                                                    "phase_means.csv",

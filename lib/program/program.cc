@@ -59,6 +59,8 @@ RawParameters read_parameter_file(const CommandLine &line,
     }
   for (const std::string &assignment : line.assignments)
     raw.override_with(assignment);
+  if (line.ignore_unused)
+    raw.ignore_unused();
   if (!line.prm_file.empty() && raw.entries().empty())
     throw UserError(line.prm_file +
                     " sets no key: there is no line 'set Key = value' in it; "
@@ -132,8 +134,13 @@ void run(Analysis &analysis,
   options.resume      = line.resume && analysis.resumable();
 
   std::ostringstream effective;
-  effective << "# " << program.name << ' ' << version << ": all parameters of this run\n";
-  print_parameters(keys, effective);
+  effective << "# " << program.name << ' ' << version
+            << (line.nested ? ": what differs from the defaults in this run\n"
+                            : ": all parameters of this run\n");
+  if (line.nested) // one of many: its folder stays small
+    print_given(keys, effective);
+  else
+    print_parameters(keys, effective);
 
   RunContext context(program.name, options, communicator, original, effective.str(),
                      timer);
@@ -233,8 +240,65 @@ void Analysis::write_draft(const std::string & /*folder*/) const
     "--draft out");
 }
 
+Outcome carry_out(const std::vector<std::string> &words,
+                  const Application &program,
+                  const MPI_Comm communicator)
+{
+  // Of its own, so that concluding meets no message of ranks still at work.
+  MPI_Comm concluding = dealii::Utilities::MPI::duplicate_communicator(communicator);
+  Outcome outcome;
+  try
+    {
+      std::vector<const char *> all = {program.name.c_str()};
+      for (const std::string &word : words)
+        all.push_back(word.c_str());
+      CommandLine line =
+        CommandLine::parse(static_cast<int>(all.size()), all.data(), program.draft);
+      line.nested = true;
+      Timer timer;
+      do_what_is_asked(line, program, communicator, timer);
+    }
+  catch (...)
+    {
+      outcome = describe_current_exception();
+    }
+  outcome = shared_outcome(concluding, program.name, outcome);
+  dealii::Utilities::MPI::free_communicator(concluding);
+  return outcome;
+}
+
 namespace
 {
+/** A list of words. @throws UserError */
+std::vector<std::string> words_of(const std::string &line)
+{
+  const auto words = nlohmann::json::parse(line, nullptr, false);
+  const bool valid =
+    words.is_array() && std::all_of(words.begin(), words.end(),
+                                    [](const auto &word) { return word.is_string(); });
+  if (!valid)
+    throw UserError("--serve expects a JSON list of words on each line, not: " + line);
+  return words.template get<std::vector<std::string>>();
+}
+
+/** --serve, until the end of the standard input or a run that is interrupted. */
+void serve(const Application &program)
+{
+  if (mpi::n_mpi_processes(MPI_COMM_WORLD) > 1)
+    throw UserError("--serve is for one process, which others start; leave out mpirun");
+  for (std::string line; std::getline(std::cin, line);)
+    {
+      const Outcome outcome = carry_out(words_of(line), program, MPI_COMM_WORLD);
+      std::cout << nlohmann::json({{"status", static_cast<int>(outcome.status)},
+                                   {"message", outcome.message}})
+                     .dump(-1, ' ', true)
+                << std::endl;
+      require_printed();
+      if (outcome.status == ExitStatus::interrupted)
+        return;
+    }
+}
+
 /** Answers --help and --version without MPI, which takes longer to start. False for anything else. */
 bool tells_of_itself(int argc, char **argv, const Application &program)
 {
@@ -293,8 +357,11 @@ int run_program(int argc, char **argv, const Application &program)
       Outcome outcome;
       try
         {
-          do_what_is_asked(CommandLine::parse(argc, argv, program.draft), program,
-                           MPI_COMM_WORLD, timer);
+          const CommandLine line = CommandLine::parse(argc, argv, program.draft);
+          if (line.serve)
+            serve(program);
+          else
+            do_what_is_asked(line, program, MPI_COMM_WORLD, timer);
         }
       catch (...)
         {

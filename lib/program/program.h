@@ -1,12 +1,14 @@
 #ifndef mesoslip_program_program_h
 #define mesoslip_program_program_h
 
+#include "program/outcome.h"
 #include "program/output_folder.h"
 
 #include <functional>
 #include <iosfwd>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace mesoslip
 {
@@ -85,6 +87,14 @@ struct Application
   /** What Analysis::write_draft() writes, for --help; empty: there is no --draft. */
   std::string draft = {};
 };
+
+/**
+ * Does what run_program() does with @p words, the command line without the name of the program, in a process that runs
+ * already. All ranks of @p communicator, which are all there are, call it. Errors are returned on all of them, not printed.
+ */
+Outcome carry_out(const std::vector<std::string> &words,
+                  const Application &program,
+                  const MPI_Comm communicator);
 
 /**
  * The main function of an application: options, parameters, output folder, log,

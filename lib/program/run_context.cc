@@ -184,6 +184,8 @@ void RunContext::warn(const std::string &line)
   if (std::find(warnings.begin(), warnings.end(), line) == warnings.end())
     warnings.push_back(line);
   log_file << "warning: " << line << std::endl;
+  if (run_options.nested) // its log has it
+    return;
   progress_display->clear();
   say(program, "warning: " + line);
 }

@@ -113,9 +113,12 @@ std::vector<std::string> and_of_supports(const Keys &keys,
 /** What each analysis makes use of. */
 void check_analysis(const Keys &keys)
 {
-  const auto only_with = [&](const std::vector<std::string> &analyses,
+  const std::string of_map = "Sweep/Complex modes";
+  const bool has_modes_too = keys.has(of_map) && keys.value(of_map) == "true";
+  const auto only_with     = [&](const std::vector<std::string> &analyses,
                              const std::vector<std::string> &paths) {
-    keys.only_with("Analysis", analyses, paths);
+    if (!has_modes_too || analyses.back() != "complex modes")
+      keys.only_with("Analysis", analyses, paths);
   };
   only_with(
     {"transient"},

@@ -5,6 +5,7 @@
 #include "sliding/analyses/modal.h"
 #include "sliding/analyses/static_contact.h"
 #include "sliding/complex/complex_analysis.h"
+#include "sliding/sweep/sweep_analysis.h"
 #include "sliding/transient/transient.h"
 
 namespace mesoslip
@@ -26,6 +27,10 @@ std::unique_ptr<Analysis> build(Keys &keys)
   resolve(InstructionSet::automatic); // tells what is wrong with MESOSLIP_ISA
   ContactParameters parameters;
   parameters.bind(keys);
+  SweepParameters sweep;
+  sweep.bind(keys);
+  if (sweep.is_given())
+    return std::make_unique<SweepAnalysis>(sweep, keys, contact_dynamics_program());
   switch (parameters.analysis)
     {
     case ContactAnalysis::modal:
@@ -46,7 +51,10 @@ Application contact_dynamics_program()
 {
   return {"contact_dynamics",
           "Explicit dynamics of an elastic body that rubs on a moving rigid flat.",
-          [](Keys &keys) { ContactParameters().bind(keys); }, build,
-          "a dynamics.h5 without displacements (transient, static contact)"};
+          [](Keys &keys) {
+            ContactParameters().bind(keys);
+            SweepParameters().bind(keys);
+          },
+          build, "a dynamics.h5 without displacements (transient, static contact)"};
 }
 } // namespace mesoslip

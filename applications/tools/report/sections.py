@@ -5,7 +5,7 @@ from report.base.common_scales import comparable, same_scale
 from report.base.page import escape, quantities, quantity
 from report.bodies import contact_surface, field_errors, fields, loads, maps, mesh_maps
 from report.bodies import points as volumes
-from report.runs import analyses, complex_modes, contact_states, energies, key_numbers, paper, probes, verdict, waves, what_was_run
+from report.runs import analyses, complex_modes, contact_states, energies, key_numbers, paper, probes, sweep_map, verdict, waves, what_was_run
 
 
 def plan(chain, surface_times=()):
@@ -28,7 +28,7 @@ def plan(chain, surface_times=()):
         result.append(("Macroscopic loads", loads.parts(loaded)))
     if chain.transient:
         result += transient_sections(chain.transient, surface_times)
-    for heading, make, runs in [("Modes of vibration", analyses.modes, chain.modal),
+    for heading, make, runs in [("Map", sweep_map.maps, chain.maps), ("Modes of vibration", analyses.modes, chain.modal),
                                 ("Modes of steady sliding", complex_modes.complex_modes, chain.complex),
                                 ("Static contact", analyses.static_contact, chain.static),
                                 ("Homogenized friction law", analyses.friction_law, chain.friction_law)]:

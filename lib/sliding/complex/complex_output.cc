@@ -166,9 +166,17 @@ void write_complex_tables(const ComplexCases<dim> &cases,
 {
   const ComplexModesParameters &keys = parameters.complex_modes;
   write_modes_table(cases.base, cases.parts, context.file("complex_modes.csv"));
-  nlohmann::json &json      = context.summary();
-  json["complex_modes"]     = modes_json(cases.base, cases.parts);
-  json["missing_modes"]     = missing(cases.base, keys.count);
+  nlohmann::json &json  = context.summary();
+  json["complex_modes"] = modes_json(cases.base, cases.parts);
+  json["missing_modes"] = missing(cases.base, keys.count);
+  json["growing_modes"] =
+    std::count_if(cases.base.modes.begin(), cases.base.modes.end(),
+                  [](const ModeNumbers &mode) { return mode.growth_rate > 0.; });
+  if (!cases.base.modes.empty())
+    {
+      json["largest_growth_rate"]         = cases.base.modes.front().growth_rate;
+      json["frequency_of_largest_growth"] = cases.base.modes.front().frequency;
+    }
   json["lowest_frequency"]  = keys.lowest_frequency;
   json["highest_frequency"] = cases.highest_frequency;
   json["least_growth_rate"] = keys.least_growth;

@@ -15,10 +15,10 @@ std::string run_identity(const Keys &keys,
                          const ContactParameters &parameters,
                          const std::string &contents)
 {
-  return canonical_parameters(keys,
-                              {"Output folder", "Time/End time",
-                               "Observation/Steady from", "Checkpoints/", "Performance/",
-                               "Modal/", "Static contact/", "Friction homogenization/"}) +
+  return canonical_parameters(keys, {"Output folder", "Time/End time",
+                                     "Observation/Steady from", "Checkpoints/",
+                                     "Performance/", "Modal/", "Static contact/",
+                                     "Friction homogenization/", "Sweep/"}) +
          "Performance/Instruction set = " + to_string(resolve(parameters.sweep.isa)) +
          "\n" + contents + "Coefficient law = " + parameters.friction.slip_law.text() +
          "\nProgram version = " + version + "\n";

@@ -12,10 +12,12 @@ from .array import Array
 from .closing import Closing
 from .derived import Derived
 from .labelled import to_xarray
+from .maps import SweepMap
 
-NAMES = ("dynamics.h5", "localization.h5", "rve.h5", "modal.h5", "complex_modes.h5")
+NAMES = ("dynamics.h5", "localization.h5", "rve.h5", "modal.h5", "complex_modes.h5", "map.h5")
 FORMATS = ("mesoslip-rve", "mesoslip-loads", "mesoslip-dynamics", "mesoslip-localization", "mesoslip-modal", "mesoslip-dynamics-mesh",
-           "mesoslip-modal-mesh", "mesoslip-complex-modes", "mesoslip-complex-modes-mesh")
+           "mesoslip-modal-mesh", "mesoslip-complex-modes", "mesoslip-complex-modes-mesh",
+           "mesoslip-map")
 VERSIONS = (1, 2)
 
 
@@ -174,6 +176,13 @@ class ResultFile(Closing, Derived):
         if "contact_map/time" not in self.hdf5:
             raise KeyError(f"{self.path} has no map of the contact; set 'Contact map/Interval' in the run's .prm")
         return ContactMap(self)
+
+    @property
+    def map(self):
+        """The SweepMap of a run with section Sweep. Raises KeyError for another run."""
+        if "axes" not in self.hdf5:
+            raise KeyError(f"{self.path} is no map; set 'Sweep/Axes' in the run's .prm")
+        return SweepMap(self)
 
     @property
     def loads(self):

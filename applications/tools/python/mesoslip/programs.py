@@ -8,6 +8,7 @@ import sys
 import warnings
 
 from .folders import open_folder
+from .maps import settings_of
 from .ranks import keep_ranks, ranks_begun_with, ranks_worth, start_of
 
 PROGRAMS = ("rve_homogenization", "contact_dynamics", "stress_localization")
@@ -58,6 +59,16 @@ def run(prm, settings=None, output=None, ranks=None, resume=False, program=None,
     keep_ranks(output, ranks)
     _call([*start_of(ranks), path, prm, "--quiet", *words])
     return open_folder(output)
+
+
+def sweep(prm, axes, settings=None, output=None, processes=None, complex_modes=False, program=None, programs=None):
+    """Runs a .prm of contact_dynamics at all points of a grid, side by side, and returns the opened map: `.map` is the SweepMap.
+
+    `axes`: {"Supports/Top/Pressure": values, ...}, or {name: (key, values)}. `processes`: how many points at once, without it as many as
+    there are cores; `complex_modes`: whether each point has them, too. Points that are in the output folder already are not computed
+    again. Points that fail become a warning. Raises RunError with the program's sentence."""
+    more = {**({"Sweep/Processes": processes} if processes else {}), **({"Sweep/Complex modes": True} if complex_modes else {})}
+    return run(prm, {**(settings or {}), **settings_of(axes), **more}, output, 1, False, program or "contact_dynamics", programs)
 
 
 def run_chain(folder, output=None, jobs=None, ranks=None, resume=False, report=True, programs=None):

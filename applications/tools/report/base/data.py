@@ -14,7 +14,7 @@ HDF5_NAMES = {
     "contact_dynamics": "dynamics.h5",
     "stress_localization": "localization.h5",
 }
-HDF5_OF_ANALYSIS = {"modal": "modal.h5", "complex modes": "complex_modes.h5", "friction homogenization": None}
+HDF5_OF_ANALYSIS = {"modal": "modal.h5", "complex modes": "complex_modes.h5", "friction homogenization": None, "map": "map.h5"}
 
 
 def without_folders(found):
@@ -248,6 +248,7 @@ class Chain:
         self.complex = [run for run in self.dynamics if isinstance(run.summary.get("complex_modes"), list)]
         self.static = [run for run in self.dynamics
                        if run.members("/static_contact") or run.summary.get("phase_contact_pressures")]
+        self.maps = [run for run in self.dynamics if run.summary.get("analysis") == "map"]
         self.friction_law = [run for run in self.dynamics if run.summary.get("estimates")]
         kinds = [run.kind for run in self.transient]
         for run in self.runs:

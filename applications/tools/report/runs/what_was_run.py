@@ -6,7 +6,7 @@ from report.runs import key_numbers
 
 # Text files that runs leave, and what a link to them says.
 FILES = ["original.prm", "log.txt", "summary.json", "history.csv", "energy.csv", "stiffness.csv", "engineering_constants.csv", "probes.csv",
-         "field_errors.csv", "complex_modes.csv", "complex_modes_sweep.csv", "loads.csv"]
+         "field_errors.csv", "complex_modes.csv", "complex_modes_sweep.csv", "loads.csv", "map.csv"]
 # HDF5 and ParaView.
 FIELDS = ["loads.h5", "counter_body.h5", "rve.xdmf", "dynamics.xdmf", "dynamics-phases.xdmf", "counter_body.xdmf", "localization.xdmf", "loads.xdmf", "modal.xdmf"]
 

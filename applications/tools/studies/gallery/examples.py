@@ -61,6 +61,8 @@ EXAMPLES = (
             "come back to the speed of the flat, it slides on. Above each panel is the share of the time in which most of the contact sticks, and in brackets that of a "
             "rigid block whose friction falls at once. Grey stripes come from ruptures that begin at an edge and stop, before one lets the pin go.",
             ("tribometer_map.prm",), "", CONTACT, draw=tribometer.draw, changes=tribometer.CHANGES),
+    Example("Where a pin slips, sticks and separates", "A map of 80 runs over pressure and friction, side by side on all cores, with the border of growth of the "
+            "complex modes ([maps](maps.md)).", ("regime_map.prm",), "Regime of the reference node", CONTACT),
     Example("Ruptures under slip weakening", "A pad is sheared by the flat; ruptures run through its contact and heal. Every contact node over time.",
             ("friction_laws/rupture.prm",), "Contact states", CONTACT),
     Example("A rupture in a half-space", "A body whose top and sides absorb waves is pressed on the flat and dragged along: a rupture runs through the contact once, and "

@@ -1,0 +1,290 @@
+#include "sliding/sweep/sweep_analysis.h"
+
+#include "base/errors.h"
+#include "base/exchange.h"
+#include "base/files.h"
+#include "base/text.h"
+#include "base/timer.h"
+#include "io/json.h"
+#include "material/plausibility.h"
+#include "parameters/keys.h"
+#include "program/run_context.h"
+#include "program/workers.h"
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <ostream>
+#include <set>
+#include <sstream>
+
+namespace mesoslip
+{
+namespace
+{
+/** The .prm of a point, in the folder of the map. */
+constexpr char base_file[] = "point.prm";
+
+/** The unit of a key: what its meaning has in brackets. */
+std::string unit_of(const Keys &keys, const std::string &path)
+{
+  for (const Key &key : keys.all())
+    if (key.path() == path)
+      {
+        const auto begin = key.meaning.rfind('['), end = key.meaning.rfind(']');
+        if (begin != std::string::npos && end == key.meaning.size() - 1)
+          return key.meaning.substr(begin + 1, end - begin - 1);
+      }
+  return "-";
+}
+
+/** What a point leaves when its results are not kept. */
+void remove_results(const std::string &folder)
+{
+  std::error_code ignored;
+  for (const auto &entry : std::filesystem::directory_iterator(folder, ignored))
+    {
+      const std::string kind = entry.path().extension().string();
+      if (kind == ".h5" || kind == ".csv" || kind == ".xdmf" || kind == ".checkpoint")
+        std::filesystem::remove(entry.path(), ignored);
+    }
+}
+} // namespace
+
+SweepAnalysis::SweepAnalysis(const SweepParameters &wanted,
+                             const Keys &keys,
+                             const Application &program)
+  : parameters(wanted)
+  , single(program)
+{
+  for (const SweepAxis &axis : parameters.axes)
+    units.push_back(unit_of(keys, axis.keys[0]));
+  std::ostringstream text;
+  print_given(keys, text, {"Output folder", "Sweep/"});
+  base = text.str();
+  on_root(MPI_COMM_WORLD, [&]() { points = points_of(parameters, keys); });
+  if (mpi::this_mpi_process(MPI_COMM_WORLD) > 0)
+    for (const std::vector<double> &values : parameters.all_points())
+      points.push_back({values, ""});
+  for (SweepPoint &point : points)
+    broadcast(MPI_COMM_WORLD, point.folder);
+  for (std::size_t a = 0; a < parameters.axes.size(); ++a)
+    {
+      const auto by_axis = [a](const SweepPoint &one, const SweepPoint &other) {
+        return one.values[a] < other.values[a];
+      };
+      const auto [least, largest] =
+        std::minmax_element(points.begin(), points.end(), by_axis);
+      check(*least, false);
+      check(*largest, false);
+    }
+  check(points.front(), true);
+}
+
+/** That the keys of @p point go together; @p builds: and what they are of. */
+void SweepAnalysis::check(const SweepPoint &point, const bool builds)
+{
+  try
+    {
+      RawParameters raw = RawParameters::parse(base, base_file);
+      for (const std::string &assignment : assignments_of(parameters, point))
+        raw.override_with(assignment);
+      raw.ignore_unused(); // the whole map was checked for them
+      Keys keys(raw);
+      single.declare(keys);
+      keys.apply();
+      single.declare(keys);
+      if (builds)
+        first = single.build(keys);
+    }
+  catch (const UserError &error)
+    {
+      throw UserError("the point " + text_of(parameters, point) +
+                      " of the map (Sweep): " + error.what());
+    }
+}
+
+ResourceNeed SweepAnalysis::need() const
+{
+  constexpr double of_folder  = 5e4; // log, parameters, summary
+  const ResourceNeed of_point = first->need();
+  const double n              = static_cast<double>(points.size());
+  if (parameters.keep_results)
+    return {n * (of_point.bytes + of_folder),
+            "set Sweep/Keep results = false, or " + of_point.remedy};
+  return {of_point.bytes * std::max(1U, available_cores()) + n * of_folder,
+          "take fewer points, or " + of_point.remedy};
+}
+
+std::string SweepAnalysis::size_text() const
+{
+  std::string text = "Map of " + std::to_string(points.size()) + " points over ";
+  for (std::size_t a = 0; a < parameters.axes.size(); ++a)
+    {
+      const SweepAxis &axis = parameters.axes[a];
+      const std::vector<double> ends =
+        axis.values.empty() ? std::vector<double>{axis.from, axis.to} : axis.values;
+      const auto [least, largest] = std::minmax_element(ends.begin(), ends.end());
+      text += (a > 0 ? ", " : "") + axis.name + " (" +
+              (axis.values.empty() ? "random"
+                                   : std::to_string(axis.values.size()) + " values") +
+              brief_text(6, " from ", *least, " to ", *largest, " ", units[a], ")");
+    }
+  return text;
+}
+
+void SweepAnalysis::describe(std::ostream &out) const
+{
+  out << size_text() << "\nThe first point, " << text_of(parameters, points[0]) << ":\n";
+  first->describe(out);
+}
+
+std::vector<SweepAnalysis::Task>
+SweepAnalysis::missing_tasks(const std::string &folder) const
+{
+  std::vector<Task> tasks;
+  std::set<std::string> wanted; // points may be there twice
+  for (std::size_t k = 0; k < points.size(); ++k)
+    for (const bool is_of_modes : {false, true})
+      {
+        const std::string place =
+          points[k].folder + (is_of_modes ? complex_modes_folder : "");
+        if ((!is_of_modes || parameters.complex_modes) &&
+            !has_ended(folder + "/" + place) && wanted.insert(place).second)
+          tasks.push_back({k, is_of_modes, place});
+      }
+  return tasks;
+}
+
+std::vector<std::string> SweepAnalysis::words(const Task &task,
+                                              const std::string &folder) const
+{
+  const std::string place         = folder + "/" + task.folder;
+  std::vector<std::string> result = {folder + "/" + base_file, "--quiet",
+                                     "--ignore-unused", "--output", place};
+  for (const std::string &assignment : assignments_of(parameters, points[task.point]))
+    result.insert(result.end(), {"--set", assignment});
+  if (task.is_of_modes)
+    result.insert(result.end(), {"--set", "Analysis=complex modes"});
+  if (is_trial)
+    result.emplace_back("--try");
+  std::error_code ignored;
+  if (std::filesystem::exists(place + "/" + single.name + ".checkpoint", ignored))
+    result.emplace_back("--resume");
+  return result;
+}
+
+/** On rank 0. */
+void SweepAnalysis::finish(const Task &task, const Outcome &outcome, RunContext &context)
+{
+  const std::string folder = context.file(task.folder);
+  const bool failed        = outcome.status != ExitStatus::done;
+  mark_point(folder, failed
+                       ? outcome.message.empty() ? "no reason is known" : outcome.message
+                       : "");
+  if (failed)
+    {
+      ++n_failed;
+      context.log("failed: " + text_of(parameters, points[task.point]) + ": " +
+                  outcome.message);
+    }
+  if (!parameters.keep_results)
+    remove_results(folder);
+  context.progress().update(++n_ended);
+}
+
+/** @return false if it was stopped. Collective. */
+bool SweepAnalysis::compute(const std::vector<Task> &tasks, RunContext &context)
+{
+  const unsigned int n_processes =
+    parameters.processes > 0 ? parameters.processes : available_cores();
+  const std::string &folder = context.output_folder();
+  const std::string file    = file_of_program(single.name);
+  if (context.n_ranks() == 1 && n_processes > 1 && tasks.size() > 1 && !file.empty())
+    return carry_out_side_by_side(
+      file, n_processes, context.file("processes.log"),
+      {tasks.size(), [&](const std::size_t k) { return words(tasks[k], folder); },
+       [&](const std::size_t k, const Outcome &outcome) {
+         finish(tasks[k], outcome, context);
+       },
+       [&]() { return context.stop_requested(); }});
+  for (const Task &task : tasks)
+    {
+      if (context.stop_requested())
+        return false;
+      std::vector<std::string> line = words(task, folder);
+      const Outcome outcome         = carry_out(line, single, context.communicator());
+      if (outcome.status == ExitStatus::interrupted)
+        return false;
+      on_root(context.communicator(), [&]() { finish(task, outcome, context); });
+    }
+  return true;
+}
+
+void SweepAnalysis::write_results(RunContext &context) const
+{
+  SweepMap map       = {parameters, units, points, {}};
+  std::size_t n_done = 0, n_of_failed = 0, n_with_warnings = 0;
+  for (const SweepPoint &point : points)
+    {
+      map.results.push_back(
+        read_point(context.file(point.folder), parameters.complex_modes));
+      const PointResult &result = map.results.back();
+      n_done += result.status == PointStatus::done;
+      n_of_failed += result.status == PointStatus::failed;
+      const auto warnings = result.numbers.find("warnings");
+      n_with_warnings += warnings != result.numbers.end() && warnings->second > 0.;
+    }
+  write_map_file(context.file("map.h5"), map);
+  write_map_table(context.file("map.csv"), map);
+  nlohmann::json axes = nlohmann::json::array();
+  for (std::size_t a = 0; a < parameters.axes.size(); ++a)
+    axes.push_back({{"name", parameters.axes[a].name},
+                    {"keys", parameters.axes[a].keys},
+                    {"unit", units[a]}});
+  context.summary().update({{"analysis", "map"},
+                            {"axes", axes},
+                            {"shape", parameters.shape()},
+                            {"points", points.size()},
+                            {"points_done", n_done},
+                            {"points_failed", n_of_failed},
+                            {"points_with_warnings", n_with_warnings}});
+  context.log(std::to_string(n_done) + " of " + std::to_string(points.size()) +
+              " points are done" +
+              (n_of_failed > 0 ? ", " + std::to_string(n_of_failed) + " failed" : "") +
+              ": map.h5, map.csv");
+  if (n_of_failed > 0)
+    context.warn(
+      std::to_string(n_of_failed) + " of " + std::to_string(points.size()) +
+      " points failed; map.csv says why, and a point is computed again when its "
+      "folder is removed");
+  if (n_with_warnings > 0)
+    context.warn(std::to_string(n_with_warnings) +
+                 " points have warnings, which stand in the "
+                 "log.txt of their folders");
+}
+
+void SweepAnalysis::run(RunContext &context)
+{
+  is_trial = context.options().trial;
+  on_root(context.communicator(), [&]() { write_file(context.file(base_file), base); });
+  std::vector<Task> tasks  = missing_tasks(context.output_folder());
+  const std::size_t n_runs = points.size() * (parameters.complex_modes ? 2 : 1);
+  context.log(size_text());
+  if (tasks.size() < n_runs)
+    context.log(std::to_string(n_runs - tasks.size()) + " of " + std::to_string(n_runs) +
+                " runs are there already");
+  context.progress().start("Map", std::max<std::size_t>(1, tasks.size()));
+  bool is_complete = false;
+  {
+    const auto scope = context.timer().scope("Points");
+    is_complete      = compute(tasks, context);
+  }
+  context.progress().finish();
+  on_root(context.communicator(), [&]() { write_results(context); });
+  if (!is_complete)
+    throw Interrupted(
+      "the map was stopped with " + std::to_string(tasks.size() - n_ended) + " of " +
+      std::to_string(n_runs) + " runs left; the same command computes the rest");
+}
+} // namespace mesoslip

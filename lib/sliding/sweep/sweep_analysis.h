@@ -1,0 +1,60 @@
+#ifndef mesoslip_sliding_sweep_sweep_analysis_h
+#define mesoslip_sliding_sweep_sweep_analysis_h
+
+#include "program/program.h"
+#include "sliding/sweep/sweep_output.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace mesoslip
+{
+/**
+ * A map: many runs of contact_dynamics that differ in some keys, each in a folder of its own, as if it had been
+ * started alone. Processes compute points side by side, or all ranks one point after the other. Folders are named by all that
+ * decides their results, so that a map that is stopped, changed or extended computes only what is not there.
+ */
+class SweepAnalysis : public Analysis
+{
+public:
+  /** All ranks have the same @p keys, of the whole map; @p program computes single points. @throws UserError naming the
+   * point, where the first one or one at the ends of the axes is none */
+  SweepAnalysis(const SweepParameters &wanted,
+                const Keys &keys,
+                const Application &program);
+
+  ResourceNeed need() const override;
+  void describe(std::ostream &out) const override;
+  void run(RunContext &context) override;
+
+private:
+  /** A run of a point. */
+  struct Task
+  {
+    std::size_t point  = 0;
+    bool is_of_modes   = false; ///< else what the .prm says
+    std::string folder = {};    ///< in that of the map
+  };
+
+  void check(const SweepPoint &point, const bool builds);
+  std::vector<Task> missing_tasks(const std::string &folder) const;
+  std::vector<std::string> words(const Task &task, const std::string &folder) const;
+  void finish(const Task &task, const Outcome &outcome, RunContext &context);
+  bool compute(const std::vector<Task> &tasks, RunContext &context);
+  void write_results(RunContext &context) const;
+  std::string size_text() const;
+
+  const SweepParameters parameters;
+  const Application single;
+  std::string base; ///< a .prm with all keys of a point
+  std::vector<std::string> units;
+  std::vector<SweepPoint> points;
+  std::unique_ptr<Analysis> first; ///< of the first point
+  bool is_trial        = false;    ///< --try
+  std::size_t n_ended  = 0;        ///< tasks of this run
+  std::size_t n_failed = 0;        ///< of these
+};
+} // namespace mesoslip
+
+#endif

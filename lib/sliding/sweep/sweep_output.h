@@ -1,0 +1,31 @@
+#ifndef mesoslip_sliding_sweep_sweep_output_h
+#define mesoslip_sliding_sweep_sweep_output_h
+
+#include "sliding/sweep/sweep_points.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace mesoslip
+{
+/** All points of a map. */
+struct SweepMap
+{
+  const SweepParameters &parameters;
+  std::vector<std::string> units;   ///< of the axes
+  std::vector<SweepPoint> points;   ///< in the order of the map
+  std::vector<PointResult> results; ///< of each
+};
+
+/** Names of the numbers that some point has. */
+std::vector<std::string> names_of_numbers(const SweepMap &map);
+
+/** Writes map.h5 (a group for the axes, one for the numbers, where each is known, status, messages and folders). */
+void write_map_file(const std::string &path, const SweepMap &map);
+
+/** Writes map.csv: a row for each point, empty where a number is not known. */
+void write_map_table(const std::string &path, const SweepMap &map);
+} // namespace mesoslip
+
+#endif

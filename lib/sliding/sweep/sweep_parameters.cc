@@ -1,0 +1,185 @@
+#include "sliding/sweep/sweep_parameters.h"
+
+#include "base/text.h"
+#include "parameters/keys.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <random>
+
+namespace mesoslip
+{
+namespace
+{
+/** Without the round-off of a division: 0.3, not 0.30000000000000004. */
+double rounded(const double value)
+{
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.12g", value);
+  return std::strtod(text, nullptr);
+}
+
+/** At @p share of the way from one end to the other. */
+double between(const SweepAxis &axis, const double share)
+{
+  return rounded(axis.logarithmic ? axis.from * std::pow(axis.to / axis.from, share)
+                                  : axis.from + share * (axis.to - axis.from));
+}
+
+/** That each of the keys takes all @p values. */
+void check_keys(const Keys &keys,
+                const SweepAxis &axis,
+                const std::vector<double> &values)
+{
+  keys.require(!axis.keys.empty(), "Key",
+               "it is empty; name the key that changes, as Supports/Top/Pressure");
+  for (const std::string &path : axis.keys)
+    {
+      keys.require(keys.has(path) && path.rfind("Sweep/", 0) != 0, "Key",
+                   "there is no key " + path +
+                     "; write it as Section/Key, as --print-parameters has it");
+      const Key &key = *std::find_if(keys.all().begin(), keys.all().end(),
+                                     [&](const Key &k) { return k.path() == path; });
+      for (const double value : values)
+        keys.require(!key.is_input && key.accepts(to_text(value)), "Key",
+                     path + " cannot be " + to_text(value) + ": it must be " +
+                       key.allowed);
+    }
+}
+
+void bind_axis(Keys &keys, SweepAxis &axis, const SweepPoints points)
+{
+  const auto section = keys.section(axis.name);
+  keys.bind_list(
+    "Key", axis.keys, {},
+    "Key that takes the values, as Supports/Top/Pressure; several, separated "
+    "by commas, take the same value");
+  keys.bind_list("Values", axis.values, Range::any(),
+                 "Its values; empty: those from From to To [unit of the key]", 0, 100000);
+  keys.bind("From", axis.from, Range::any(), "First value [unit of the key]");
+  keys.bind("To", axis.to, Range::any(), "Last value [unit of the key]");
+  keys.bind("Number", axis.number, 0, 100000,
+            "Number of values from the first to the last [-]");
+  keys.bind("Spacing", axis.logarithmic, {"linear", "logarithmic"},
+            "Whether the values, or random ones, are equally spaced or equally likely as "
+            "they are or in their logarithms");
+  if (!keys.are_read())
+    return;
+  const bool is_random = points == SweepPoints::random;
+  keys.only_if(!is_random, {"Values", "Number"}, "the points are random",
+               "set Sweep/Points = grid");
+  keys.only_if(axis.values.empty(), {"From", "To", "Number", "Spacing"},
+               "the values are listed", "leave Values empty");
+  if (axis.values.empty())
+    {
+      keys.require(axis.from != axis.to, "To",
+                   "it equals From; set both, or list the values in Values");
+      keys.require(!axis.logarithmic || axis.from * axis.to > 0., "Spacing",
+                   "logarithms need From and To of one sign and none of them 0");
+      keys.require(is_random || axis.number >= 2, "Number",
+                   "at least 2 values lead from From to To; or list them in Values");
+      for (unsigned int k = 0; k < (is_random ? 0 : axis.number); ++k)
+        axis.values.push_back(between(axis, k / (axis.number - 1.)));
+    }
+  check_keys(keys, axis,
+             axis.values.empty() ? std::vector<double>{axis.from, axis.to} : axis.values);
+}
+} // namespace
+
+void SweepParameters::bind(Keys &keys)
+{
+  const auto section = keys.section("Sweep");
+  std::vector<std::string> names;
+  for (const SweepAxis &axis : axes)
+    names.push_back(axis.name);
+  keys.bind_names("Axes", names, "axis",
+                  "Names of what changes from point to point of a map, each with a "
+                  "subsection of that name; empty: one run",
+                  20);
+  keys.bind(
+    "Points", points, {"grid", "pairs", "random"},
+    "grid: each value of an axis with each of the others; pairs: the first values "
+    "of all axes, then the second ones, and so on; random: between the ends of "
+    "the axes");
+  keys.bind("Random points", n_random, 1, 1000000, "Number of random points [-]");
+  keys.bind(
+    "Seed", seed, 0, 2000000000,
+    "Seed of random points; with the same seed more points contain the fewer [-]");
+  keys.bind_or_auto(
+    "Processes", processes, 1024,
+    "Points computed side by side, each by a process of its own; auto: as "
+    "many as there are cores. Under mpirun all ranks compute one point "
+    "after the other [-]");
+  keys.bind("Complex modes", complex_modes,
+            "Also compute the complex modes of steady sliding at each point");
+  keys.bind("Keep results", keep_results,
+            "Keep histories, fields and tables of each point, not only its summary");
+  axes.resize(names.size());
+  for (std::size_t a = 0; a < names.size(); ++a)
+    {
+      axes[a].name = names[a];
+      bind_axis(keys, axes[a], points);
+    }
+  if (!keys.are_read())
+    return;
+  keys.only_if(!axes.empty(), {"Points", "Processes", "Complex modes", "Keep results"},
+               "there are no axes", "set Sweep/Axes");
+  keys.only_if(points == SweepPoints::random, {"Random points", "Seed"},
+               "the points are not random", "set Sweep/Points = random");
+  if (points == SweepPoints::pairs)
+    for (const SweepAxis &axis : axes)
+      keys.require(axis.values.size() == axes[0].values.size(), "Points",
+                   "pairs need as many values on all axes, but " + axes[0].name +
+                     " has " + std::to_string(axes[0].values.size()) + " and " +
+                     axis.name + " " + std::to_string(axis.values.size()));
+  for (std::size_t a = 0; a < axes.size(); ++a)
+    for (const std::string &key : axes[a].keys)
+      for (std::size_t b = 0; b < a; ++b)
+        keys.require(std::count(axes[b].keys.begin(), axes[b].keys.end(), key) == 0,
+                     "Axes", axes[b].name + " and " + axes[a].name + " both set " + key);
+  std::size_t n = 1;
+  for (const std::size_t of_axis : shape())
+    n *= of_axis;
+  keys.require(n <= 1000000, "Axes",
+               "the map has " + std::to_string(n) + " points; a million is the most");
+}
+
+std::vector<std::size_t> SweepParameters::shape() const
+{
+  if (points == SweepPoints::random)
+    return {n_random};
+  std::vector<std::size_t> result;
+  for (const SweepAxis &axis : axes)
+    if (points == SweepPoints::grid || result.empty())
+      result.push_back(axis.values.size());
+  return result;
+}
+
+std::vector<std::vector<double>> SweepParameters::all_points() const
+{
+  std::size_t n = 1;
+  for (const std::size_t of_axis : shape())
+    n *= of_axis;
+  std::vector<std::vector<double>> result(n, std::vector<double>(axes.size()));
+  std::mt19937_64 generator(seed);
+  for (std::size_t k = 0; k < n; ++k)
+    for (std::size_t a = axes.size(), rest = k; a-- > 0;)
+      {
+        const std::vector<double> &values = axes[a].values;
+        if (points == SweepPoints::random)
+          // The upper 53 bits, as standard distributions differ between libraries.
+          result[k][a] =
+            between(axes[a], static_cast<double>(generator() >> 11U) * 0x1p-53);
+        else if (points == SweepPoints::pairs)
+          result[k][a] = values[k];
+        else
+          {
+            result[k][a] = values[rest % values.size()];
+            rest /= values.size();
+          }
+      }
+  return result;
+}
+} // namespace mesoslip

@@ -1,0 +1,171 @@
+"""Maps (section Sweep of contact_dynamics): points equal single runs bit for bit, whatever the order of points, the number of processes
+and of ranks, and however often a map is stopped, resumed and extended; points that fail are told and do not stop the others."""
+
+import csv
+import os
+import signal
+import shutil
+import subprocess
+import tempfile
+
+import h5py
+import numpy as np
+
+from scenes import Folder, prm
+
+PIN = {"Body/Size": "14e-3, 4e-3", "Body/Cells": "28, 8", "Supports/Top/Pressure": 5e6, "Flat/Velocity": 2, "Friction/Coefficient": 0.25,
+       "Friction/Regularization time": 1.5e-6, "Time/End time": 1e-4, "Observation/Blocks": 10}
+PRESSURES, FRICTION = (1e6, 3e6, 5e6), (0.1, 0.4)
+AXES = {"Sweep/Axes": "pressure, friction", "Sweep/pressure/Key": "Supports/Top/Pressure", "Sweep/pressure/From": 1e6, "Sweep/pressure/To": 5e6,
+        "Sweep/pressure/Number": 3, "Sweep/friction/Key": "Friction/Coefficient", "Sweep/friction/Values": "0.1, 0.4"}
+
+
+def content(folder, name="map"):
+    """Everything in map.h5, and the rows of map.csv."""
+    found = {}
+    with h5py.File(folder(name + "/map.h5")) as file:
+        file.visititems(lambda path, item: found.update({path: (item[()], dict(item.attrs))}) if isinstance(item, h5py.Dataset) else None)
+        found["shape"] = file["axes"].attrs["shape"]
+    with open(folder(name + "/map.csv"), encoding="utf-8") as file:
+        found["rows"] = list(csv.DictReader(file))
+    return found
+
+
+def alone(folder):
+    """Words of Folder.run() that start the program itself, which starts more of it, and not a fork of the server of the tests."""
+    return {"cwd": folder.path}
+
+
+def equal(one, other):
+    np.testing.assert_equal(one, other)
+
+
+def check_single_runs(folder):
+    folder.write("map.prm", prm({**PIN, **AXES}))
+    said = folder.run(0, "contact_dynamics", "map.prm", "--output", "map", **alone(folder))
+    assert "6 of 6 points are done" in said, said
+    found = content(folder)
+    rows = found["rows"]
+    assert list(found["shape"]) == [3, 2] and [float(row["pressure [Pa]"]) for row in rows] == [p for p in PRESSURES for _ in FRICTION]
+    for k, row in enumerate(rows):
+        pressure, friction = PRESSURES[k // 2], FRICTION[k % 2]
+        folder.write("one.prm", prm({**PIN, "Supports/Top/Pressure": pressure, "Friction/Coefficient": friction}))
+        folder.run(0, "contact_dynamics", "one.prm", "--output", "one")
+        summary = folder.summary("one")
+        for name in ("global_interface_friction_coefficient", "slip_fraction", "separation_fraction", "friction_energy", "largest_strain", "time_step"):
+            assert found["numbers/" + name][0][k] == summary[name], (name, k)
+        assert row["regime"] == summary["regime"] and row["status"] == "done", row
+        assert sorted(os.listdir(folder("map/" + row["folder"]))) == ["log.txt", "original.prm", "parameters.prm", "point.json", "summary.json"]
+        folder.run(0, "contact_dynamics", "map/" + row["folder"] + "/parameters.prm", "--output", "again")
+        assert folder.summary("again")["friction_energy"] == summary["friction_energy"]
+    return found
+
+
+def check_ways(folder, due):
+    for name, options, ranks in (("one process", ["--set", "Sweep/Processes=1"], 1), ("three", ["--set", "Sweep/Processes=3"], 1)):
+        folder.run(0, "contact_dynamics", "map.prm", "--output", "other", *options, ranks=ranks, **alone(folder))
+        equal(content(folder, "other"), due)
+        shutil.rmtree(folder("other"))
+    folder.run(0, "contact_dynamics", "map.prm", "--output", "other", ranks=2)
+    np.testing.assert_allclose(content(folder, "other")["numbers/friction_energy"][0], due["numbers/friction_energy"][0], rtol=1e-6)
+    shutil.rmtree(folder("other"))
+    # The other way round, with points that are there already, in the same folder and in another one.
+    turned = {**PIN, **AXES, "Sweep/Axes": "friction, pressure", "Sweep/friction/Values": "0.4, 0.2, 0.1"}
+    folder.write("turned.prm", prm(turned))
+    said = folder.run(0, "contact_dynamics", "turned.prm", "--output", "map")
+    assert "6 of 9 runs are there already" in said, said
+    found = content(folder)
+    order = [3 * j + i for i in range(3) for j in (2, 0)]
+    for name in ("numbers/friction_energy", "folder", "axes/pressure"):
+        equal(found[name][0][order], due[name][0])
+    folder.run(0, "contact_dynamics", "map.prm", "--output", "map")
+    equal(content(folder), due)
+
+
+def check_interruptions(folder, due):
+    """Stopped again and again, soon after it was started."""
+    long = {**PIN, **AXES, "Time/End time": 2e-2}
+    folder.write("long.prm", prm(long))
+    folder.run(0, "contact_dynamics", "long.prm", "--output", "whole")
+    random = np.random.default_rng(1)
+    stops = 0
+    for attempt in range(60):
+        process = folder.start("contact_dynamics", "long.prm", "--output", "stopped", "--quiet")
+        try:
+            process.wait(1.0 + 0.6 * random.random())
+        except subprocess.TimeoutExpired:
+            process.send_signal((signal.SIGINT, signal.SIGTERM)[attempt % 2])
+        error = process.communicate(timeout=60)[1]
+        if process.returncode == 0:
+            break
+        stops += 1
+        if process.returncode < 0:  # stopped before it listened
+            continue
+        assert process.returncode == 130 and "the same command computes the rest" in error, (process.returncode, error)
+    assert process.returncode == 0, "never done"
+    print(f"stopped {stops} times")
+    equal(content(folder, "stopped"), content(folder, "whole"))
+
+
+def check_failures(folder):
+    # Too long a time step is refused at the points with a soft damping only.
+    folder.write("bad.prm", prm({**PIN, "Sweep/Axes": "beta", "Sweep/beta/Key": "Time/Rayleigh beta", "Sweep/beta/Values": "0, 1e-9, 4e-9",
+                                 "Time/Time step": 9.4e-8}))
+    said = folder.run(0, "contact_dynamics", "bad.prm", "--output", "bad")
+    rows = content(folder, "bad")["rows"]
+    assert [row["status"] for row in rows].count("failed") >= 1 and rows[0]["status"] == "done", rows
+    assert "critical" in rows[-1]["message"] and "points failed" in said, (rows, said)
+
+
+def check_refusals(folder):
+    for change, sentence in (({"Sweep/pressure/Key": "Supports/Top/Presure"}, "there is no key Supports/Top/Presure"),
+                             ({"Sweep/friction/Values": "0.1, -1"}, "Friction/Coefficient cannot be -1"),
+                             ({"Sweep/Points": "pairs"}, "pairs need as many values"),
+                             ({"Sweep/pressure/Number": 1}, "at least 2 values"),
+                             ({"Sweep/pressure/Values": "1e6, 2e6"}, "the values are listed"),
+                             ({"Sweep/Seed": 3}, "the points are not random"),
+                             ({"Sweep/friction/Key": "Supports/Top/Pressure"}, "both set Supports/Top/Pressure"),
+                             ({"Sweep/Axes": ""}, "Sweep"),
+                             ({"Body/Cells": "28, 8", "Sweep/friction/Key": "Time/Beta2", "Sweep/friction/Values": "0.5, 2"}, "Beta2")):
+        folder.write("refused.prm", prm({**PIN, **AXES, **change}))
+        said = folder.run(2, "contact_dynamics", "refused.prm", "--validate")
+        assert sentence in said, (sentence, said)
+
+
+def check_random(folder):
+    keys = {**PIN, "Sweep/Axes": "pressure, friction", "Sweep/Points": "random", "Sweep/Seed": 4, "Sweep/pressure/Key": "Supports/Top/Pressure",
+            "Sweep/pressure/From": 1e5, "Sweep/pressure/To": 1e7, "Sweep/pressure/Spacing": "logarithmic", "Sweep/friction/Key": "Friction/Coefficient",
+            "Sweep/friction/From": 0.1, "Sweep/friction/To": 0.4, "Sweep/Complex modes": "true"}
+    tables = []
+    for n in (3, 5):
+        folder.write("random.prm", prm({**keys, "Sweep/Random points": n}))
+        said = folder.run(0, "contact_dynamics", "random.prm", "--output", "random")
+        tables.append(content(folder, "random"))
+    assert "6 of 10 runs are there already" in said, said
+    equal(tables[1]["numbers/friction_energy"][0][:3], tables[0]["numbers/friction_energy"][0])
+    pressure = tables[1]["axes/pressure"][0]
+    assert np.all((pressure > 1e5) & (pressure < 1e7)) and len(set(pressure)) == 5
+    k = 4
+    folder.write("modes.prm", prm({**PIN, "Supports/Top/Pressure": pressure[k], "Friction/Coefficient": tables[1]["axes/friction"][0][k]}))
+    folder.run(0, "contact_dynamics", "modes.prm", "--output", "modes", "--set", "Analysis=complex modes", "--ignore-unused")
+    summary = folder.summary("modes")
+    numbers = {name: value for name, value in summary.items() if isinstance(value, float)}
+    assert numbers
+    for name, value in numbers.items():
+        if "numbers/complex_modes." + name in tables[1]:
+            assert tables[1]["numbers/complex_modes." + name][0][k] == value, name
+
+
+def main():
+    with tempfile.TemporaryDirectory() as path:
+        folder = Folder(path)
+        due = check_single_runs(folder)
+        check_ways(folder, due)
+        check_interruptions(folder, due)
+        check_failures(folder)
+        check_refusals(folder)
+        check_random(folder)
+
+
+if __name__ == "__main__":
+    main()
