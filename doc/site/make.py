@@ -21,7 +21,7 @@ PROGRAMS = ("rve_homogenization", "contact_dynamics", "stress_localization")
 MENU = {
     "Start": ("doc/gallery", "doc/guide", "doc/first_steps", "doc/guide/tomogram", "doc/guide/squeal", "doc/guide/disc",
               "doc/glossary"),
-    "Use": ("doc/voxels", "doc/meshes", "doc/loads", "doc/composites", "doc/complex_modes/README", "doc/contact_maps", "doc/chains",
+    "Use": ("doc/voxels", "doc/meshes", "doc/loads", "doc/composites", "doc/complex_modes/README", "doc/contact_maps", "doc/maps", "doc/chains",
             "doc/python", "doc/platforms"),
     "Reference": ("doc/parameters/README", *(f"doc/parameters/{name}" for name in PROGRAMS), "doc/file_formats", "doc/theory", "doc/limits"),
     "Evidence": ("doc/verification", "doc/performance", "doc/performance/work_precision", "doc/stability/README", "doc/paper/README",

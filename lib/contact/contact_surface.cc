@@ -122,8 +122,10 @@ void ContactSurface<dim>::begin(const SurfaceView<dim> &surface)
     initialize_increments(surface);
   if (profile)
     profile->advance(surface, flat_increment(surface.time), arrays(surface, 0, n_nodes));
-  if (first && setup.slips_on_springs())
+  if (first && setup.slips_on_springs() && !continues)
     relax_along_flat(surface);
+  if (first && setup.slips_on_springs() && continues)
+    count_stretched_springs();
 }
 
 // What springs and laws make of the step; the same again if it is asked for again, but for what laws remember.
@@ -272,6 +274,21 @@ void ContactSurface<dim>::relax_along_flat(const SurfaceView<dim> &surface)
             total.pressed += 0.25 / slack * stretch * stretch;
         }
     }
+}
+
+/** What the springs along the flat of another run, which this one continues, have in them. */
+template <int dim>
+void ContactSurface<dim>::count_stretched_springs()
+{
+  for (unsigned int i = 0; i < setup.n_owned.value_or(n_nodes); ++i)
+    for (unsigned int k = 0; k + 1 < dim; ++k)
+      {
+        const double now = column(k == 0 ? Column::stretch : Column::lateral_stretch)[i],
+                     before = column(k == 0 ? Column::stretch_before
+                                            : Column::lateral_stretch_before)[i];
+        total.pressed +=
+          0.25 / column(Column::slackness)[i] * (now * now + before * before);
+      }
 }
 
 template <int dim>

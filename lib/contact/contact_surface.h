@@ -2,6 +2,7 @@
 #define mesoslip_contact_contact_surface_h
 
 #include "contact/contact_kernel.h"
+#include "contact/flat/contact_setup.h"
 #include "contact/flat/moving_profile.h"
 #include "contact/flat/power_springs.h"
 #include "contact/friction_law.h"
@@ -21,6 +22,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <vector>
 
 namespace mesoslip
@@ -38,79 +40,6 @@ tributary_width(const UniformGrid<2> &grid, const unsigned int node, const bool 
   const bool end = !periodic && (node == 0 || node == grid.cells[0]);
   return grid.spacing[0] * (end ? 0.5 : 1.);
 }
-
-/** The rigid flat. */
-struct ContactSetup
-{
-  FrictionLaw law; ///< target, limit and regularization of the tangential force
-
-  /** Coulomb coefficient of each node of the surface. */
-  std::vector<double> friction_coefficient;
-
-  /** Velocity of the flat along flat_direction (m/s). */
-  LoadHistory flat_velocity;
-
-  /** Along x and y, of length one; x in 2D. */
-  std::array<double, 2> flat_direction = {{1., 0.}};
-
-  /** Distance between surface and plane of the flat in the undeformed state (m). */
-  double gap = 0.;
-
-  /** Height of the flat over its plane; null: it is even. */
-  std::shared_ptr<const FlatProfile> profile;
-
-  /** Springs between surface and flat; of infinite stiffness: there are none. */
-  PowerSpring normal_spring = {std::numeric_limits<double>::infinity(), 1., 0.};
-
-  /** Of springs along the flat, through which it drags the surface, for the area (Pa/m); infinite: there are none. */
-  double tangential_stiffness = std::numeric_limits<double>::infinity();
-
-  /** Of each node above the lowest of them in the undeformed state (m); empty: all are
-   * equally high. */
-  std::vector<double> height;
-
-  /** The last node duplicates the first. */
-  bool periodic = false;
-
-  /** Tributary length (m, in 3D m^2) of each node, for springs and laws with a pressure. */
-  std::vector<double> area;
-
-  /** x and, in 3D, y (m) of each node, for laws with a place and profiles. */
-  std::array<std::vector<double>, 2> position;
-
-  /** Whether there are springs. */
-  bool is_compliant() const
-  {
-    return std::isfinite(normal_spring.stiffness);
-  }
-
-  /** Whether nodes take part in more than linear springs along the normal of an even flat. */
-  bool is_full() const
-  {
-    return profile || is_coupled || slips_on_springs() ||
-           (is_compliant() && !normal_spring.is_linear());
-  }
-
-  /** Forces reach neighbours through the surface below, or it rises and falls under the nodes, see ContactSurface::ride(). */
-  bool is_coupled = false;
-
-  /** Whether there are springs along the flat. */
-  bool slips_on_springs() const
-  {
-    return std::isfinite(tangential_stiffness);
-  }
-
-  /** Whether area and place of the nodes are needed. */
-  bool wants_area() const
-  {
-    return is_compliant() || slips_on_springs() || profile ||
-           (law.slip_law && law.slip_law->looks_around());
-  }
-
-  /** The first nodes, which this rank owns; those from the next whole vector on are copies
-   * (SharedNodes). Not given: all. */
-  std::optional<unsigned int> n_owned;
-};
 
 template <int dim>
 class ContactSurface;
@@ -281,6 +210,28 @@ public:
       archive &*profile;
   }
 
+  /** Saves or restores what a run leaves for another one that starts from its end (Boost.Serialization): forces and
+   * states of the nodes, and what the law of friction remembers. */
+  template <class Archive>
+  void serialize_memory(Archive &archive)
+  {
+    using C       = ContactArrays::Column;
+    std::size_t n = n_nodes;
+    archive &n;
+    if (n != n_nodes)
+      throw std::length_error("a contact of another number of nodes was saved");
+    for (const C c : {C::tangential_force, C::target, C::touching, C::normal_force,
+                      C::sticking, C::stretch, C::stretch_before})
+      serialize_array(archive, column(c), n_nodes);
+    if (dim == 3)
+      for (const C c : {C::lateral_force, C::lateral_target, C::lateral_stretch,
+                        C::lateral_stretch_before})
+        serialize_array(archive, column(c), n_nodes);
+    if (variable)
+      archive &*variable;
+    continues = continues || Archive::is_loading::value;
+  }
+
 private:
   using Column = ContactArrays::Column;
 
@@ -321,6 +272,7 @@ private:
 
   void initialize_increments(const SurfaceView<dim> &surface);
   void relax_along_flat(const SurfaceView<dim> &surface);
+  void count_stretched_springs();
 
   const ContactSetup setup;
   const ContactFunction advance_nodes;
@@ -332,7 +284,8 @@ private:
   std::unique_ptr<VariableFriction<dim>> variable;
   std::unique_ptr<MovingProfile<dim>> profile; ///< null: the flat is even
   std::unique_ptr<PowerSprings<dim>> springs;  ///< null: they are linear, or none
-  bool started = false;
+  bool started   = false;
+  bool continues = false; ///< whether it began with the memory of another run
   BoundaryWork total;
   ContactSums last;
   std::vector<ContactObserver<dim> *> observers;

@@ -2,7 +2,7 @@
 
 #include "base/errors.h"
 #include "base/text.h"
-#include "mesh/curved_cells.h"
+#include "mesh/curved/curved_cells.h"
 
 #include <deal.II/grid/grid_tools.h>
 

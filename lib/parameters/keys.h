@@ -330,11 +330,8 @@ bool is_among(const std::string &path, const std::vector<std::string> &keys);
 /** All keys in .prm syntax, with meaning, allowed values and full digits; can be parsed again. */
 void print_parameters(const Keys &keys, std::ostream &out);
 
-/** The keys without a section, those that the .prm or --set names, and others that do not have their default values, in .prm syntax.
- * Without those whose full paths are in @p skip ("Section/" skips a section). */
-void print_given(const Keys &keys,
-                 std::ostream &out,
-                 const std::vector<std::string> &skip = {});
+/** Those without a section, those that are typed or not the default, but for @p skip as below, in .prm syntax. */
+void print_given(const Keys &, std::ostream &, const std::vector<std::string> &skip = {});
 
 /**
  * Lines "Section/Key = value" without the keys whose full paths are in @p skip
@@ -344,10 +341,8 @@ void print_given(const Keys &keys,
 std::string canonical_parameters(const Keys &keys,
                                  const std::vector<std::string> &skip = {});
 
-/**
- * In what two such texts differ, for a message: "Friction/Coefficient is 0.4 instead of
- * 0.25, Time/Beta2 is 0.6 instead of 0.5"; empty if they are equal. The first few only.
- */
+/** In what two such texts differ, for a message: "Friction/Coefficient is 0.4 instead of
+ * 0.25, Time/Beta2 is 0.6 instead of 0.5"; empty if they are equal. The first few only. */
 std::string parameter_differences(const std::string &now, const std::string &before);
 } // namespace mesoslip
 

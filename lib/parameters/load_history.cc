@@ -66,6 +66,7 @@ double LoadHistory::operator()(const double time) const
   if (ramp == Ramp::step || time >= ramp_time)
     return scale;
   const double s = time / ramp_time;
-  return scale * (ramp == Ramp::linear ? s : 0.5 * (1. - std::cos(M_PI * s)));
+  return start +
+         (scale - start) * (ramp == Ramp::linear ? s : 0.5 * (1. - std::cos(M_PI * s)));
 }
 } // namespace mesoslip

@@ -36,6 +36,14 @@ public:
    */
   LoadHistory(const double amplitude, const std::string &expression);
 
+  /** The same, whose ramp leads from @p value, not from zero, to the amplitude; an expression stays. */
+  LoadHistory from(const double value) const
+  {
+    LoadHistory result = *this;
+    result.start       = value;
+    return result;
+  }
+
   /** Value at @p time (s), in the unit of the amplitude. */
   double operator()(const double time) const;
 
@@ -71,6 +79,7 @@ private:
   struct Expression;
 
   double scale     = 0.;
+  double start     = 0.; ///< where the ramp begins
   Ramp ramp        = Ramp::step;
   double ramp_time = 0.;
   std::shared_ptr<const Expression> expression;

@@ -48,6 +48,9 @@ po::options_description visible_options(CommandLine &line, const std::string &dr
                  "run where inputs may be drafts, to see how long it takes; the results, in "
                  "a new folder, are drafts, too, which no other run takes")
     ("quiet,q",  po::bool_switch(&line.quiet), "print nothing but warnings and errors")
+    ("summary-only", po::bool_switch(&line.summary_only),
+                 "of transient runs: write no histories, fields and tables, which takes time where "
+                 "many short runs are made")
     ("profile",  po::bool_switch(&line.profile), "print at the end where the time went")
     ("serve",    po::bool_switch(&line.serve),
                  "without a file: carry out the command lines on standard input one after the "

@@ -18,11 +18,12 @@ struct CommandLine
   bool quiet            = false; ///< --quiet
   bool profile          = false; ///< --profile: print the timings
   bool ignore_unused    = false; ///< --ignore-unused: keys without effect are no error
-  bool nested = false;  ///< carried out by another run, which tells what went wrong
-  bool serve  = false;  ///< --serve: carry out the command lines that come in
-  std::string output;   ///< folder after --output; empty: that of the .prm
-  std::string prm_file; ///< path as typed
-  std::string draft;    ///< folder after --draft; empty: no draft
+  bool serve            = false; ///< --serve: carry out command lines that come in
+  bool summary_only     = false; ///< --summary-only: no file but log and summary
+  bool nested           = false; ///< part of another run, which tells what went wrong
+  std::string output;            ///< folder after --output; empty: that of the .prm
+  std::string prm_file;          ///< path as typed
+  std::string draft;             ///< folder after --draft; empty: no draft
   std::vector<std::string> assignments; ///< 'Section/Key=value' after each --set
 
   /** @p draft: what --draft writes; empty: there is no such option. @throws UserError for

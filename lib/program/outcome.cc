@@ -111,13 +111,12 @@ Outcome shared_outcome(const MPI_Comm communicator,
   int mine = failed ? rank : n_ranks, speaker = n_ranks;
   MPI_Request request;
   MPI_Iallreduce(&mine, &speaker, 1, MPI_INT, MPI_MIN, communicator, &request);
-  if (!failed)
-    MPI_Wait(&request, MPI_STATUS_IGNORE);
-  else if (!completes(request, std::chrono::seconds(10)))
+  if (failed && !completes(request, std::chrono::seconds(10)))
     {
       say(program + " (process " + std::to_string(rank) + ")", outcome.message);
       MPI_Abort(communicator, static_cast<int>(outcome.status));
     }
+  MPI_Wait(&request, MPI_STATUS_IGNORE);
   Outcome shared = outcome;
   if (speaker < n_ranks)
     {
@@ -125,17 +124,5 @@ Outcome shared_outcome(const MPI_Comm communicator,
       broadcast_object(communicator, shared.message, speaker);
     }
   return shared;
-}
-
-int conclude(const MPI_Comm communicator,
-             const std::string &program,
-             const Outcome &outcome)
-{
-  int rank = 0;
-  MPI_Comm_rank(communicator, &rank);
-  const Outcome shared = shared_outcome(communicator, program, outcome);
-  if (rank == 0 && shared.status != ExitStatus::done)
-    say(program, shared.message);
-  return static_cast<int>(shared.status);
 }
 } // namespace mesoslip

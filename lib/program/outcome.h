@@ -32,11 +32,6 @@ Outcome describe_current_exception();
 Outcome shared_outcome(const MPI_Comm communicator,
                        const std::string &program,
                        const Outcome &outcome);
-
-/** Prints the shared_outcome() once, if it is an error, and returns the exit status, the same on all ranks. */
-int conclude(const MPI_Comm communicator,
-             const std::string &program,
-             const Outcome &outcome);
 } // namespace mesoslip
 
 #endif

@@ -12,7 +12,9 @@
 #include "program/other_program.h"
 #include "program/outcome.h"
 #include "program/output_folder.h"
+#include "program/parameter_file.h"
 #include "program/run_context.h"
+#include "program/serve.h"
 
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/mpi.h>
@@ -32,41 +34,6 @@ namespace mesoslip
 namespace
 {
 constexpr char output_key[] = "Output folder";
-
-/** The .prm, of which the text goes to @p text, and the --set options; on all ranks. */
-RawParameters read_parameter_file(const CommandLine &line,
-                                  const MPI_Comm communicator,
-                                  std::string &text)
-{
-  RawParameters raw;
-  if (!line.prm_file.empty())
-    {
-      const auto read = [&](const std::string &file) {
-        std::string found;
-        on_root(communicator, [&]() {
-          found = read_file(file);
-          if (trimmed(found).empty())
-            throw UserError(file +
-                            " is empty; --print-parameters shows what it may contain");
-        });
-        broadcast(communicator, found);
-        return found;
-      };
-      text = read(line.prm_file);
-      raw  = RawParameters::parse(text, line.prm_file, read);
-      if (raw.files().size() > 1)
-        text = raw.text();
-    }
-  for (const std::string &assignment : line.assignments)
-    raw.override_with(assignment);
-  if (line.ignore_unused)
-    raw.ignore_unused();
-  if (!line.prm_file.empty() && raw.entries().empty())
-    throw UserError(line.prm_file +
-                    " sets no key: there is no line 'set Key = value' in it; "
-                    "--print-parameters shows the keys");
-  return raw;
-}
 
 /** "nope/../r" is r, also where there is no nope, which would be made on the way. */
 std::string without_detours(const std::string &folder)
@@ -240,23 +207,19 @@ void Analysis::write_draft(const std::string & /*folder*/) const
     "--draft out");
 }
 
-Outcome carry_out(const std::vector<std::string> &words,
-                  const Application &program,
-                  const MPI_Comm communicator)
+namespace
+{
+/** How @p action, which all ranks of @p communicator call, ends on the first one where it fails; the same on all of them. */
+template <typename Action>
+Outcome
+outcome_of(const Action &action, const Application &program, const MPI_Comm communicator)
 {
   // Of its own, so that concluding meets no message of ranks still at work.
   MPI_Comm concluding = dealii::Utilities::MPI::duplicate_communicator(communicator);
   Outcome outcome;
   try
     {
-      std::vector<const char *> all = {program.name.c_str()};
-      for (const std::string &word : words)
-        all.push_back(word.c_str());
-      CommandLine line =
-        CommandLine::parse(static_cast<int>(all.size()), all.data(), program.draft);
-      line.nested = true;
-      Timer timer;
-      do_what_is_asked(line, program, communicator, timer);
+      action();
     }
   catch (...)
     {
@@ -266,39 +229,27 @@ Outcome carry_out(const std::vector<std::string> &words,
   dealii::Utilities::MPI::free_communicator(concluding);
   return outcome;
 }
+} // namespace
+
+Outcome carry_out(const std::vector<std::string> &words,
+                  const Application &program,
+                  const MPI_Comm communicator)
+{
+  std::vector<const char *> all = {program.name.c_str()};
+  for (const std::string &word : words)
+    all.push_back(word.c_str());
+  const auto run = [&]() {
+    CommandLine line =
+      CommandLine::parse(static_cast<int>(all.size()), all.data(), program.draft);
+    line.nested = true;
+    Timer timer;
+    do_what_is_asked(line, program, communicator, timer);
+  };
+  return outcome_of(run, program, communicator);
+}
 
 namespace
 {
-/** A list of words. @throws UserError */
-std::vector<std::string> words_of(const std::string &line)
-{
-  const auto words = nlohmann::json::parse(line, nullptr, false);
-  const bool valid =
-    words.is_array() && std::all_of(words.begin(), words.end(),
-                                    [](const auto &word) { return word.is_string(); });
-  if (!valid)
-    throw UserError("--serve expects a JSON list of words on each line, not: " + line);
-  return words.template get<std::vector<std::string>>();
-}
-
-/** --serve, until the end of the standard input or a run that is interrupted. */
-void serve(const Application &program)
-{
-  if (mpi::n_mpi_processes(MPI_COMM_WORLD) > 1)
-    throw UserError("--serve is for one process, which others start; leave out mpirun");
-  for (std::string line; std::getline(std::cin, line);)
-    {
-      const Outcome outcome = carry_out(words_of(line), program, MPI_COMM_WORLD);
-      std::cout << nlohmann::json({{"status", static_cast<int>(outcome.status)},
-                                   {"message", outcome.message}})
-                     .dump(-1, ' ', true)
-                << std::endl;
-      require_printed();
-      if (outcome.status == ExitStatus::interrupted)
-        return;
-    }
-}
-
 /** Answers --help and --version without MPI, which takes longer to start. False for anything else. */
 bool tells_of_itself(int argc, char **argv, const Application &program)
 {
@@ -350,25 +301,18 @@ int run_program(int argc, char **argv, const Application &program)
       char **of_petsc             = words.data();
       dealii::Utilities::MPI::MPI_InitFinalize mpi(n_words, of_petsc, 1);
       dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();
-      // Of its own, so that concluding meets no message of ranks still at work.
-      MPI_Comm concluding =
-        dealii::Utilities::MPI::duplicate_communicator(MPI_COMM_WORLD);
       starting.reset();
-      Outcome outcome;
-      try
-        {
-          const CommandLine line = CommandLine::parse(argc, argv, program.draft);
-          if (line.serve)
-            serve(program);
-          else
-            do_what_is_asked(line, program, MPI_COMM_WORLD, timer);
-        }
-      catch (...)
-        {
-          outcome = describe_current_exception();
-        }
-      const int status = conclude(concluding, program.name, outcome);
-      dealii::Utilities::MPI::free_communicator(concluding);
+      const auto do_it = [&]() {
+        const CommandLine line = CommandLine::parse(argc, argv, program.draft);
+        if (line.serve)
+          serve_runs(program);
+        else
+          do_what_is_asked(line, program, MPI_COMM_WORLD, timer);
+      };
+      const Outcome outcome = outcome_of(do_it, program, MPI_COMM_WORLD);
+      const int status      = static_cast<int>(outcome.status);
+      if (outcome.status != ExitStatus::done && is_first_process())
+        say(program.name, outcome.message);
       if (Hdf5File::writing_has_failed())
         {
           std::cout << std::flush;

@@ -23,7 +23,9 @@
 #  include <sched.h>
 #endif
 
+#ifdef __APPLE__
 extern char **environ;
+#endif
 
 namespace mesoslip
 {
@@ -181,6 +183,8 @@ public:
     , errors(error_file)
     , tasks(all)
     , workers(std::min<std::size_t>(n_processes, all.n))
+    , has_ended(all.n, false)
+    , is_given(all.n, false)
   {
   }
 
@@ -193,7 +197,7 @@ public:
         bool is_busy = false;
         for (auto &worker : workers)
           {
-            if (!is_stopping && next < tasks.n && (!worker || !worker->task))
+            if (!is_stopping && (!worker || !worker->task))
               give_task(worker);
             is_busy = is_busy || (worker && worker->task);
           }
@@ -204,12 +208,26 @@ public:
   }
 
 private:
+  /** The first task that nothing waits for. */
   void give_task(std::unique_ptr<Worker> &worker)
   {
+    while (first < tasks.n && is_given[first])
+      ++first;
+    std::size_t k = first;
+    while (k < tasks.n && (is_given[k] || !may_begin(k)))
+      ++k;
+    if (k == tasks.n)
+      return;
     if (!worker)
       worker = std::make_unique<Worker>(program, errors);
-    worker->begin(next, tasks.words(next));
-    ++next;
+    is_given[k] = true;
+    worker->begin(k, tasks.words(k));
+  }
+
+  bool may_begin(const std::size_t k) const
+  {
+    const std::optional<std::size_t> before = tasks.after(k);
+    return !before || has_ended[*before];
   }
 
   void stop()
@@ -251,7 +269,10 @@ private:
     if (worker->has_died || outcome->status == ExitStatus::interrupted)
       worker.reset();
     if (!was_stopped)
-      tasks.done(k, *outcome);
+      {
+        tasks.done(k, *outcome);
+        has_ended[k] = true;
+      }
     else if (!is_stopping)
       stop(); // Ctrl-C reached the process before this one
   }
@@ -259,8 +280,9 @@ private:
   const std::string program, errors;
   const WorkerTasks &tasks;
   std::vector<std::unique_ptr<Worker>> workers;
-  std::size_t next = 0; ///< task to be given
-  bool is_stopping = false;
+  std::vector<bool> has_ended, is_given; ///< of each task
+  std::size_t first = 0;                 ///< task that may not have been given
+  bool is_stopping  = false;
 };
 } // namespace
 

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,10 @@ unsigned int available_cores();
 /** Runs of this program that other processes carry out side by side. */
 struct WorkerTasks
 {
-  std::size_t n = 0; ///< tasks, given out in their order
+  std::size_t n = 0; ///< tasks, given out in their order, but for those that wait
+
+  /** The task that has to end before task @p k begins, if there is one. */
+  std::function<std::optional<std::size_t>(std::size_t k)> after;
 
   /** The command line of task @p k, without the name of the program. */
   std::function<std::vector<std::string>(std::size_t k)> words;

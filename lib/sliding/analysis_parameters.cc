@@ -87,6 +87,9 @@ void bind_control(Keys &keys, ContactParameters &p)
       "Keep", p.checkpoints.keep,
       "Keep the checkpoint when the run is complete, so that --resume goes on to a "
       "later End time");
+    keys.bind("Write end", p.checkpoints.end,
+              "Write the motion at the end of the run, from which another run may start "
+              "(Time/Continue from)");
     p.checkpoints.interval = 60. * minutes;
   }
   const auto section   = keys.section("Performance");

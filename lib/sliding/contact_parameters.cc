@@ -55,6 +55,13 @@ void bind_time(Keys &keys, ContactParameters &p)
   keys.bind("Check time step", p.time.check_time_step,
             "Refuse a Time step above the critical one; false is for studies of unstable "
             "runs");
+  keys.bind_input(
+    "Continue from", p.time.continue_from,
+    "Output folder of a run of the same body with Checkpoints/Write end = true, from "
+    "whose "
+    "end this run starts: with its motion and friction, at the time 0, and with all "
+    "ramps "
+    "of loads over; empty: the body starts at rest or with Body/Initial velocity");
   keys.only_with("Time step", {"auto"}, {"Safety factor"});
   keys.require(!(p.step.dt > p.time.end_time), "Time step",
                to_text(p.step.dt) + " s is longer than End time, " +
@@ -122,12 +129,12 @@ void check_analysis(const Keys &keys)
   };
   only_with(
     {"transient"},
-    and_of_supports(keys, {"Ramp", "Ramp time", "Expression"},
-                    {"Body/Initial velocity", "Time/End time", "Time/Time step",
-                     "Time/Safety factor", "Time/Beta2", "Time/Check time step",
-                     "Flat/Ramp", "Flat/Ramp time", "Flat/Expression", "Observation/",
-                     "Snapshots/", "Contact map/", "Checkpoints/",
-                     "Performance/Temporal blocking", "Performance/Instruction set"}));
+    and_of_supports(
+      keys, {"Ramp", "Ramp time", "Expression"},
+      {"Body/Initial velocity", "Time/End time", "Time/Time step", "Time/Safety factor",
+       "Time/Beta2", "Time/Check time step", "Time/Continue from", "Flat/Ramp",
+       "Flat/Ramp time", "Flat/Expression", "Observation/", "Snapshots/", "Contact map/",
+       "Checkpoints/", "Performance/Temporal blocking", "Performance/Instruction set"}));
   only_with({"transient", "complex modes"},
             {"Body/Rayleigh alpha", "Time/Rayleigh beta", "Friction/Law",
              "Friction/Regularization time", "Friction/Length",
@@ -222,5 +229,38 @@ void ContactParameters::bind(Keys &keys)
     return;
   contact.profile = profile.make(mesh.mesh.dim);
   check_contact_map(keys);
+  continue_run(keys);
+}
+
+/** Of a run that starts from the end of another one: what it knows; ramps at sides are over. */
+void ContactParameters::continue_run(const Keys &keys)
+{
+  if (time.continue_from.empty())
+    return;
+  const std::string key = "Time/Continue from";
+  keys.only_if(false, {"Body/Initial velocity"}, key + " has another run's",
+               "leave it empty");
+  keys.require(!counter, key, "it knows no Counter body");
+  keys.require(!contact.profile, key,
+               "it knows no Flat/Profile, whose place at the end of a run is not kept");
+  bool depends_on_time = contact.flat_velocity.is_expression() ||
+                         top.hold_from < std::numeric_limits<double>::infinity();
+  const auto look = [&](const LoadHistory &pressure, const Suspension &suspension) {
+    depends_on_time = depends_on_time || pressure.is_expression();
+    for (unsigned int c = 0; c < 3; ++c)
+      depends_on_time = depends_on_time || suspension.motion[c].is_expression() ||
+                        suspension.traction.varies_in_time(c);
+  };
+  look(top.pressure, top.suspension);
+  for (SideSupport &support : supports)
+    {
+      look(support.pressure, support.suspension);
+      if (!support.pressure.is_expression())
+        support.pressure = LoadHistory(support.pressure.amplitude());
+    }
+  keys.require(
+    !depends_on_time, key,
+    "a load or a support depends on time (an Expression, a Motion, a Traction or "
+    "Hold from), which begins again at 0; leave it constant");
 }
 } // namespace mesoslip

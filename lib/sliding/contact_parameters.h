@@ -61,6 +61,7 @@ struct TimeParameters
   double end_time      = 5e-4; ///< s
   double safety        = 0.95; ///< fraction of the critical time step
   bool check_time_step = true; ///< refuse steps above the critical one
+  std::string continue_from;   ///< folder of a run whose end is the start; empty: at rest
 };
 
 /** Sections Observation and Snapshots, besides the intervals of the SlidingSetup. */
@@ -124,6 +125,7 @@ struct CheckpointParameters
 {
   double interval = 300.;  ///< s of wall-clock time; 0: only when the run is stopped
   bool keep       = false; ///< do not delete it when the run has ended
+  bool end        = false; ///< write the motion at the end of the run
 };
 
 /** All of contact_dynamics' parameters, checked; a NaN is chosen automatically. */
@@ -216,6 +218,7 @@ private:
   void bind_observation(Keys &keys);
   void bind_contact_map(Keys &keys);
   void check_contact_map(const Keys &keys) const;
+  void continue_run(const Keys &keys);
   void bind_analyses(Keys &keys);
   void bind_counter(Keys &keys);
   void bind_supports_below(Keys &keys, ContactParameters &other) const;

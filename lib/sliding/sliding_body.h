@@ -118,6 +118,17 @@ public:
       archive &*pair;
   }
 
+  /** Saves or restores the motion of own rows and what the contact remembers, from which a run of the same
+   * body may start (Boost.Serialization); its loads and its material may be others. */
+  template <class Archive>
+  void serialize_end(Archive &archive)
+  {
+    Stepper &stepper = time_integration();
+    serialize_own_rows(archive, stepper.u, stepper.rows);
+    serialize_own_rows(archive, stepper.w, stepper.rows);
+    contact.serialize_memory(archive);
+  }
+
   const SlidingSetup setup;              ///< completed: widths, periodicity
   ContactSurface<dim> contact;           ///< the bottom
   TopSurface<dim> top;                   ///< the top

@@ -1,62 +1,20 @@
 #ifndef mesoslip_body_mesh_curved_mapping_h
 #define mesoslip_body_mesh_curved_mapping_h
 
-#include "mesh/curved_cells.h"
+#include "mesh/mesh.h"
 
-#include <deal.II/fe/fe_q.h>
-#include <deal.II/fe/fe_simplex_p.h>
-#include <deal.II/fe/mapping_fe.h>
+#include <deal.II/hp/mapping_collection.h>
 
-#include <algorithm>
-#include <memory>
-#include <vector>
+#include <mpi.h>
 
 namespace mesoslip
 {
-/** Maps the reference cell by quadratic functions, so that edges and faces are curved as in the mesh. */
+/** Mappings of quadrilaterals and hexahedra, and of simplices, for displacements of this @p degree: linear ones, or with the second degree and
+ * curved cells quadratic ones. Only rank 0 has to have the mesh. Collective. */
 template <int dim>
-class CurvedMapping : public dealii::MappingFE<dim>
-{
-public:
-  /** Of all cells of the mesh, cell after cell; copies of the mapping share them. */
-  using Nodes = std::shared_ptr<const std::vector<CurvedNode<dim>>>;
-
-  /** Of the cells of @p element, which is scalar and of degree 2. */
-  CurvedMapping(const dealii::FiniteElement<dim> &element, const Nodes &all)
-    : dealii::MappingFE<dim>(element)
-    , nodes(all)
-  {
-  }
-
-  std::unique_ptr<dealii::Mapping<dim>> clone() const override
-  {
-    return std::make_unique<CurvedMapping<dim>>(*this);
-  }
-
-  /** Cells keep their corners but not their volume. */
-  bool preserves_vertex_locations() const override
-  {
-    return true;
-  }
-
-protected:
-  std::vector<dealii::Point<dim>> compute_mapping_support_points(
-    const typename dealii::Triangulation<dim>::cell_iterator &cell) const override
-  {
-    auto points       = dealii::MappingFE<dim>::compute_mapping_support_points(cell);
-    const auto number = cell->id().get_coarse_cell_id();
-    auto node         = std::lower_bound(
-              nodes->begin(), nodes->end(), number,
-              [](const CurvedNode<dim> &a, const auto wanted) { return a.cell < wanted; });
-    for (; node != nodes->end() && node->cell == number; ++node)
-      for (unsigned int d = 0; d < dim; ++d)
-        points[node->node][d] += node->offset[d];
-    return points;
-  }
-
-private:
-  Nodes nodes;
-};
+dealii::hp::MappingCollection<dim> mappings_of(const Mesh<dim> &mesh,
+                                               const MPI_Comm communicator,
+                                               const unsigned int degree);
 } // namespace mesoslip
 
 #endif

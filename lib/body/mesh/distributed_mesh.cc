@@ -9,8 +9,9 @@
 #include <deal.II/base/mpi.templates.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_simplex_p.h>
 #include <deal.II/fe/fe_system.h>
-#include <deal.II/fe/mapping_q.h>
 #include <deal.II/grid/grid_tools.h>
 
 #include <unordered_map>
@@ -19,24 +20,6 @@ namespace mesoslip
 {
 namespace
 {
-/** Of quadrilaterals and hexahedra, and of simplices. Collective. */
-template <int dim>
-dealii::hp::MappingCollection<dim>
-mappings_of(const Mesh<dim> &mesh, const MPI_Comm communicator, const unsigned int degree)
-{
-  std::vector<CurvedNode<dim>> curved;
-  if (degree > 1)
-    curved = mpi::broadcast(curved_nodes(mesh), 0, communicator);
-  if (curved.empty())
-    return dealii::hp::MappingCollection<dim>(
-      dealii::MappingQ<dim>(1), dealii::MappingFE<dim>(dealii::FE_SimplexP<dim>(1)));
-  const auto nodes =
-    std::make_shared<const std::vector<CurvedNode<dim>>>(std::move(curved));
-  return dealii::hp::MappingCollection<dim>(
-    CurvedMapping<dim>(dealii::FE_Q<dim>(2), nodes),
-    CurvedMapping<dim>(dealii::FE_SimplexP<dim>(2), nodes));
-}
-
 /** On rank 0 the points' places in the mesh: a cell and which of its corners. */
 template <int dim>
 std::vector<std::array<unsigned int, 2>>

@@ -1,7 +1,7 @@
 #include "base/errors.h"
 #include "base/text.h"
 #include "mesh/boundary.h"
-#include "mesh/curved_cells.h"
+#include "mesh/curved/curved_cells.h"
 
 #include <deal.II/base/bounding_box.h>
 

@@ -12,8 +12,8 @@ namespace mesoslip
 /** A file and the cells that are read of it. */
 struct GmshFile
 {
-  const std::string &name;
-  int max_order; ///< 2: also quadratic cells, which may be curved
+  const std::string &name; ///< its path
+  int max_order;           ///< 2: also quadratic cells, which may be curved
 };
 
 /** Of a cell of Gmsh's kind @p type: which of its corners are those of deal.II. @throws UserError

@@ -3,6 +3,7 @@
 #include "base/errors.h"
 #include "base/exchange.h"
 #include "base/files.h"
+#include "base/object_exchange.h"
 #include "base/text.h"
 #include "base/timer.h"
 #include "io/json.h"
@@ -15,16 +16,12 @@
 #include <chrono>
 #include <filesystem>
 #include <ostream>
-#include <set>
 #include <sstream>
 
 namespace mesoslip
 {
 namespace
 {
-/** The .prm of a point, in the folder of the map. */
-constexpr char base_file[] = "point.prm";
-
 /** The unit of a key: what its meaning has in brackets. */
 std::string unit_of(const Keys &keys, const std::string &path)
 {
@@ -38,17 +35,6 @@ std::string unit_of(const Keys &keys, const std::string &path)
   return "-";
 }
 
-/** What a point leaves when its results are not kept. */
-void remove_results(const std::string &folder)
-{
-  std::error_code ignored;
-  for (const auto &entry : std::filesystem::directory_iterator(folder, ignored))
-    {
-      const std::string kind = entry.path().extension().string();
-      if (kind == ".h5" || kind == ".csv" || kind == ".xdmf" || kind == ".checkpoint")
-        std::filesystem::remove(entry.path(), ignored);
-    }
-}
 } // namespace
 
 SweepAnalysis::SweepAnalysis(const SweepParameters &wanted,
@@ -58,7 +44,7 @@ SweepAnalysis::SweepAnalysis(const SweepParameters &wanted,
   , single(program)
 {
   for (const SweepAxis &axis : parameters.axes)
-    units.push_back(unit_of(keys, axis.keys[0]));
+    units.push_back(axis.keys.empty() ? "-" : unit_of(keys, axis.keys[0]));
   std::ostringstream text;
   print_given(keys, text, {"Output folder", "Sweep/"});
   base = text.str();
@@ -139,55 +125,17 @@ void SweepAnalysis::describe(std::ostream &out) const
   first->describe(out);
 }
 
-std::vector<SweepAnalysis::Task>
-SweepAnalysis::missing_tasks(const std::string &folder) const
-{
-  std::vector<Task> tasks;
-  std::set<std::string> wanted; // points may be there twice
-  for (std::size_t k = 0; k < points.size(); ++k)
-    for (const bool is_of_modes : {false, true})
-      {
-        const std::string place =
-          points[k].folder + (is_of_modes ? complex_modes_folder : "");
-        if ((!is_of_modes || parameters.complex_modes) &&
-            !has_ended(folder + "/" + place) && wanted.insert(place).second)
-          tasks.push_back({k, is_of_modes, place});
-      }
-  return tasks;
-}
-
-std::vector<std::string> SweepAnalysis::words(const Task &task,
-                                              const std::string &folder) const
-{
-  const std::string place         = folder + "/" + task.folder;
-  std::vector<std::string> result = {folder + "/" + base_file, "--quiet",
-                                     "--ignore-unused", "--output", place};
-  for (const std::string &assignment : assignments_of(parameters, points[task.point]))
-    result.insert(result.end(), {"--set", assignment});
-  if (task.is_of_modes)
-    result.insert(result.end(), {"--set", "Analysis=complex modes"});
-  if (is_trial)
-    result.emplace_back("--try");
-  std::error_code ignored;
-  if (std::filesystem::exists(place + "/" + single.name + ".checkpoint", ignored))
-    result.emplace_back("--resume");
-  return result;
-}
-
 /** On rank 0. */
 void SweepAnalysis::finish(const Task &task, const Outcome &outcome, RunContext &context)
 {
   const std::string folder = context.file(task.folder);
   const bool failed        = outcome.status != ExitStatus::done;
-  mark_point(folder, failed
-                       ? outcome.message.empty() ? "no reason is known" : outcome.message
-                       : "");
+  // What is wrong with machine or program may be mended.
+  mark_point(folder, failed ? outcome.message + "." : "",
+             outcome.status == ExitStatus::unexpected);
   if (failed)
-    {
-      ++n_failed;
-      context.log("failed: " + text_of(parameters, points[task.point]) + ": " +
-                  outcome.message);
-    }
+    context.log("failed: " + text_of(parameters, points[task.point]) + ": " +
+                outcome.message);
   if (!parameters.keep_results)
     remove_results(folder);
   context.progress().update(++n_ended);
@@ -200,10 +148,12 @@ bool SweepAnalysis::compute(const std::vector<Task> &tasks, RunContext &context)
     parameters.processes > 0 ? parameters.processes : available_cores();
   const std::string &folder = context.output_folder();
   const std::string file    = file_of_program(single.name);
+  const auto before         = tasks_before(tasks);
   if (context.n_ranks() == 1 && n_processes > 1 && tasks.size() > 1 && !file.empty())
     return carry_out_side_by_side(
       file, n_processes, context.file("processes.log"),
-      {tasks.size(), [&](const std::size_t k) { return words(tasks[k], folder); },
+      {tasks.size(), [&](const std::size_t k) { return before[k]; },
+       [&](const std::size_t k) { return words(tasks[k], folder); },
        [&](const std::size_t k, const Outcome &outcome) {
          finish(tasks[k], outcome, context);
        },
@@ -212,8 +162,10 @@ bool SweepAnalysis::compute(const std::vector<Task> &tasks, RunContext &context)
     {
       if (context.stop_requested())
         return false;
-      std::vector<std::string> line = words(task, folder);
-      const Outcome outcome         = carry_out(line, single, context.communicator());
+      std::vector<std::string> line;
+      on_root(context.communicator(), [&]() { line = words(task, folder); });
+      broadcast_object(context.communicator(), line);
+      const Outcome outcome = carry_out(line, single, context.communicator());
       if (outcome.status == ExitStatus::interrupted)
         return false;
       on_root(context.communicator(), [&]() { finish(task, outcome, context); });
@@ -267,8 +219,12 @@ void SweepAnalysis::write_results(RunContext &context) const
 void SweepAnalysis::run(RunContext &context)
 {
   is_trial = context.options().trial;
-  on_root(context.communicator(), [&]() { write_file(context.file(base_file), base); });
-  std::vector<Task> tasks  = missing_tasks(context.output_folder());
+  std::vector<Task> tasks;
+  on_root(context.communicator(), [&]() {
+    write_file(context.file(base_file), base);
+    tasks = missing_tasks(context.output_folder());
+  });
+  broadcast_object(context.communicator(), tasks);
   const std::size_t n_runs = points.size() * (parameters.complex_modes ? 2 : 1);
   context.log(size_text());
   if (tasks.size() < n_runs)

@@ -5,6 +5,7 @@
 #include "sliding/sweep/sweep_output.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,11 +36,24 @@ private:
     std::size_t point  = 0;
     bool is_of_modes   = false; ///< else what the .prm says
     std::string folder = {};    ///< in that of the map
+
+    template <class Archive>
+    void serialize(Archive &archive, const unsigned int)
+    {
+      archive &point &is_of_modes &folder;
+    }
   };
 
+  /** The .prm of a point, in the folder of the map. */
+  static constexpr char base_file[] = "point.prm";
+
   void check(const SweepPoint &point, const bool builds);
+  bool is_there(const std::string &folder, const bool is_of_modes) const;
+  std::vector<std::optional<std::size_t>>
+  tasks_before(const std::vector<Task> &tasks) const;
   std::vector<Task> missing_tasks(const std::string &folder) const;
   std::vector<std::string> words(const Task &task, const std::string &folder) const;
+  void remove_results(const std::string &folder) const;
   void finish(const Task &task, const Outcome &outcome, RunContext &context);
   bool compute(const std::vector<Task> &tasks, RunContext &context);
   void write_results(RunContext &context) const;
@@ -51,9 +65,8 @@ private:
   std::vector<std::string> units;
   std::vector<SweepPoint> points;
   std::unique_ptr<Analysis> first; ///< of the first point
-  bool is_trial        = false;    ///< --try
-  std::size_t n_ended  = 0;        ///< tasks of this run
-  std::size_t n_failed = 0;        ///< of these
+  bool is_trial       = false;     ///< --try
+  std::size_t n_ended = 0;         ///< tasks of this run
 };
 } // namespace mesoslip
 

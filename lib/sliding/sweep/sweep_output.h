@@ -12,10 +12,10 @@ namespace mesoslip
 /** All points of a map. */
 struct SweepMap
 {
-  const SweepParameters &parameters;
-  std::vector<std::string> units;   ///< of the axes
-  std::vector<SweepPoint> points;   ///< in the order of the map
-  std::vector<PointResult> results; ///< of each
+  const SweepParameters &parameters; ///< axes
+  std::vector<std::string> units;    ///< of the axes
+  std::vector<SweepPoint> points;    ///< in the order of the map
+  std::vector<PointResult> results;  ///< of each
 };
 
 /** Names of the numbers that some point has. */

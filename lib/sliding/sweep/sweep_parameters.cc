@@ -49,9 +49,8 @@ void check_keys(const Keys &keys,
     }
 }
 
-void bind_axis(Keys &keys, SweepAxis &axis, const SweepPoints points)
+void bind_values(Keys &keys, SweepAxis &axis)
 {
-  const auto section = keys.section(axis.name);
   keys.bind_list(
     "Key", axis.keys, {},
     "Key that takes the values, as Supports/Top/Pressure; several, separated "
@@ -65,6 +64,12 @@ void bind_axis(Keys &keys, SweepAxis &axis, const SweepPoints points)
   keys.bind("Spacing", axis.logarithmic, {"linear", "logarithmic"},
             "Whether the values, or random ones, are equally spaced or equally likely as "
             "they are or in their logarithms");
+}
+
+void bind_axis(Keys &keys, SweepAxis &axis, const SweepPoints points)
+{
+  const auto section = keys.section(axis.name);
+  bind_values(keys, axis);
   if (!keys.are_read())
     return;
   const bool is_random = points == SweepPoints::random;
@@ -86,6 +91,22 @@ void bind_axis(Keys &keys, SweepAxis &axis, const SweepPoints points)
   check_keys(keys, axis,
              axis.values.empty() ? std::vector<double>{axis.from, axis.to} : axis.values);
 }
+
+/** Axes with a subsection that are not among @p names, as those of a map that is switched off by --set. */
+void bind_other_axes(Keys &keys, const std::vector<std::string> &names)
+{
+  for (const std::string &name : keys.typed_sections())
+    if (std::count(names.begin(), names.end(), name) == 0)
+      {
+        {
+          const auto section = keys.section(name);
+          SweepAxis unused;
+          bind_values(keys, unused);
+        }
+        keys.only_if(false, {name + "/"}, name + " is not among Sweep/Axes",
+                     "name it there");
+      }
+}
 } // namespace
 
 void SweepParameters::bind(Keys &keys)
@@ -103,6 +124,11 @@ void SweepParameters::bind(Keys &keys)
     "grid: each value of an axis with each of the others; pairs: the first values "
     "of all axes, then the second ones, and so on; random: between the ends of "
     "the axes");
+  keys.bind(
+    "Continue", continuation, {"none", "up", "down", "both"},
+    "Start points from the end of their neighbours along the first axis (Time/Continue "
+    "from): up, from its first value to the last, down, or both, up and then down "
+    "again, as two branches of the map");
   keys.bind("Random points", n_random, 1, 1000000, "Number of random points [-]");
   keys.bind(
     "Seed", seed, 0, 2000000000,
@@ -122,12 +148,16 @@ void SweepParameters::bind(Keys &keys)
       axes[a].name = names[a];
       bind_axis(keys, axes[a], points);
     }
+  bind_other_axes(keys, names);
   if (!keys.are_read())
     return;
-  keys.only_if(!axes.empty(), {"Points", "Processes", "Complex modes", "Keep results"},
+  keys.only_if(!axes.empty(),
+               {"Points", "Continue", "Processes", "Complex modes", "Keep results"},
                "there are no axes", "set Sweep/Axes");
   keys.only_if(points == SweepPoints::random, {"Random points", "Seed"},
                "the points are not random", "set Sweep/Points = random");
+  keys.only_if(points == SweepPoints::grid, {"Continue"}, "the points are no grid",
+               "set Sweep/Points = grid");
   if (points == SweepPoints::pairs)
     for (const SweepAxis &axis : axes)
       keys.require(axis.values.size() == axes[0].values.size(), "Points",
@@ -139,6 +169,17 @@ void SweepParameters::bind(Keys &keys)
       for (std::size_t b = 0; b < a; ++b)
         keys.require(std::count(axes[b].keys.begin(), axes[b].keys.end(), key) == 0,
                      "Axes", axes[b].name + " and " + axes[a].name + " both set " + key);
+  if (continuation == Continuation::both)
+    {
+      keys.require(
+        std::count(names.begin(), names.end(), "branch") == 0, "Axes",
+        "'branch' is the axis of both directions of Sweep/Continue = both; name "
+        "it otherwise");
+      SweepAxis branch;
+      branch.name   = "branch";
+      branch.values = {1., -1.};
+      axes.insert(axes.begin(), branch);
+    }
   std::size_t n = 1;
   for (const std::size_t of_axis : shape())
     n *= of_axis;
@@ -181,5 +222,24 @@ std::vector<std::vector<double>> SweepParameters::all_points() const
           }
       }
   return result;
+}
+
+std::optional<std::size_t> SweepParameters::point_before(const std::size_t k) const
+{
+  if (continuation == Continuation::none)
+    return std::nullopt;
+  const bool has_branches                = continuation == Continuation::both;
+  const std::vector<std::size_t> extents = shape();
+  std::size_t stride = 1; // from a point to its neighbour along the first axis
+  for (std::size_t a = has_branches ? 2 : 1; a < extents.size(); ++a)
+    stride *= extents[a];
+  const std::size_t n = extents[has_branches ? 1 : 0], of_branch = n * stride;
+  const std::size_t place = k % of_branch / stride;
+  const bool is_down      = continuation == Continuation::down || k >= of_branch;
+  if (!is_down)
+    return place > 0 ? std::optional(k - stride) : std::nullopt;
+  if (place + 1 < n)
+    return k + stride;
+  return has_branches ? std::optional(k - of_branch) : std::nullopt;
 }
 } // namespace mesoslip

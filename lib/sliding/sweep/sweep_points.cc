@@ -7,7 +7,7 @@
 #include "base/version.h"
 #include "parameters/keys.h"
 
-#include <cmath>
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -65,24 +65,42 @@ void add_inputs(const Keys &keys, Digest &digest)
     for (const std::string &input : key.inputs())
       {
         std::error_code ignored;
-        if (fs::is_regular_file(input, ignored))
-          digest.add_file(input);
+        const std::string file = file_or_in_folder(input, "contact_dynamics.end");
+        if (fs::is_regular_file(file, ignored))
+          digest.add_file(file);
       }
 }
 
-/** Adds to @p result what @p folder holds of a run, if it has ended. */
+/** What mark_point() has written; null: nothing. */
+nlohmann::json marked(const std::string &folder)
+{
+  std::error_code ignored;
+  return fs::is_regular_file(folder + "/" + mark, ignored)
+           ? nlohmann::json::parse(read_file(folder + "/" + mark), nullptr, false)
+           : nlohmann::json();
+}
+
+/** Adds to @p result what @p folder holds of a run that was marked. */
 void add_run(const std::string &folder, const std::string &prefix, PointResult &result)
 {
-  if (!has_ended(folder))
-    return;
-  result.status   = std::max(result.status, PointStatus::done);
-  const auto json = nlohmann::json::parse(read_file(folder + "/" + mark), nullptr, false);
+  const nlohmann::json json = marked(folder);
   const std::string message =
-    json.is_object() ? json.value("message", std::string()) : "";
+    json.is_object() ? json.value("message", std::string()) : "it was not computed";
+  result.status =
+    std::max(result.status, message.empty() ? PointStatus::done : PointStatus::failed);
   if (message.empty())
     return take_summary(folder, prefix, result);
-  result.status = PointStatus::failed;
-  result.message += (result.message.empty() ? "" : "; ") + message;
+  result.message += (result.message.empty() ? "" : " ") + message;
+}
+
+/** The points that have to be done before point @p k and it, the first one first. */
+std::vector<std::size_t> chain_to(const SweepParameters &parameters, const std::size_t k)
+{
+  std::vector<std::size_t> chain = {k};
+  while (const auto before = parameters.point_before(chain.back()))
+    chain.push_back(*before);
+  std::reverse(chain.begin(), chain.end());
+  return chain;
 }
 } // namespace
 
@@ -96,16 +114,24 @@ std::vector<SweepPoint> points_of(const SweepParameters &parameters, const Keys 
   add_inputs(keys, common);
   std::vector<SweepPoint> points;
   for (const std::vector<double> &values : parameters.all_points())
-    {
-      points.push_back({values, ""});
-      // In the order of their names, so that the order of the axes does not matter.
-      const auto assignments = assignments_of(parameters, points.back());
-      Digest digest          = common;
-      for (const std::string &assignment :
-           std::set<std::string>(assignments.begin(), assignments.end()))
-        digest.add(assignment);
-      points.back().folder = "points/" + digest.hex();
-    }
+    points.push_back({values, ""});
+  // Neighbours from whose end a point starts come first.
+  for (std::size_t k = 0; k < points.size(); ++k)
+    for (const std::size_t p : chain_to(parameters, k))
+      if (points[p].folder.empty())
+        {
+          Digest digest = common;
+          // In the order of their names, so that the order of the axes does not matter.
+          const auto assignments = assignments_of(parameters, points[p]);
+          for (const std::string &assignment :
+               std::set<std::string>(assignments.begin(), assignments.end()))
+            digest.add(assignment);
+          if (const auto before = parameters.point_before(p))
+            digest.add(points[*before].folder);
+          else if (parameters.continuation != Continuation::none)
+            digest.add("the first one");
+          points[p].folder = "points/" + digest.hex();
+        }
   return points;
 }
 
@@ -130,15 +156,15 @@ std::vector<std::string> assignments_of(const SweepParameters &parameters,
 
 bool has_ended(const std::string &folder)
 {
-  std::error_code ignored;
-  return fs::is_regular_file(folder + "/" + mark, ignored);
+  const nlohmann::json json = marked(folder);
+  return json.is_object() && !json.value("again", false);
 }
 
 PointResult read_point(const std::string &folder, const bool complex_modes)
 {
   PointResult result;
   const std::string second = folder + complex_modes_folder;
-  if (!has_ended(folder) || (complex_modes && !has_ended(second)))
+  if (marked(folder).is_null() || (complex_modes && marked(second).is_null()))
     return result;
   add_run(folder, "", result);
   if (complex_modes)
@@ -146,10 +172,11 @@ PointResult read_point(const std::string &folder, const bool complex_modes)
   return result;
 }
 
-void mark_point(const std::string &folder, const std::string &message)
+void mark_point(const std::string &folder, const std::string &message, const bool again)
 {
   std::error_code ignored;
   fs::create_directories(folder, ignored);
-  write_file(folder + "/" + mark, nlohmann::json({{"message", message}}).dump(2) + "\n");
+  write_file(folder + "/" + mark,
+             nlohmann::json({{"message", message}, {"again", again}}).dump(2) + "\n");
 }
 } // namespace mesoslip

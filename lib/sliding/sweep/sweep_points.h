@@ -28,8 +28,8 @@ enum class PointStatus
 /** What is known of a point. */
 struct PointResult
 {
-  PointStatus status                       = PointStatus::not_computed;
-  std::string message                      = {}; ///< why it failed
+  PointStatus status                       = PointStatus::not_computed; ///< how it ended
+  std::string message                      = {};                        ///< why it failed
   std::map<std::string, double> numbers    = {}; ///< of its summary, by name
   std::map<std::string, std::string> texts = {}; ///< of its summary, by name
 };
@@ -47,15 +47,16 @@ std::vector<std::string> assignments_of(const SweepParameters &parameters,
 /** Where the complex modes of a point are, in its folder. */
 constexpr char complex_modes_folder[] = "/complex_modes";
 
-/** Whether mark_point() has marked a folder. */
+/** Whether mark_point() has marked a folder, and not for the run to be tried again. */
 bool has_ended(const std::string &folder);
 
 /** The result that the folder of a point (its path) holds, with @p complex_modes also that of the folder in it; of
  * one that was not computed the default. */
 PointResult read_point(const std::string &folder, const bool complex_modes);
 
-/** Notes in the folder of a run how it ended: with an empty @p message as wanted. */
-void mark_point(const std::string &folder, const std::string &message);
+/** Notes in the folder of a run how it ended: with an empty @p message as wanted; and whether a map that is started again
+ * tries it @p again. */
+void mark_point(const std::string &folder, const std::string &message, const bool again);
 } // namespace mesoslip
 
 #endif

@@ -46,10 +46,18 @@ RunOutput<dim>::RunOutput(RunContext &context,
 }
 
 template <int dim>
+bool RunOutput<dim>::writes_files() const
+{
+  return !context.options().summary_only;
+}
+
+template <int dim>
 void RunOutput<dim>::begin(const std::uint64_t step,
                            const std::uint64_t n_done,
                            ContactMapOutput<dim> *map)
 {
+  if (!writes_files())
+    return;
   all_write = map != nullptr || snapshots.are_wanted();
   on_root(context.communicator(), [&]() {
     file.emplace(n_done > 0 || (map != nullptr && step > 0)
@@ -122,6 +130,8 @@ template <int dim>
 void RunOutput<dim>::write(const TransientResult &result,
                            const ContactMapOutput<dim> *map)
 {
+  if (!writes_files())
+    return;
   if (map != nullptr)
     map->complete(*file, result.steps_done, time.step.dt);
   write_result(*file, result, context);

@@ -46,13 +46,14 @@ public:
   void end();
 
   /** On rank 0, after end(): writes everything else, once, replacing what was there; @p map may
-   * be null. */
+   * be null. With --summary-only it writes nothing, and there are neither snapshots nor a map. */
   void write(const TransientResult &result, const ContactMapOutput<dim> *map);
 
   Snapshots<dim> snapshots; ///< of the body
 
 private:
   void write_phases();
+  bool writes_files() const;
 
   RunContext &context;
   const GivenBody<dim> &body;

@@ -1,5 +1,6 @@
 #include "sliding/transient/transient.h"
 
+#include "base/digest.h"
 #include "base/errors.h"
 #include "base/exchange.h"
 #include "base/timer.h"
@@ -10,6 +11,7 @@
 #include "program/run_context.h"
 #include "sliding/counter/counter_text.h"
 #include "sliding/counter/partners.h"
+#include "sliding/sweep/run_end.h"
 #include "sliding/transient/run_draft.h"
 #include "sliding/transient/transient_run.h"
 
@@ -30,6 +32,21 @@ std::unique_ptr<GivenBody<dim>> counter_of(const GivenBody<dim> &body)
                                  : nullptr;
 }
 
+/** What tells the end of the run in @p folder from others; empty without one. Collective. @throws UserError */
+std::string start_text(const std::string &folder)
+{
+  std::string digest;
+  if (folder.empty())
+    return digest;
+  on_root(MPI_COMM_WORLD, [&]() {
+    const std::string file = run_end_file(folder);
+    require_readable_file("Time/Continue from", file,
+                          "run it with Checkpoints/Write end = true");
+    digest = Digest().add_file(file).hex();
+  });
+  broadcast(MPI_COMM_WORLD, digest);
+  return "Start = " + digest + "\n";
+}
 } // namespace
 
 template <int dim>
@@ -38,8 +55,10 @@ TransientAnalysis<dim>::TransientAnalysis(std::unique_ptr<GivenBody<dim>> given,
   : BodyAnalysis<dim>(std::move(given))
   , counter(counter_of(*body))
   , meeting(counter ? meeting_of(*body, *counter) : SurfaceMeeting())
-  , identity(run_identity(
-      keys, parameters, facts.contents + (counter ? counter->facts().contents : "")))
+  , identity(run_identity(keys,
+                          parameters,
+                          facts.contents + (counter ? counter->facts().contents : "") +
+                            start_text(parameters.time.continue_from)))
   , time(time_step())
   , needs(run_needs(parameters,
                     facts.scales,
@@ -147,6 +166,11 @@ void TransientAnalysis<dim>::write_draft(const std::string &folder) const
 template <int dim>
 void TransientAnalysis<dim>::run(RunContext &context)
 {
+  if (context.options().summary_only &&
+      (parameters.map.interval > 0. || !snapshot_steps(parameters, time).empty()))
+    throw UserError(
+      "--summary-only: there would be no file for the snapshots or the map of "
+      "the contact; set Snapshots/Interval and Contact map/Interval to 0");
   std::optional<Timer::Scope> starting = context.timer().scope("Start of the run");
   body->log(context);
   if (counter)
@@ -173,9 +197,15 @@ void TransientAnalysis<dim>::run(RunContext &context)
                                              time.step,
                                              time.interval(parameters.probe_interval)),
                                  context);
-  below.meeting                  = meeting;
-  SlidingSetup setup             = run_setup(parameters, facts.size, time);
-  setup.contact.is_coupled       = meeting.couples();
+  below.meeting            = meeting;
+  SlidingSetup setup       = run_setup(parameters, facts.size, time);
+  setup.contact.is_coupled = meeting.couples();
+  if (const std::string &other = parameters.time.continue_from; !other.empty())
+    {
+      const LoadsAtEnd loads      = loads_at_end(other, context.communicator());
+      setup.contact.flat_velocity = setup.contact.flat_velocity.from(loads.flat_velocity);
+      setup.top.pressure          = setup.top.pressure.from(loads.pressure);
+    }
   const BodyInMotion<dim> motion = body->start(setup, context, &below);
   RunOutput<dim> output(context, *body, time, motion.displacement);
   const auto of_counter_output = counter_output(context, below);

@@ -118,7 +118,7 @@ TransientCheckpoint::Found TransientCheckpoint::begin(const std::uint64_t n_step
     {
       discard();
       context.remove_results({"dynamics.h5", "dynamics.xdmf", "dynamics-phases.xdmf",
-                              "history.csv", "energy.csv"});
+                              "history.csv", "energy.csv", "contact_dynamics.end"});
     }
   return found;
 }

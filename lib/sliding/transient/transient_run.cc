@@ -6,6 +6,7 @@
 #include "base/version.h"
 #include "parameters/keys.h"
 #include "program/run_context.h"
+#include "sliding/sweep/run_end.h"
 
 #include <algorithm>
 
@@ -283,6 +284,11 @@ void TransientRun<dim>::carry_out(const bool continued,
   RunContext &context = parts.context;
   if (continued)
     restore();
+  else if (const std::string &other = parts.parameters.time.continue_from; !other.empty())
+    {
+      start_from_end(parts.body, other, context.communicator());
+      context.log("Starts from the end of " + other);
+    }
   TransientResult result = advance();
   try
     {
@@ -309,6 +315,9 @@ void TransientRun<dim>::carry_out(const bool continued,
                       std::to_string(result.steps_done) +
                       "; what was observed so far is in " + context.output_folder() +
                       ", and the same command with --resume goes on from there");
+  if (parts.parameters.checkpoints.end)
+    write_run_end(parts.body, result.steps_done * parts.time.step.dt,
+                  context.output_folder(), context.communicator());
   // The state is dropped only when nothing is left to be done.
   context.write_summary();
   parts.checkpoint.complete(position());

@@ -33,7 +33,7 @@ SEND = {"base/exchange.cc", "elasticity/brick/plane_exchange.cc", "statics/voxel
 # deal.II's base (point.h, tensor.h and the like) is in mesh/mesh.h and precompiled.
 HEAVY = {
     "deal.II/": {"mesh/linear_cell.h", "mesh/mesh.h", "mesh/triangulation_cells.h", "body/mesh/cell_values.h",
-                 "body/mesh/distributed_matrix.h", "body/mesh/distributed_mesh.h",
+                 "body/mesh/curved_mapping.h", "body/mesh/distributed_matrix.h", "body/mesh/distributed_mesh.h",
                  "eigenvalues/free_dofs.h", "homogenization/volumes/mesh_volume.h", "localization/strain/cell_set.h"},
     "boost/": {"base/archives.h", "base/object_exchange.h"},
     "nlohmann/json.hpp": {"io/json.h", "sliding/analyses/friction_homogenization.h"},

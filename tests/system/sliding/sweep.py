@@ -6,12 +6,13 @@ import os
 import signal
 import shutil
 import subprocess
+import sys
 import tempfile
 
 import h5py
 import numpy as np
 
-from scenes import Folder, prm
+from scenes import PROGRAMS, TOOLS, Folder, prm
 
 PIN = {"Body/Size": "14e-3, 4e-3", "Body/Cells": "28, 8", "Supports/Top/Pressure": 5e6, "Flat/Velocity": 2, "Friction/Coefficient": 0.25,
        "Friction/Regularization time": 1.5e-6, "Time/End time": 1e-4, "Observation/Blocks": 10}
@@ -107,6 +108,21 @@ def check_interruptions(folder, due):
     equal(content(folder, "stopped"), content(folder, "whole"))
 
 
+def check_killed(folder):
+    """A process that is killed fails its point, which is computed when the map is started again."""
+    process = folder.start("contact_dynamics", "long.prm", "--output", "killed", "--quiet", "--set", "Sweep/Processes=2")
+    children = lambda: subprocess.run(["ps", "--no-headers", "-o", "pid", "--ppid", str(process.pid)], capture_output=True, text=True, check=False).stdout.split()  # noqa: E731
+    while len(children()) < 2 or not os.path.exists(folder("killed", "points")) or len(os.listdir(folder("killed", "points"))) < 2:
+        assert process.poll() is None, "it ended before"
+    os.kill(int(children()[0]), signal.SIGKILL)
+    errors = process.communicate(timeout=120)[1]
+    rows = content(folder, "killed")["rows"]
+    killed = [row for row in rows if "ended by signal 9" in row["message"]]
+    assert process.returncode == 0 and len(killed) == 1 and "1 of 6 points failed" in errors, (process.returncode, errors, rows)
+    folder.run(0, "contact_dynamics", "long.prm", "--output", "killed", **alone(folder))
+    equal(content(folder, "killed"), content(folder, "whole"))
+
+
 def check_failures(folder):
     # Too long a time step is refused at the points with a soft damping only.
     folder.write("bad.prm", prm({**PIN, "Sweep/Axes": "beta", "Sweep/beta/Key": "Time/Rayleigh beta", "Sweep/beta/Values": "0, 1e-9, 4e-9",
@@ -156,15 +172,65 @@ def check_random(folder):
             assert tables[1]["numbers/complex_modes." + name][0][k] == value, name
 
 
+def check_branches(folder):
+    """Up and down, each point from the end of its neighbour: as runs that are started one after the other by hand."""
+    keys = {**PIN, "Time/End time": 5e-5, "Sweep/Axes": "friction", "Sweep/friction/Key": "Friction/Coefficient", "Sweep/friction/Values": "0.1, 0.2, 0.4",
+            "Sweep/Continue": "both"}
+    folder.write("branches.prm", prm(keys))
+    folder.run(0, "contact_dynamics", "branches.prm", "--output", "branches", **alone(folder))
+    found = content(folder, "branches")
+    assert list(found["shape"]) == [2, 3] and list(found["axes/branch"][0]) == [1, 1, 1, -1, -1, -1], found["shape"]
+    energies = []
+    for k, friction in enumerate((0.1, 0.2, 0.4, 0.4, 0.2, 0.1)):
+        more = {"Time/Continue from": f"by_hand{k - 1}"} if k else {}
+        folder.write("by_hand.prm", prm({**PIN, "Time/End time": 5e-5, "Friction/Coefficient": friction, "Checkpoints/Write end": "true", **more}))
+        folder.run(0, "contact_dynamics", "by_hand.prm", "--output", f"by_hand{k}")
+        energies.append(folder.summary(f"by_hand{k}")["friction_energy"])
+    equal(found["numbers/friction_energy"][0], np.array(energies)[[0, 1, 2, 5, 4, 3]])
+    # Longer, and in one process: the points of the way up are there.
+    folder.write("branches.prm", prm({**keys, "Sweep/friction/Values": "0.1, 0.2, 0.4, 0.5", "Sweep/Continue": "up"}))
+    said = folder.run(0, "contact_dynamics", "branches.prm", "--output", "branches", "--set", "Sweep/Processes=1")
+    assert "3 of 4 runs are there already" in said, said
+    equal(content(folder, "branches")["numbers/friction_energy"][0][:3], np.array(energies)[:3])
+
+
+def check_python(folder, due):
+    sys.path.insert(0, os.path.join(TOOLS, "python"))
+    import mesoslip
+
+    folder.write("plain.prm", prm(PIN))
+    axes = {"Supports/Top/Pressure": PRESSURES, "mu": ("Friction/Coefficient", FRICTION)}
+    with mesoslip.sweep(folder("plain.prm"), axes, output=folder("python"), programs=PROGRAMS) as run:
+        found = run.map
+        assert found.shape == (3, 2) and list(found.axes) == ["pressure", "mu"] and found.axes["pressure"].unit == "Pa", found
+        equal(np.asarray(found["friction_energy"]).ravel(), due["numbers/friction_energy"][0])
+        assert list(found["regime"].ravel()) == [row["regime"] for row in due["rows"]] and (found.status == "done").all()
+        with mesoslip.open(folder("python", found.folders[2, 1])) as point:
+            assert point.summary["pressure"] == 5e6
+
+
+def check_report(folder):
+    for name, due in (("map", "Regime of the reference node over"), ("branches", "numbers of the runs over what changes"), ("random", "Points of random"), ("bad", "points failed")):
+        done = subprocess.run([sys.executable, "-B", os.path.join(TOOLS, "report", "make_report.py"), folder(name), "--output", folder(name + ".html")],
+                              capture_output=True, text=True, check=False)
+        with open(folder(name + ".html"), encoding="utf-8") as file:
+            text = file.read()
+        assert done.returncode == 0 and due in text and "Left out" not in text and text.count("data:image/png") > 0, (name, done.stdout, done.stderr)
+
+
 def main():
     with tempfile.TemporaryDirectory() as path:
         folder = Folder(path)
         due = check_single_runs(folder)
         check_ways(folder, due)
         check_interruptions(folder, due)
+        check_killed(folder)
         check_failures(folder)
         check_refusals(folder)
         check_random(folder)
+        check_branches(folder)
+        check_python(folder, due)
+        check_report(folder)
 
 
 if __name__ == "__main__":

@@ -8,7 +8,7 @@ from matplotlib.patheffects import Normal, Stroke
 from matplotlib.ticker import FuncFormatter, LogLocator, NullLocator
 
 from report.base.data import Missing
-from report.base.figures import BLACK, BLUE, GREEN, GREY, ORANGE, PINK, SKY, STICK, STRESSES, VIOLET, YELLOW, above, lettered, panels, scaled
+from report.base.figures import BLACK, BLUE, GREEN, GREY, ORANGE, PINK, SKY, STICK, STRESSES, VIOLET, YELLOW, above, above_all, lettered, panels, scaled
 from report.base.page import escape, note, number, table
 
 # In the order from rest to flight.
@@ -30,8 +30,16 @@ class Map:
         self.run = run
         self.shape = [int(n) for n in np.atleast_1d(run.attribute("/axes", "shape"))]
         self.names = sorted(run.members("/axes"), key=lambda name: int(run.attribute(f"/axes/{name}", "number")))
+        self.branches = self.take_branches()
         self.values, self.units = zip(*(self.scaled_axis(name) for name in self.names))
         self.status = np.array([text.decode() for text in run.need("/status").ravel()])
+
+    def take_branches(self):
+        """Names of the branches of a map that was gone through up and down, whose first axis they are; else none. The other axes remain."""
+        if self.names[0] != "branch":
+            return []
+        self.names, self.shape = self.names[1:], self.shape[1:]
+        return ["up", "down"]
 
     def is_grid(self):
         return len(self.shape) == len(self.names)
@@ -75,15 +83,15 @@ class Map:
 
     def slices(self):
         """Title, and numbers of the points in rows of the second axis, of each map over the first two axes; of one axis a single row."""
-        numbers = np.arange(len(self.status)).reshape(self.shape)
         if len(self.shape) == 1:
-            return [("", numbers[None, :])]
-        flat = numbers.reshape(*self.shape[:2], -1)
+            return [("", np.arange(self.shape[0])[None, :])]
+        numbers = np.arange(len(self.status)).reshape(-1, *self.shape[:2], int(np.prod(self.shape[2:])))
         result = []
-        for k in range(flat.shape[2]):
-            first = flat[0, 0, k]
-            title = ", ".join(f"{self.label(a)} = {self.values[a][first]:.4g}" for a in range(2, len(self.names)))
-            result.append((title, flat[:, :, k].T))
+        for branch, of_branch in zip(self.branches or [""], numbers):
+            for k in range(of_branch.shape[2]):
+                first = of_branch[0, 0, k]
+                words = ([f"branch {branch}"] if branch else []) + [f"{self.label(a)} = {self.values[a][first]:.4g}" for a in range(2, len(self.names))]
+                result.append((", ".join(words), of_branch[:, :, k].T))
         return result
 
 
@@ -185,10 +193,12 @@ def along(found):
     known = [entry for entry in QUANTITIES if found.number(entry[0]) is not None and not entry[0].endswith(("slip_fraction", "stick_fraction", "separation_fraction"))]
     figure, axes = panels(len(known) + 1, 1.9 * (len(known) + 1), sharex=True)
     x, regime = found.values[0], found.regime()
-    order = np.argsort(x)
+    lines = [k[np.argsort(x[k])] for k in np.arange(len(x)).reshape(-1, found.shape[0])]  # of each branch
+    styles = ["-", (0, (4, 2))]
     for axis, (name, words, factor, unit) in zip(axes, known):
         values = factor * found.number(name)
-        axis.plot(x[order], values[order], color=GREY, lw=0.8)
+        for order, dashes in zip(lines, styles):
+            axis.plot(x[order], values[order], color=GREY, lw=0.9, ls=dashes)
         for kind, colour in REGIMES.items():
             picked = regime == kind
             if picked.any():
@@ -199,13 +209,16 @@ def along(found):
     shares = axes[-1]
     for name, colour, words in (("slip_fraction", BLUE, "slip"), ("stick_fraction", STICK, "stick"), ("separation_fraction", GREY, "separation")):
         if found.number(name) is not None:
-            shares.plot(x[order], 100 * found.number(name)[order], "o-", ms=3, color=colour, label=words)
+            for order, dashes in zip(lines, styles):
+                shares.plot(x[order], 100 * found.number(name)[order], "o", ls=dashes, ms=3, color=colour, label=words if dashes == "-" else None)
     shares.set_title("shares of all contact nodes (%)", loc="left")
     shares.legend(loc="center left", ncol=3)
     found.scales(shares, "x")
     lettered(axes)
-    handles = [plt.Line2D([], [], marker="o", ls="", color=colour, label=kind) for kind, colour in REGIMES.items() if (regime == kind).any()]
-    figure.legend(handles=handles, loc="outside upper left", ncol=2) if handles else None
+    branches = [plt.Line2D([], [], color=GREY, ls=dashes, label=f"branch {name}") for name, dashes in zip(found.branches, styles)]
+    handles = branches + [plt.Line2D([], [], marker="o", ls="", color=colour, label=kind) for kind, colour in REGIMES.items() if (regime == kind).any()]
+    if handles:
+        above_all(figure, handles, 2)
     return figure
 
 

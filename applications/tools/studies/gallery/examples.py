@@ -63,6 +63,9 @@ EXAMPLES = (
             ("tribometer_map.prm",), "", CONTACT, draw=tribometer.draw, changes=tribometer.CHANGES),
     Example("Where a pin slips, sticks and separates", "A map of 80 runs over pressure and friction, side by side on all cores, with the border of growth of the "
             "complex modes ([maps](maps.md)).", ("regime_map.prm",), "Regime of the reference node", CONTACT),
+    Example("Stick and slip, or sliding: two branches", "The pin of the map of a tribometer over the velocity of the flat, up and down again, each point from the end "
+            "of its neighbour: it sticks and slips on the way up, and goes on sliding on the way down ([maps](maps.md#branches-points-that-start-from-their-neighbours)).",
+            ("branches.prm",), "Regime of the reference node (colours", CONTACT),
     Example("Ruptures under slip weakening", "A pad is sheared by the flat; ruptures run through its contact and heal. Every contact node over time.",
             ("friction_laws/rupture.prm",), "Contact states", CONTACT),
     Example("A rupture in a half-space", "A body whose top and sides absorb waves is pressed on the flat and dragged along: a rupture runs through the contact once, and "

@@ -1,5 +1,5 @@
-#ifndef mesoslip_mesh_curved_cells_h
-#define mesoslip_mesh_curved_cells_h
+#ifndef mesoslip_mesh_curved_curved_cells_h
+#define mesoslip_mesh_curved_curved_cells_h
 
 #include "mesh/mesh.h"
 

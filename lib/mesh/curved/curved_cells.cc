@@ -1,4 +1,4 @@
-#include "mesh/curved_cells.h"
+#include "mesh/curved/curved_cells.h"
 
 #include "mesh/linear_cell.h"
 

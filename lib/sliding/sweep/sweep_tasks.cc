@@ -1,0 +1,123 @@
+#include "base/files.h"
+#include "sliding/sweep/run_end.h"
+#include "sliding/sweep/sweep_analysis.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <set>
+
+namespace mesoslip
+{
+namespace
+{
+/** Files with results in @p folder. */
+std::vector<std::filesystem::path> results_in(const std::string &folder)
+{
+  std::vector<std::filesystem::path> found;
+  std::error_code ignored;
+  for (const auto &entry : std::filesystem::directory_iterator(folder, ignored))
+    {
+      const std::string kind = entry.path().extension().string();
+      if (kind == ".h5" || kind == ".csv" || kind == ".xdmf")
+        found.push_back(entry.path());
+    }
+  return found;
+}
+} // namespace
+
+/** What a point leaves besides its summary. */
+void SweepAnalysis::remove_results(const std::string &folder) const
+{
+  std::error_code ignored;
+  for (const auto &file : results_in(folder))
+    std::filesystem::remove(file, ignored);
+  std::filesystem::remove(folder + "/" + single.name + ".checkpoint", ignored);
+}
+
+/** Whether the run in @p folder has ended, and its results were kept if they are wanted. */
+bool SweepAnalysis::is_there(const std::string &folder, const bool is_of_modes) const
+{
+  std::error_code ignored;
+  if (parameters.continuation != Continuation::none && !is_of_modes &&
+      !std::filesystem::exists(run_end_file(folder), ignored) &&
+      std::filesystem::exists(folder + "/summary.json", ignored))
+    return false;
+  return has_ended(folder) &&
+         (!parameters.keep_results || !results_in(folder).empty() ||
+          !std::filesystem::exists(folder + "/summary.json", ignored)); // it failed
+}
+
+std::vector<SweepAnalysis::Task>
+SweepAnalysis::missing_tasks(const std::string &folder) const
+{
+  std::vector<Task> tasks;
+  std::set<std::string> wanted; // points may be there twice
+  for (std::size_t k = 0; k < points.size(); ++k)
+    for (const bool is_of_modes : {false, true})
+      {
+        const std::string place =
+          points[k].folder + (is_of_modes ? complex_modes_folder : "");
+        if ((!is_of_modes || parameters.complex_modes) &&
+            !is_there(folder + "/" + place, is_of_modes) && wanted.insert(place).second)
+          tasks.push_back({k, is_of_modes, place});
+      }
+  // Points from whose end others start come before these.
+  const auto n_before = [this](std::size_t k) {
+    std::size_t n = 0;
+    for (auto before = parameters.point_before(k); before; ++n)
+      before = parameters.point_before(*before);
+    return n;
+  };
+  if (parameters.continuation != Continuation::none)
+    std::stable_sort(tasks.begin(), tasks.end(), [&](const Task &a, const Task &b) {
+      return n_before(a.point) < n_before(b.point);
+    });
+  return tasks;
+}
+
+std::vector<std::string> SweepAnalysis::words(const Task &task,
+                                              const std::string &folder) const
+{
+  const std::string place         = folder + "/" + task.folder;
+  std::vector<std::string> result = {folder + "/" + base_file, "--quiet",
+                                     "--ignore-unused", "--output", place};
+  for (const std::string &assignment : assignments_of(parameters, points[task.point]))
+    result.insert(result.end(), {"--set", assignment});
+  if (parameters.continuation != Continuation::none && !task.is_of_modes)
+    {
+      result.insert(result.end(), {"--set", "Checkpoints/Write end=true"});
+      if (const auto before = parameters.point_before(task.point))
+        result.insert(result.end(), {"--set", "Time/Continue from=" + folder + "/" +
+                                                points[*before].folder});
+    }
+  if (task.is_of_modes)
+    result.insert(result.end(), {"--set", "Analysis=complex modes"});
+  if (is_trial)
+    result.emplace_back("--try");
+  if (!parameters.keep_results)
+    result.insert(result.end(), {"--summary-only", "--set", "Snapshots/Interval=0",
+                                 "--set", "Contact map/Interval=0"});
+  std::error_code ignored;
+  if (std::filesystem::exists(place + "/" + single.name + ".checkpoint", ignored))
+    result.emplace_back("--resume");
+  return result;
+}
+
+/** Of each task the one from whose end it starts, if that is not there already. */
+std::vector<std::optional<std::size_t>>
+SweepAnalysis::tasks_before(const std::vector<Task> &tasks) const
+{
+  std::map<std::string, std::size_t> by_folder;
+  for (std::size_t k = 0; k < tasks.size(); ++k)
+    by_folder[tasks[k].folder] = k;
+  std::vector<std::optional<std::size_t>> result(tasks.size());
+  for (std::size_t k = 0; k < tasks.size(); ++k)
+    if (const auto before = parameters.point_before(tasks[k].point);
+        before && !tasks[k].is_of_modes)
+      if (const auto found = by_folder.find(points[*before].folder);
+          found != by_folder.end())
+        result[k] = found->second;
+  return result;
+}
+} // namespace mesoslip
