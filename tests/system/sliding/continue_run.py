@@ -34,7 +34,8 @@ def check(folder, body, kind, ranks):
     if dim == 3 and "Body/Acceleration" in KINDS[kind]:
         keys["Body/Acceleration"] = "10, 5, 20"
     if "Mesh/File" in keys:
-        Box([6e-3, 4e-3] if dim == 2 else [4e-3, 2e-3, 3e-3], [6, 4] if dim == 2 else [4, 2, 3], lambda x: "matrix", "simplex").write(folder(keys["Mesh/File"]))
+        Box([6e-3, 4e-3] if dim == 2 else [4e-3, 2e-3, 3e-3], [6, 4] if dim == 2 else [4, 2, 3], lambda x: "matrix", "simplex").name_side(
+            "Contact", dim - 1, False).name_side("Top", dim - 1, True).write(folder(keys["Mesh/File"]))
         keys |= {"Phases/Names": "matrix", **{f"Phases/matrix/{key}": value for key, value in PHASE.items()}, "Mesh/Scale": 1}
     run = lambda name, steps, more: (folder.write(name + ".prm", prm({**keys, "Time/End time": STEP * steps, **more})),  # noqa: E731
                                      folder.run(0, "contact_dynamics", name + ".prm", "--output", name, ranks=ranks))[1]

@@ -8,6 +8,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
 
 import h5py
 import numpy as np
@@ -83,20 +84,29 @@ def check_ways(folder, due):
     equal(content(folder), due)
 
 
+def told_by_points(folder):
+    """How much the logs of the points say so far."""
+    logs = (os.path.join(path, name) for path, _, names in os.walk(os.path.join(folder, "points")) for name in names if name == "log.txt")
+    return sum(os.path.getsize(log) for log in logs)
+
+
 def check_interruptions(folder, due):
-    """Stopped again and again, soon after it was started."""
+    """Stopped again and again, soon after its points began."""
     long = {**PIN, **AXES, "Time/End time": 2e-2}
     folder.write("long.prm", prm(long))
     folder.run(0, "contact_dynamics", "long.prm", "--output", "whole")
     random = np.random.default_rng(1)
     stops = 0
-    for attempt in range(60):
+    for attempt in range(100):
+        told = told_by_points(folder("stopped"))
         process = folder.start("contact_dynamics", "long.prm", "--output", "stopped", "--quiet")
+        while process.poll() is None and told_by_points(folder("stopped")) == told:
+            time.sleep(0.01)
         try:
-            process.wait(1.0 + 0.6 * random.random())
+            process.wait(0.5 * random.random())
         except subprocess.TimeoutExpired:
             process.send_signal((signal.SIGINT, signal.SIGTERM)[attempt % 2])
-        error = process.communicate(timeout=60)[1]
+        error = process.communicate(timeout=120)[1]
         if process.returncode == 0:
             break
         stops += 1
