@@ -1,13 +1,14 @@
 """Runs that start from the end of another one (Time/Continue from): the motion of one long run, on grids, boxes and meshes, on one rank and
 on two, with springs, damping, laws of friction with a memory, after a ramp; and what is refused."""
 
+import os
 import tempfile
 
 import h5py
 import numpy as np
 
 from mesh_files import Box
-from scenes import Folder, prm
+from scenes import TOP, Folder, prm
 from start import BODIES, PHASE
 
 STEP, STEPS = 2e-8, 400
@@ -90,6 +91,18 @@ def check_ramps(folder):
     assert np.abs(pressure - due).max() < 1e-6 * 8e6, np.abs(pressure - due).max()
 
 
+def check_branches(folder):
+    """A pin on a spring sticks and slips up to the velocity at which a rigid block with a dashpot slides on; on the way down it slides."""
+    speeds, limit = (0.10, 0.125, 0.14, 0.165, 0.18), 0.149
+    said = folder.run(0, "contact_dynamics", os.path.join(TOP, "prm", "examples", "branches.prm"), "--output", "branches", "--ignore-unused", "--set",
+                      "Sweep/velocity/Values=" + ", ".join(map(str, speeds)), "--set", "Sweep/velocity/Number=0", "--set", "Sweep/velocity/From=0", "--set",
+                      "Sweep/velocity/To=0", cwd=folder.path)
+    with h5py.File(folder("branches/map.h5")) as file:
+        sticks = file["numbers/stick_fraction"][()].reshape(2, -1)
+    print("shares of stick, up and down", sticks)
+    assert "10 of 10 points are done" in said and np.all((sticks[0] > 0.1) == (np.array(speeds) < limit)) and np.all(sticks[1] == 0), sticks
+
+
 def main():
     with tempfile.TemporaryDirectory() as path:
         folder = Folder(path)
@@ -102,6 +115,7 @@ def main():
             check(folder, body, "platen", 2)
         check_ramps(folder)
         check_refusals(folder)
+        check_branches(folder)
 
 
 if __name__ == "__main__":

@@ -212,7 +212,7 @@ def along(found):
             for order, dashes in zip(lines, styles):
                 shares.plot(x[order], 100 * found.number(name)[order], "o", ls=dashes, ms=3, color=colour, label=words if dashes == "-" else None)
     shares.set_title("shares of all contact nodes (%)", loc="left")
-    shares.legend(loc="center left", ncol=3)
+    shares.legend(loc="lower right", bbox_to_anchor=(1, 0.97), ncol=3, borderaxespad=0, handlelength=1.4)
     found.scales(shares, "x")
     lettered(axes)
     branches = [plt.Line2D([], [], color=GREY, ls=dashes, label=f"branch {name}") for name, dashes in zip(found.branches, styles)]
