@@ -23,7 +23,7 @@ const std::vector<OwnSections> &own_sections()
     {"rve_homogenization",
      {"Grid", "Microstructure", "Homogenization", "Loads", "Ensemble"}},
     {"contact_dynamics",
-     {"Body", "Time", "Flat", "Supports", "Sides", "Friction", "Observation",
+     {"Body", "Time", "Flat", "Supports", "Sweep", "Sides", "Friction", "Observation",
       "Contact map", "Counter body", "Snapshots", "Checkpoints", "Performance", "Modal",
       "Static contact", "Complex modes", "Friction homogenization"}},
     {"stress_localization",
