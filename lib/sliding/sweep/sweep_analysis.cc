@@ -181,9 +181,9 @@ void SweepAnalysis::write_results(RunContext &context) const
     {
       map.results.push_back(
         read_point(context.file(point.folder), parameters.complex_modes));
-      const PointResult &result = map.results.back();
-      n_done += result.status == PointStatus::done;
-      n_of_failed += result.status == PointStatus::failed;
+      const SweepResult &result = map.results.back();
+      n_done += result.status == SweepStatus::done;
+      n_of_failed += result.status == SweepStatus::failed;
       const auto warnings = result.numbers.find("warnings");
       n_with_warnings += warnings != result.numbers.end() && warnings->second > 0.;
     }

@@ -37,8 +37,8 @@ std::string unit_of_number(const std::string &name)
 std::vector<std::string> names_of_texts(const SweepMap &map)
 {
   std::map<std::string, std::set<std::string>> values;
-  for (const PointResult &result : map.results)
-    if (result.status == PointStatus::done)
+  for (const SweepResult &result : map.results)
+    if (result.status == SweepStatus::done)
       for (const auto &[name, text] : result.texts)
         values[name].insert(text);
   std::vector<std::string> names;
@@ -50,22 +50,22 @@ std::vector<std::string> names_of_texts(const SweepMap &map)
   return names;
 }
 
-std::string text_of(const PointStatus status)
+std::string text_of(const SweepStatus status)
 {
-  return status == PointStatus::done     ? "done"
-         : status == PointStatus::failed ? "failed"
+  return status == SweepStatus::done     ? "done"
+         : status == SweepStatus::failed ? "failed"
                                          : "not computed";
 }
 
 /** The number @p name of a point; NaN where it has none. */
-double number_of(const PointResult &result, const std::string &name)
+double number_of(const SweepResult &result, const std::string &name)
 {
   const auto found = result.numbers.find(name);
   return found != result.numbers.end() ? found->second
                                        : std::numeric_limits<double>::quiet_NaN();
 }
 
-std::string text_of(const PointResult &result, const std::string &name)
+std::string text_of(const SweepResult &result, const std::string &name)
 {
   const auto found = result.texts.find(name);
   return found != result.texts.end() ? found->second : "";
@@ -75,7 +75,7 @@ std::string text_of(const PointResult &result, const std::string &name)
 std::vector<std::string> names_of_numbers(const SweepMap &map)
 {
   std::set<std::string> names;
-  for (const PointResult &result : map.results)
+  for (const SweepResult &result : map.results)
     for (const auto &number : result.numbers)
       names.insert(number.first);
   return {names.begin(), names.end()};
@@ -151,7 +151,7 @@ void write_map_table(const std::string &path, const SweepMap &map)
   TableWriter table(path, columns);
   for (std::size_t k = 0; k < map.points.size(); ++k)
     {
-      const PointResult &result = map.results[k];
+      const SweepResult &result = map.results[k];
       std::vector<std::string> row;
       for (const double value : map.points[k].values)
         row.push_back(table.cell(value));

@@ -15,7 +15,7 @@ struct SweepMap
   const SweepParameters &parameters; ///< axes
   std::vector<std::string> units;    ///< of the axes
   std::vector<SweepPoint> points;    ///< in the order of the map
-  std::vector<PointResult> results;  ///< of each
+  std::vector<SweepResult> results;  ///< of each
 };
 
 /** Names of the numbers that some point has. */

@@ -27,7 +27,7 @@ const std::set<std::string> not_of_the_point = {
   "peak_memory_bytes",       "program", "ranks", "seconds", "version"};
 
 /** Numbers and texts of @p node; those of members are named by both. */
-void take(const nlohmann::json &node, const std::string &name, PointResult &result)
+void take(const nlohmann::json &node, const std::string &name, SweepResult &result)
 {
   if (node.is_number())
     result.numbers[name] = node.get<double>();
@@ -43,7 +43,7 @@ void take(const nlohmann::json &node, const std::string &name, PointResult &resu
 /** Everything in summary.json of @p folder that is a single number or text, with @p prefix before its name. */
 void take_summary(const std::string &folder,
                   const std::string &prefix,
-                  PointResult &result)
+                  SweepResult &result)
 {
   const auto summary =
     nlohmann::json::parse(read_file(folder + "/summary.json"), nullptr, false);
@@ -81,13 +81,13 @@ nlohmann::json marked(const std::string &folder)
 }
 
 /** Adds to @p result what @p folder holds of a run that was marked. */
-void add_run(const std::string &folder, const std::string &prefix, PointResult &result)
+void add_run(const std::string &folder, const std::string &prefix, SweepResult &result)
 {
   const nlohmann::json json = marked(folder);
   const std::string message =
     json.is_object() ? json.value("message", std::string()) : "it was not computed";
   result.status =
-    std::max(result.status, message.empty() ? PointStatus::done : PointStatus::failed);
+    std::max(result.status, message.empty() ? SweepStatus::done : SweepStatus::failed);
   if (message.empty())
     return take_summary(folder, prefix, result);
   result.message += (result.message.empty() ? "" : " ") + message;
@@ -160,9 +160,9 @@ bool has_ended(const std::string &folder)
   return json.is_object() && !json.value("again", false);
 }
 
-PointResult read_point(const std::string &folder, const bool complex_modes)
+SweepResult read_point(const std::string &folder, const bool complex_modes)
 {
-  PointResult result;
+  SweepResult result;
   const std::string second = folder + complex_modes_folder;
   if (marked(folder).is_null() || (complex_modes && marked(second).is_null()))
     return result;

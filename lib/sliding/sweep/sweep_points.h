@@ -18,7 +18,7 @@ struct SweepPoint
 };
 
 /** How a point ended. */
-enum class PointStatus
+enum class SweepStatus
 {
   not_computed, ///< the map was stopped before
   done,
@@ -26,9 +26,9 @@ enum class PointStatus
 };
 
 /** What is known of a point. */
-struct PointResult
+struct SweepResult
 {
-  PointStatus status                       = PointStatus::not_computed; ///< how it ended
+  SweepStatus status                       = SweepStatus::not_computed; ///< how it ended
   std::string message                      = {};                        ///< why it failed
   std::map<std::string, double> numbers    = {}; ///< of its summary, by name
   std::map<std::string, std::string> texts = {}; ///< of its summary, by name
@@ -52,7 +52,7 @@ bool has_ended(const std::string &folder);
 
 /** The result that the folder of a point (its path) holds, with @p complex_modes also that of the folder in it; of
  * one that was not computed the default. */
-PointResult read_point(const std::string &folder, const bool complex_modes);
+SweepResult read_point(const std::string &folder, const bool complex_modes);
 
 /** Notes in the folder of a run how it ended: with an empty @p message as wanted; and whether a map that is started again
  * tries it @p again. */
