@@ -58,10 +58,9 @@ void bind_time(Keys &keys, ContactParameters &p)
   keys.bind_input(
     "Continue from", p.time.continue_from,
     "Output folder of a run of the same body with Checkpoints/Write end = true, from "
-    "whose "
-    "end this run starts: with its motion and friction, at the time 0, and with all "
-    "ramps "
-    "of loads over; empty: the body starts at rest or with Body/Initial velocity");
+    "whose end this run starts, at the time 0, with its motion and friction; ramps of "
+    "Flat/Velocity and of the pressure on the top lead from its loads to those of this "
+    "run, others are over; empty: the body starts at rest or with Body/Initial velocity");
   keys.only_with("Time step", {"auto"}, {"Safety factor"});
   keys.require(!(p.step.dt > p.time.end_time), "Time step",
                to_text(p.step.dt) + " s is longer than End time, " +
