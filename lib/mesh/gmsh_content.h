@@ -11,14 +11,14 @@ namespace mesoslip
 struct GmshCells
 {
   unsigned int group    = 0; ///< number of its name
-  std::size_t n_corners = 0; ///< of a cell
+  std::size_t n_corners = 0; ///< number of corners of each cell
   std::vector<unsigned int>
     tags; ///< of the nodes of all cells: corners as deal.II orders them, then middles
 
   /** Of a quadratic cell the corners of each edge, face or cell that a further node is in the middle of. */
   std::vector<std::vector<unsigned int>> middles;
 
-  /** Of a cell. */
+  /** Number of nodes of each cell: corners and middles. */
   std::size_t n_nodes() const
   {
     return n_corners + middles.size();

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <chrono>
 #include <csignal>
 #include <cstring>
 #include <fcntl.h>
@@ -40,8 +39,8 @@ public:
   Worker(const Worker &)            = delete;
   Worker &operator=(const Worker &) = delete;
 
-  /** Begins task @p k; false if the process is gone. */
-  bool begin(const std::size_t k, const std::vector<std::string> &words);
+  /** Begins task @p k; where the process is gone read() tells why. */
+  void begin(const std::size_t k, const std::vector<std::string> &words);
 
   /** After poll() found something: the outcome of its task, if it is complete or the process has died. */
   std::optional<Outcome> read();
@@ -101,7 +100,7 @@ Worker::~Worker()
     ::waitpid(process, nullptr, 0);
 }
 
-bool Worker::begin(const std::size_t k, const std::vector<std::string> &words)
+void Worker::begin(const std::size_t k, const std::vector<std::string> &words)
 {
   const std::string line = nlohmann::json(words).dump() + "\n";
   task                   = k;
@@ -112,10 +111,9 @@ bool Worker::begin(const std::size_t k, const std::vector<std::string> &words)
       if (n < 0 && errno == EINTR)
         continue;
       if (n <= 0)
-        return false; // read() tells why
+        return;
       done += static_cast<std::size_t>(n);
     }
-  return true;
 }
 
 Outcome Worker::death()

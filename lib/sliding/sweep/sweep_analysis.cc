@@ -13,7 +13,6 @@
 #include "program/workers.h"
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <ostream>
 #include <sstream>

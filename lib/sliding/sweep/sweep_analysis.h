@@ -61,10 +61,10 @@ private:
 
   const SweepParameters parameters;
   const Application single;
-  std::string base; ///< a .prm with all keys of a point
-  std::vector<std::string> units;
+  std::string base;               ///< a .prm with all keys of a point
+  std::vector<std::string> units; ///< of each axis, as Pa; - of pure numbers
   std::vector<SweepPoint> points;
-  std::unique_ptr<Analysis> first; ///< of the first point
+  std::unique_ptr<Analysis> first; ///< checks and describes the first point
   bool is_trial       = false;     ///< --try
   std::size_t n_ended = 0;         ///< tasks of this run
 };

@@ -13,9 +13,9 @@ namespace mesoslip
 struct SweepMap
 {
   const SweepParameters &parameters; ///< axes
-  std::vector<std::string> units;    ///< of the axes
+  std::vector<std::string> units;    ///< of each axis, as Pa; - of pure numbers
   std::vector<SweepPoint> points;    ///< in the order of the map
-  std::vector<SweepResult> results;  ///< of each
+  std::vector<SweepResult> results;  ///< what is known of each point, in the same order
 };
 
 /** Names of the numbers that some point has. */
