@@ -30,7 +30,7 @@ struct Case
   bool mean_dilatation = false; ///< of all phases but the second
 };
 
-std::vector<ElasticPhase<3>> phases_of(const Case &c)
+std::vector<ElasticPhase<3>> phases_of_case(const Case &c)
 {
   std::vector<ElasticPhase<3>> phases = {{isotropic_stiffness<3>(30e9, 0.2), 1900.},
                                          {isotropic_stiffness<3>(240e9, 0.35), 2600.},
@@ -64,7 +64,7 @@ std::vector<ElasticPhase<3>> phases_of(const Case &c)
 struct Box
 {
   Box(const Case &c, const MPI_Comm communicator)
-    : phases(phases_of(c))
+    : phases(phases_of_case(c))
     , box{{c.cells, c.edges, {}}, c.periodic}
     , mesh(mesh_of_cells(box.grid))
     , op(divide_box(box,

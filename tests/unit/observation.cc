@@ -2,6 +2,7 @@
 #include "observation/spectrum.h"
 
 #include "base/errors.h"
+#include "unit/material/material_testing.h"
 
 #include <gtest/gtest.h>
 
@@ -10,11 +11,10 @@
 #include <random>
 
 using namespace mesoslip;
+using material_testing::pi;
 
 namespace
 {
-constexpr double pi = 3.14159265358979323846;
-
 std::vector<double> sampled(const std::size_t n,
                             const double time_step,
                             const std::function<double(const double)> &function)

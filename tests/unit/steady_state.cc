@@ -1,5 +1,6 @@
 #include "observation/steady_state.h"
 #include "observation/steady_record.h"
+#include "unit/material/material_testing.h"
 
 #include <gtest/gtest.h>
 
@@ -8,10 +9,11 @@
 #include <random>
 
 using namespace mesoslip;
+using material_testing::pi;
 
 namespace
 {
-constexpr double pi = 3.14159265358979323846, frequency = 41321., time_step = 2e-8;
+constexpr double frequency = 41321., time_step = 2e-8;
 constexpr unsigned int n_samples = 50000; // 1 ms
 
 double oscillation(const double t)

@@ -53,7 +53,7 @@ SomeKeys read(Keys &keys)
   return values;
 }
 
-std::string error_of(const std::string &text)
+std::string error_of_text(const std::string &text)
 {
   return user_error([&]() {
     Keys keys(RawParameters::parse(text, "run.prm"));
@@ -141,42 +141,44 @@ TEST(Parameters, LineEndsOfAnySystem)
         "# of another system" + end + "set Cells = 1\\" + end + "7" + end + "# end",
         "a.prm");
       EXPECT_EQ(raw.find("Cells")->value, "17");
-      expect_contains(error_of("#" + end + end + "set Cels = 1" + end), "run.prm:3: ");
+      expect_contains(error_of_text("#" + end + end + "set Cels = 1" + end),
+                      "run.prm:3: ");
     }
 }
 
 TEST(Parameters, NamesWhatIsWrong)
 {
   expect_contains(
-    error_of("set Cels = 1"),
+    error_of_text("set Cels = 1"),
     "run.prm:1: there is no key 'Cels' at the top level; did you mean 'Cells'?");
   expect_contains(
-    error_of("\nsubsection Tme step\nend"),
+    error_of_text("\nsubsection Tme step\nend"),
     "run.prm:2: there is no subsection 'Tme step' at the top level; did you "
     "mean 'Time step'?");
-  expect_contains(error_of("set Kind = one"), "did you mean 'Input/Deep/Kind'?");
-  expect_contains(error_of("subsection Deep\nend"), "did you mean 'Input/Deep'?");
-  expect_contains(error_of("subsection Input\nsubsection Time step\nend\nend"),
+  expect_contains(error_of_text("set Kind = one"), "did you mean 'Input/Deep/Kind'?");
+  expect_contains(error_of_text("subsection Deep\nend"), "did you mean 'Input/Deep'?");
+  expect_contains(error_of_text("subsection Input\nsubsection Time step\nend\nend"),
                   "there is no subsection 'Time step' in 'Input'; it stands at the top");
-  expect_contains(error_of("subsection Time step\nset Zzzzzzzzz = 1\nend"),
+  expect_contains(error_of_text("subsection Time step\nset Zzzzzzzzz = 1\nend"),
                   "the keys here are Fraction, Size, Output");
-  expect_contains(error_of("set Cells = 1\n\nset Cells = 2"),
+  expect_contains(error_of_text("set Cells = 1\n\nset Cells = 2"),
                   "run.prm:3: Cells is set again; line 1 has set it already");
-  expect_contains(error_of("set Cells = 0"),
+  expect_contains(error_of_text("set Cells = 0"),
                   "run.prm:1: Cells is '0' but must be a whole number in [1, 1000]");
-  expect_contains(error_of("set Cells = 3.5"), "whole number");
-  expect_contains(error_of("set Cells ="), "Cells is ''");
+  expect_contains(error_of_text("set Cells = 3.5"), "whole number");
+  expect_contains(error_of_text("set Cells ="), "Cells is ''");
   for (const std::string value : {"0", "1.0001", "nan", "inf", "0.5 m", "0,5", "1e999"})
-    expect_contains(error_of("subsection Time step\nset Fraction = " + value + "\nend"),
-                    "run.prm:2: Time step/Fraction is '" + value +
-                      "' but must be a number in (0, 1]");
-  expect_contains(error_of("set Cells = 30 GPa"), "write numbers without a unit");
-  expect_contains(error_of("subsection Time step\nset Output = 0,003, 0,002\nend"),
+    expect_contains(
+      error_of_text("subsection Time step\nset Fraction = " + value + "\nend"),
+      "run.prm:2: Time step/Fraction is '" + value + "' but must be a number in (0, 1]");
+  expect_contains(error_of_text("set Cells = 30 GPa"), "write numbers without a unit");
+  expect_contains(error_of_text("subsection Time step\nset Output = 0,003, 0,002\nend"),
                   "write decimals with a point");
-  expect_contains(error_of("subsection Time step\nset Output = 1\nend"),
+  expect_contains(error_of_text("subsection Time step\nset Output = 1\nend"),
                   "2 to 3 comma separated numbers > 0");
   const std::string deep = "subsection Input\nsubsection Deep\n";
-  expect_contains(error_of(deep + "set Kind = three\nend\nend"), "one of one, two words");
+  expect_contains(error_of_text(deep + "set Kind = three\nend\nend"),
+                  "one of one, two words");
 }
 
 TEST(Parameters, LinesOfAnotherFile)
@@ -232,13 +234,13 @@ TEST(Parameters, LinesOfAnotherFile)
 
 TEST(Parameters, NamesWhatIsNoParameterFile)
 {
-  expect_contains(error_of("Cells = 1"), "run.prm:1: 'Cells = 1' is not understood");
-  expect_contains(error_of("set Cells 1"), "has no '='");
-  expect_contains(error_of("set = 1"), "a key has no name");
-  expect_contains(error_of("end"), "run.prm:1: 'end' without an open subsection");
-  expect_contains(error_of("\nsubsection Time step\nset Fraction = 1"),
+  expect_contains(error_of_text("Cells = 1"), "run.prm:1: 'Cells = 1' is not understood");
+  expect_contains(error_of_text("set Cells 1"), "has no '='");
+  expect_contains(error_of_text("set = 1"), "a key has no name");
+  expect_contains(error_of_text("end"), "run.prm:1: 'end' without an open subsection");
+  expect_contains(error_of_text("\nsubsection Time step\nset Fraction = 1"),
                   "run.prm:2: the subsection 'Time step' has no 'end'");
-  expect_contains(error_of(std::string("\x89HDF\0\0", 6)), "not a text file");
+  expect_contains(error_of_text(std::string("\x89HDF\0\0", 6)), "not a text file");
 }
 
 TEST(Parameters, OtherEncodingsThanUtf8AreNamed)
