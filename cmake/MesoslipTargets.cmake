@@ -60,11 +60,13 @@ function(mesoslip_precompile target kind)
 endfunction()
 
 # mesoslip_sources(<variable> <target> <folder> <source>...): with MESOSLIP_UNITY sources that include the given ones, else the given ones.
-# Groups of 20 take a third less of the processor than groups of 8, which give more cores something to do: deal.II's headers and
-# templates are gone through once a group. CMake's own unity sources name absolute paths, so that no compiler cache finds them again in another clone.
+# Groups of 20 take a third less of the processor than groups of 8, as deal.II's headers and templates are gone through once a group; they need
+# up to 2 GB a compiler, 3 GB with sanitizers, and are too few for many cores. CMake's own unity sources name absolute paths, so that no compiler cache finds them again in another clone.
 cmake_host_system_information(RESULT mesoslip_cores QUERY NUMBER_OF_LOGICAL_CORES)
+cmake_host_system_information(RESULT mesoslip_memory QUERY TOTAL_PHYSICAL_MEMORY) # MiB
+math(EXPR mesoslip_memory_of_job "${mesoslip_memory} / (${mesoslip_cores} + 2)") # as many jobs as ninja has
 set(mesoslip_group 8)
-if(mesoslip_cores LESS_EQUAL 4)
+if(mesoslip_cores LESS_EQUAL 4 AND mesoslip_memory_of_job GREATER 3000)
   set(mesoslip_group 20)
 endif()
 function(mesoslip_sources variable target folder)

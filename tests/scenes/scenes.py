@@ -120,8 +120,8 @@ def served(command, **_):
 
 SERVED = ("rve_homogenization", "contact_dynamics", "stress_localization")
 SERVER = Server()
-# Ranks on one machine look for no network; when one has failed, mpirun ends the others at once.
-QUICK = {"OMPI_MCA_pml": "ob1", "OMPI_MCA_btl": "self,vader", "OMPI_MCA_odls_base_sigkill_timeout": "0"}
+# Ranks on one machine look for no network, and those that wait leave their core to others; when one has failed, mpirun ends the others at once.
+QUICK = {"OMPI_MCA_pml": "ob1", "OMPI_MCA_btl": "self,vader", "OMPI_MCA_mpi_yield_when_idle": "1", "OMPI_MCA_odls_base_sigkill_timeout": "0"}
 
 
 class Folder:

@@ -21,6 +21,7 @@ target_link_libraries(io_program mesoslip_program)
 # The programs without the time that their start takes, for scenes.py; mpirun starts clients of it.
 add_executable(program_server ${CMAKE_CURRENT_LIST_DIR}/../scenes/program_server.cc)
 mesoslip_warnings(program_server)
+mesoslip_patient_ranks(program_server)
 deal_ii_setup_target(program_server)
 target_link_libraries(program_server mesoslip_sliding mesoslip_localization)
 add_executable(program_client ${CMAKE_CURRENT_LIST_DIR}/../scenes/program_client.cc)

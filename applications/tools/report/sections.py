@@ -5,7 +5,7 @@ from report.base.common_scales import comparable, same_scale
 from report.base.page import escape, quantities, quantity
 from report.bodies import contact_surface, field_errors, fields, loads, maps, mesh_maps
 from report.bodies import points as volumes
-from report.runs import analyses, complex_modes, contact_states, energies, key_numbers, paper, probes, sweep_map, verdict, waves, what_was_run
+from report.runs import analyses, complex_modes, contact_states, energies, key_numbers, paper, probes, reference_node, sweep_map, verdict, waves, what_was_run
 
 
 def plan(chain, surface_times=()):
@@ -48,7 +48,7 @@ def transient_sections(runs, surface_times):
     return [
         ("Apparent friction", [(apparent_friction, runs, regime)]),
         ("Energy", [(friction_energy, runs), [(energy_balance, run) for run in runs]]),
-        ("Phase diagram", [(phase_diagram, runs)]),
+        ("Phase diagram", [(phase_diagram, runs), [(reference_node.loops, run) for run in runs]]),
         ("Spectrum", [(spectrum, runs, regime)]),
         ("The contact, node by node", contact_parts(runs, surface_times)),
     ]

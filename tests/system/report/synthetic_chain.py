@@ -86,6 +86,9 @@ def write_dynamics(folder, ids, heterogeneous):
         "/energy/residual": 1e-11 * random.standard_normal(len(time)),
         "/probes/M/time": time, "/probes/M/displacement": np.stack([u, 1e-7 * wave], axis=1),
         "/probes/M/velocity": np.stack([v, 0 * v], axis=1),
+        # The normal motion is 50 degrees ahead; friction swings with the velocity.
+        "/reference/time": time, "/reference/displacement": np.stack([u, 1e-6 * grown * np.sin(w * time + np.radians(50))], axis=1),
+        "/reference/velocity": np.stack([v, 0 * v], axis=1), "/reference/traction": np.stack([1e6 + 1e5 * np.cos(w * time), 0 * v], axis=1),
         "/contact/x": x, "/contact/separated": separated, "/contact/stick": stick,
         "/contact/slip": 1 - separated - stick, "/contact/blocks/time": blocks,
         "/contact/blocks/separated": moving, "/contact/blocks/stick": 0.05 * np.ones_like(moving),

@@ -252,8 +252,10 @@ def main():
 
         page = report(root, *folders, start=in_its_own)
         assert "Left out" not in page, re.findall("Left out[^<]*", page)
-        assert page.count("<img") == 16, page.count("<img")
+        assert page.count("<img") == 20, page.count("<img")
         assert "0.2190" in page and "−0.5 %" in page, "mu_inter 0.219 against 0.220"
+        assert page.count("ahead of it by 50.00°") == 2, "phase of the normal motion"
+        assert abs(float(re.search(r"in a period: ([0-9.]+) J/m²", page)[1]) / (np.pi * 1e5 * 3e-6) - 1) < 2e-3, "area of the loop"
         assert "36.90" in page and "(+1.0 %)" in page, "stiffness against eq. (10)"
         assert "Beside the paper" in page
         check_localization(page)
@@ -265,14 +267,14 @@ def main():
         localize_with_other_tensors(folders[3])
         write_foreign_body(os.path.dirname(folders[0]), own)
         page = report(root, own, start=unpainted)
-        assert page.count("<img") == 16 and "Left out" not in page, "a folder of folders"
+        assert page.count("<img") == 20 and "Left out" not in page, "a folder of folders"
         text = re.sub(r"data:[^\"]*|<pre>.*?</pre>", "", page, flags=re.DOTALL)
         assert "0.2190" in text and "36.90" in text
         assert not re.search(r"0\.2200|36\.54|regime 1,|figure 6|L2 below|Beside", text), "the paper's numbers beside another body"
         check_other_tensors(page)
 
         rve, heterogeneous, localization = alone = [report(root, folders[k], start=unpainted) for k in (0, 2, 3)]
-        assert heterogeneous.count("<img") == 9 and "Left out" not in heterogeneous, "a run alone has its own stiffnesses and phases"
+        assert heterogeneous.count("<img") == 11 and "Left out" not in heterogeneous, "a run alone has its own stiffnesses and phases"
         assert "Morphology" not in localization, "no morphology without an RVE"
         assert "36.90" in rve and "KUBC, mean of" not in rve, "one volume"
 

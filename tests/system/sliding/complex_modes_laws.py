@@ -140,9 +140,10 @@ def check_slow_friction(folder):
     for delta, tolerance in ((1e-3, 1e-8), (1, 1e-6)):
         found = modes(folder, {**PIN, **low, "Friction/Regularization time": delta})
         assert len(found) >= 4, found
-        if delta < 1:  # the search finds the same without a lowest frequency
-            others = np.array(modes(folder, {**PIN, "Friction/Regularization time": delta}))
-            assert len(others) == len(found) and all(abs(others - s).min() < 1e-9 * abs(s) for s in found), (others, found)
+        if delta < 1:  # the search, of a smaller pin as it is long, finds the same without a lowest frequency
+            small = {**PIN, "Body/Cells": "12, 4", "Friction/Regularization time": delta}
+            some, others = modes(folder, {**small, **low}), np.array(modes(folder, small))
+            assert len(others) == len(some) >= 4 and all(abs(others - s).min() < 1e-9 * abs(s) for s in some), (others, some)
         pin = SlidingPin.build(np.zeros((8, 24), int), [[[36.54e9, 9.1e9, 0], [9.1e9, 47.26e9, 0], [0, 0, 13.785e9]]], DENSITY, (0.012, 0.004),
                                0.25 if delta < 1 else 0, delta, 4.4e-9)
         for s in found:
