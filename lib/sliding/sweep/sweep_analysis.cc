@@ -175,13 +175,13 @@ bool SweepAnalysis::compute(const std::vector<Task> &tasks, RunContext &context)
 void SweepAnalysis::write_results(RunContext &context) const
 {
   SweepMap map       = {parameters, units, points, {}};
-  std::size_t n_done = 0, n_of_failed = 0, n_with_warnings = 0;
+  std::size_t n_done = 0, n_skipped = 0, n_of_failed = 0, n_with_warnings = 0;
   for (const SweepPoint &point : points)
     {
-      map.results.push_back(
-        read_point(context.file(point.folder), parameters.complex_modes));
+      map.results.push_back(read_point(context.file(point.folder), parameters));
       const SweepResult &result = map.results.back();
       n_done += result.status == SweepStatus::done;
+      n_skipped += result.status == SweepStatus::skipped;
       n_of_failed += result.status == SweepStatus::failed;
       const auto warnings = result.numbers.find("warnings");
       n_with_warnings += warnings != result.numbers.end() && warnings->second > 0.;
@@ -198,12 +198,16 @@ void SweepAnalysis::write_results(RunContext &context) const
                             {"shape", parameters.shape()},
                             {"points", points.size()},
                             {"points_done", n_done},
+                            {"points_skipped", n_skipped},
                             {"points_failed", n_of_failed},
                             {"points_with_warnings", n_with_warnings}});
-  context.log(std::to_string(n_done) + " of " + std::to_string(points.size()) +
-              " points are done" +
-              (n_of_failed > 0 ? ", " + std::to_string(n_of_failed) + " failed" : "") +
-              ": map.h5, map.csv");
+  context.log(
+    std::to_string(n_done) + " of " + std::to_string(points.size()) + " points are done" +
+    (n_skipped > 0
+       ? ", " + std::to_string(n_skipped) + " are not run, as their vibrations decay"
+       : "") +
+    (n_of_failed > 0 ? ", " + std::to_string(n_of_failed) + " failed" : "") +
+    ": map.h5, map.csv");
   if (n_of_failed > 0)
     context.warn(
       std::to_string(n_of_failed) + " of " + std::to_string(points.size()) +
@@ -215,31 +219,44 @@ void SweepAnalysis::write_results(RunContext &context) const
                  "log.txt of their folders");
 }
 
-void SweepAnalysis::run(RunContext &context)
+/** The modes, or all that is missing. @return false if it was stopped. Collective. */
+bool SweepAnalysis::compute_missing(const bool only_modes, RunContext &context)
 {
-  is_trial = context.options().trial;
   std::vector<Task> tasks;
-  on_root(context.communicator(), [&]() {
-    write_file(context.file(base_file), base);
-    tasks = missing_tasks(context.output_folder());
-  });
+  on_root(context.communicator(),
+          [&]() { tasks = missing_tasks(context.output_folder(), only_modes); });
   broadcast_object(context.communicator(), tasks);
-  const std::size_t n_runs = points.size() * (parameters.complex_modes ? 2 : 1);
-  context.log(size_text());
-  if (tasks.size() < n_runs)
-    context.log(std::to_string(n_runs - tasks.size()) + " of " + std::to_string(n_runs) +
-                " runs are there already");
-  context.progress().start("Map", std::max<std::size_t>(1, tasks.size()));
+  const std::size_t n_runs =
+    points.size() * (parameters.complex_modes && !parameters.skip_stable ? 2 : 1);
+  n_tasks = tasks.size();
+  n_ended = 0;
+  if (n_tasks < n_runs)
+    context.log(std::to_string(n_runs - n_tasks) + " of " + std::to_string(n_runs) +
+                (parameters.skip_stable && !only_modes
+                   ? " points are there already, or not run as their vibrations decay"
+                   : " runs are there already"));
+  context.progress().start(only_modes ? "Modes" : "Map",
+                           std::max<std::size_t>(1, n_tasks));
   bool is_complete = false;
   {
     const auto scope = context.timer().scope("Points");
     is_complete      = compute(tasks, context);
   }
   context.progress().finish();
+  return is_complete;
+}
+
+void SweepAnalysis::run(RunContext &context)
+{
+  is_trial = context.options().trial;
+  on_root(context.communicator(), [&]() { write_file(context.file(base_file), base); });
+  context.log(size_text());
+  // Where modes say which points need not be run they come first.
+  const bool is_complete = (!parameters.skip_stable || compute_missing(true, context)) &&
+                           compute_missing(false, context);
   on_root(context.communicator(), [&]() { write_results(context); });
   if (!is_complete)
-    throw Interrupted(
-      "the map was stopped with " + std::to_string(tasks.size() - n_ended) + " of " +
-      std::to_string(n_runs) + " runs left; the same command computes the rest");
+    throw Interrupted("the map was stopped with " + std::to_string(n_tasks - n_ended) +
+                      " runs left; the same command computes the rest");
 }
 } // namespace mesoslip

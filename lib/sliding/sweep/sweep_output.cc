@@ -38,7 +38,7 @@ std::vector<std::string> names_of_texts(const SweepMap &map)
 {
   std::map<std::string, std::set<std::string>> values;
   for (const SweepResult &result : map.results)
-    if (result.status == SweepStatus::done)
+    if (result.status == SweepStatus::done || result.status == SweepStatus::skipped)
       for (const auto &[name, text] : result.texts)
         values[name].insert(text);
   std::vector<std::string> names;
@@ -52,9 +52,10 @@ std::vector<std::string> names_of_texts(const SweepMap &map)
 
 std::string text_of(const SweepStatus status)
 {
-  return status == SweepStatus::done     ? "done"
-         : status == SweepStatus::failed ? "failed"
-                                         : "not computed";
+  return status == SweepStatus::done      ? "done"
+         : status == SweepStatus::skipped ? "skipped"
+         : status == SweepStatus::failed  ? "failed"
+                                          : "not computed";
 }
 
 /** The number @p name of a point; NaN where it has none. */

@@ -140,6 +140,11 @@ void SweepParameters::bind(Keys &keys)
     "after the other [-]");
   keys.bind("Complex modes", complex_modes,
             "Also compute the complex modes of steady sliding at each point");
+  keys.bind(
+    "Skip stable", skip_stable,
+    "Compute the complex modes first, and do not run points at which all vibrations "
+    "of steady sliding decay, as after a small push; one that is pushed hard may "
+    "vibrate all the same");
   keys.bind("Keep results", keep_results,
             "Keep histories, fields and tables of each point, not only its summary");
   axes.resize(names.size());
@@ -151,11 +156,18 @@ void SweepParameters::bind(Keys &keys)
   bind_other_axes(keys, names);
   if (!keys.are_read())
     return;
-  keys.only_if(!axes.empty(),
-               {"Points", "Continue", "Processes", "Complex modes", "Keep results"},
-               "there are no axes", "set Sweep/Axes");
+  keys.only_if(
+    !axes.empty(),
+    {"Points", "Continue", "Processes", "Complex modes", "Skip stable", "Keep results"},
+    "there are no axes", "set Sweep/Axes");
   keys.only_if(points == SweepPoints::random, {"Random points", "Seed"},
                "the points are not random", "set Sweep/Points = random");
+  keys.only_if(complex_modes, {"Skip stable"}, "no complex modes are computed",
+               "set Sweep/Complex modes = true");
+  keys.require(
+    !skip_stable || continuation == Continuation::none, "Skip stable",
+    "with Continue points start from the end of their neighbours, which have to "
+    "be run; leave one of both");
   keys.only_if(points == SweepPoints::grid, {"Continue"}, "the points are no grid",
                "set Sweep/Points = grid");
   if (points == SweepPoints::pairs)

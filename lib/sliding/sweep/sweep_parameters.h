@@ -50,7 +50,8 @@ struct SweepParameters
   unsigned int seed         = 0;                  ///< of random points
   unsigned int processes    = 0;     ///< side by side; 0: as many as there are cores
   bool complex_modes        = false; ///< whether each point has complex modes, too
-  bool keep_results         = false; ///< whether the files of the points stay
+  bool skip_stable  = false; ///< whether points of which no mode grows are not run
+  bool keep_results = false; ///< whether the files of the points stay
 
   /** Binds the keys, after all others. @throws UserError */
   void bind(Keys &keys);

@@ -160,15 +160,36 @@ bool has_ended(const std::string &folder)
   return json.is_object() && !json.value("again", false);
 }
 
-SweepResult read_point(const std::string &folder, const bool complex_modes)
+bool is_stable(const std::string &folder)
+{
+  const std::string of_modes = folder + complex_modes_folder;
+  if (marked(of_modes).is_null())
+    return false;
+  SweepResult modes;
+  add_run(of_modes, "", modes);
+  const auto missing = modes.numbers.find("missing_modes");
+  const auto growth  = modes.numbers.find("largest_growth_rate");
+  return missing != modes.numbers.end() && missing->second == 0. &&
+         (growth == modes.numbers.end() || growth->second < 0.);
+}
+
+SweepResult read_point(const std::string &folder, const SweepParameters &parameters)
 {
   SweepResult result;
   const std::string second = folder + complex_modes_folder;
-  if (marked(folder).is_null() || (complex_modes && marked(second).is_null()))
+  const bool was_run       = !marked(folder).is_null();
+  const bool is_skipped    = !was_run && parameters.skip_stable && is_stable(folder);
+  if ((!was_run && !is_skipped) || (parameters.complex_modes && marked(second).is_null()))
     return result;
-  add_run(folder, "", result);
-  if (complex_modes)
+  if (was_run)
+    add_run(folder, "", result);
+  if (parameters.complex_modes)
     add_run(second, "complex_modes.", result);
+  if (is_skipped)
+    {
+      result.status          = SweepStatus::skipped;
+      result.texts["regime"] = "steady sliding, not run";
+    }
   return result;
 }
 

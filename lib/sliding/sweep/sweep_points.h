@@ -21,6 +21,7 @@ struct SweepPoint
 enum class SweepStatus
 {
   not_computed, ///< the map was stopped before
+  skipped,      ///< its complex modes decay, so that it was not run
   done,
   failed
 };
@@ -50,9 +51,12 @@ constexpr char complex_modes_folder[] = "/complex_modes";
 /** Whether mark_point() has marked a folder, and not for the run to be tried again. */
 bool has_ended(const std::string &folder);
 
-/** The result that the folder of a point (its path) holds, with @p complex_modes also that of the folder in it; of
+/** Whether the complex modes in the folder of a point were computed, all of them were found and none grows. */
+bool is_stable(const std::string &folder);
+
+/** The result that the folder of a point (its path) holds, with complex modes also that of the folder in it; of
  * one that was not computed the default. */
-SweepResult read_point(const std::string &folder, const bool complex_modes);
+SweepResult read_point(const std::string &folder, const SweepParameters &parameters);
 
 /** Notes in the folder of a run how it ended: with an empty @p message as wanted; and whether a map that is started again
  * tries it @p again. */

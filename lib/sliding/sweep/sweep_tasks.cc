@@ -48,8 +48,8 @@ bool SweepAnalysis::is_there(const std::string &folder, const bool is_of_modes) 
           !std::filesystem::exists(folder + "/summary.json", ignored)); // it failed
 }
 
-std::vector<SweepAnalysis::Task>
-SweepAnalysis::missing_tasks(const std::string &folder) const
+std::vector<SweepAnalysis::Task> SweepAnalysis::missing_tasks(const std::string &folder,
+                                                              const bool only_modes) const
 {
   std::vector<Task> tasks;
   std::set<std::string> wanted; // points may be there twice
@@ -58,8 +58,12 @@ SweepAnalysis::missing_tasks(const std::string &folder) const
       {
         const std::string place =
           points[k].folder + (is_of_modes ? complex_modes_folder : "");
-        if ((!is_of_modes || parameters.complex_modes) &&
-            !is_there(folder + "/" + place, is_of_modes) && wanted.insert(place).second)
+        const bool is_wanted =
+          is_of_modes
+            ? parameters.complex_modes
+            : !only_modes && !(parameters.skip_stable && is_stable(folder + "/" + place));
+        if (is_wanted && !is_there(folder + "/" + place, is_of_modes) &&
+            wanted.insert(place).second)
           tasks.push_back({k, is_of_modes, place});
       }
   // Points from whose end others start come before these.

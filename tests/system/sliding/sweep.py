@@ -152,6 +152,8 @@ def check_refusals(folder):
                              ({"Sweep/Seed": 3}, "the points are not random"),
                              ({"Sweep/friction/Key": "Supports/Top/Pressure"}, "both set Supports/Top/Pressure"),
                              ({"Sweep/Axes": ""}, "Sweep"),
+                             ({"Sweep/Skip stable": "true"}, "no complex modes are computed"),
+                             ({"Sweep/Skip stable": "true", "Sweep/Complex modes": "true", "Sweep/Continue": "up"}, "have to be run"),
                              ({"Body/Cells": "28, 8", "Sweep/friction/Key": "Time/Beta2", "Sweep/friction/Values": "0.5, 2"}, "Beta2")):
         folder.write("refused.prm", prm({**PIN, **AXES, **change}))
         said = folder.run(2, "contact_dynamics", "refused.prm", "--validate")
@@ -204,6 +206,53 @@ def check_branches(folder):
     equal(content(folder, "branches")["numbers/friction_energy"][0][:3], np.array(energies)[:3])
 
 
+def grown(folder, run, frequency):
+    """Growth rate (1/s) of the vibration of the reference node at the frequency (Hz), over the second half of the run."""
+    with h5py.File(folder("border", run, "dynamics.h5")) as file:
+        time, u = file["reference/time"][()], file["reference/displacement"][:, 0]
+        assert file["history/separated_nodes"][-1] == 0 and file["history/sticking_nodes"][-1] == 0, "it slides everywhere"
+    n = len(time) // 20
+    pieces = [slice(k * n, (k + 1) * n) for k in range(10, 20)]
+    wave = np.hanning(n)[None, :] * np.stack([(u[piece] - u[piece].mean()) * np.exp(-2j * np.pi * frequency * time[piece]) for piece in pieces])
+    return np.polyfit([time[piece].mean() for piece in pieces], np.log(np.abs(wave.sum(axis=1))), 1)[0]
+
+
+SMOOTH = {**PIN, "Supports/Top/Kind": "platen", "Supports/Top/Ramp": "smooth", "Supports/Top/Ramp time": 1e-4, "Time/Rayleigh beta": 1.5e-9,
+          "Sweep/Axes": "friction", "Sweep/friction/Key": "Friction/Coefficient", "Sweep/Complex modes": "true"}
+
+
+def check_skip(folder):
+    """Points of which all vibrations decay are not run, and are when they are wanted later."""
+    folder.write("skip.prm", prm({**SMOOTH, "Time/End time": 2e-4, "Sweep/friction/Values": "0.3, 0.28, 0.1", "Sweep/Skip stable": "true"}))
+    for name, ranks, how in (("skip", 1, {}), ("skip2", 2, {}), ("skip", 1, alone(folder))):
+        said = folder.run(0, "contact_dynamics", "skip.prm", "--output", name, ranks=ranks, **how)
+        assert "1 of 3 points are done, 2 are not run" in said, said
+        rows = content(folder, name)["rows"]
+        assert [row["status"] for row in rows] == ["done", "skipped", "skipped"] and rows[1]["regime"] == "steady sliding, not run", rows
+        assert rows[1]["complex_modes.missing_modes [-]"] == "0" and float(rows[1]["complex_modes.largest_growth_rate [1/s]"] or -1) < 0, rows[1]
+        assert folder.summary(name)["points_skipped"] == 2
+    said = folder.run(0, "contact_dynamics", "skip.prm", "--output", "skip", "--set", "Sweep/Skip stable=false")
+    assert "4 of 6 runs are there already" in said and "3 of 3 points are done:" in said, said
+    folder.run(0, "contact_dynamics", "skip.prm", "--output", "skip")
+    assert [row["status"] for row in content(folder, "skip")["rows"]] == ["done"] * 3, "what is known is shown"
+
+
+def check_border(folder):
+    """Where growth of the complex modes is zero, vibrations of the runs neither grow nor decay."""
+    values = np.array([0.27, 0.28, 0.3, 0.31])
+    folder.write("border.prm", prm({**SMOOTH, "Time/End time": 0.02, "Observation/History interval": 8, "Observation/Energy interval": 0,
+                                    "Sweep/friction/Values": ", ".join(map(str, values)), "Sweep/Keep results": "true", "Complex modes/Fastest decay": 5000}))
+    folder.run(0, "contact_dynamics", "border.prm", "--output", "border")
+    found = content(folder, "border")
+    due = found["numbers/complex_modes.largest_growth_rate"][0]
+    frequency = 166.43e3
+    rates = np.array([grown(folder, row["folder"], frequency) for row in found["rows"]])
+    zero = lambda growth: np.polyval(np.polyfit(growth, values, 2), 0.0)  # noqa: E731
+    print(f"border at a friction of {zero(due):.5f} by complex modes, {zero(rates):.5f} by runs; growth {due}, {rates}")
+    assert due[0] < 0 < due[-1] and abs(zero(rates) / zero(due) - 1) < 2e-3, (due, rates)
+    assert np.abs(rates - due).max() < 3, (due, rates)
+
+
 def check_python(folder, due):
     sys.path.insert(0, os.path.join(TOOLS, "python"))
     import mesoslip
@@ -220,7 +269,7 @@ def check_python(folder, due):
 
 
 def check_report(folder):
-    for name, due in (("map", "Regime of the reference node over"), ("branches", "numbers of the runs over what changes"), ("random", "Points of random"), ("bad", "points failed")):
+    for name, due in (("map", "Regime of the reference node over"), ("skip2", "At 2 others all complex modes"), ("branches", "numbers of the runs over what changes"), ("random", "Points of random"), ("bad", "points failed")):
         done = subprocess.run([sys.executable, "-B", os.path.join(TOOLS, "report", "make_report.py"), folder(name), "--output", folder(name + ".html")],
                               capture_output=True, text=True, check=False)
         with open(folder(name + ".html"), encoding="utf-8") as file:
@@ -239,6 +288,8 @@ def main():
         check_refusals(folder)
         check_random(folder)
         check_branches(folder)
+        check_skip(folder)
+        check_border(folder)
         check_python(folder, due)
         check_report(folder)
 

@@ -47,7 +47,7 @@ class SweepMap:
 
     @property
     def status(self):
-        """Of each point: "done", "failed" or "not computed"."""
+        """Of each point: "done", "skipped" (not run, as its complex modes decay), "failed" or "not computed"."""
         return np.array(self._file["status"]).reshape(self.shape)
 
     @property

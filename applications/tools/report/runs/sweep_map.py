@@ -11,10 +11,11 @@ from report.base.data import Missing
 from report.base.figures import BLACK, BLUE, GREEN, GREY, ORANGE, PINK, SKY, STICK, STRESSES, VIOLET, YELLOW, above, above_all, lettered, panels, scaled
 from report.base.page import escape, note, number, table
 
+SKIPPED = "steady sliding, not run"
 # In the order from rest to flight.
 REGIMES = {"permanent stick": YELLOW, "stick-slip": ORANGE, "stick-slip-separation": PINK, "stick-separation": VIOLET, "permanent slip": BLUE,
            "slip-separation, regime 1 (mostly slipping)": SKY, "slip-separation, regime 2 (mostly separated)": GREEN,
-           "permanent separation": GREY}
+           "permanent separation": GREY, SKIPPED: "#cfe2ee"}
 GROWTH = "complex_modes.largest_growth_rate"
 # Name in the map, words, factor, unit.
 QUANTITIES = [("global_interface_friction_coefficient", "global interface friction coefficient", 1, ""), ("main_frequency", "main frequency", 1e-3, "kHz"),
@@ -99,11 +100,12 @@ def maps(page, run):
     """What was computed, the regimes, numbers over the axes, and the points that failed."""
     found = Map(run)
     n, failed = len(found.status), np.flatnonzero(found.status == "failed")
-    done = int(np.sum(found.status == "done"))
-    html = (f"<h3>{escape(run.name)}</h3>" if run.title else "") + f'<p class="lead">{done} of {n} points over {escape(", ".join(found.names))} are done. ' \
+    done, skipped = int(np.sum(found.status == "done")), int(np.sum(found.status == "skipped"))
+    not_run = f" At {skipped} others all complex modes of steady sliding decay, so that they were not run." if skipped else ""
+    html = (f"<h3>{escape(run.name)}</h3>" if run.title else "") + f'<p class="lead">{done} of {n} points over {escape(", ".join(found.names))} are done.{not_run} ' \
            f"{page.link(run.file_path('map.csv'), 'map.csv')} has a row for each point with the folder of its run.</p>"
     html += failures(found, failed)
-    if not done:
+    if not done + skipped:
         raise Missing(f"no point of {run.name} is done")
     for title, points in found.slices()[:6] if found.is_grid() else []:
         html += pictures(page, found, title, points)
