@@ -17,7 +17,7 @@ sys.path.append(os.path.join(TOOLS, "studies", "prediction"))
 sys.path.append(os.path.join(TOOLS, "python"))
 import mesoslip  # noqa: E402
 from measures import rates  # noqa: E402
-from mesoslip.participation import participation  # noqa: E402
+from mesoslip.participation import assurance, instability_index, participation  # noqa: E402
 
 STIFFNESS, DENSITY, CELLS, SIZE = (36.54e9, 9.1e9, 47.26e9, 13.785e9), 1770, (24, 8), (0.012, 0.004)
 MU, DELTA, BETA = 0.3, 4e-7, 4.4e-9
@@ -158,6 +158,20 @@ def check_participation(folder):
         exact = given * np.exp(np.outer(found.time, rates_of))
         assert found.amplitude.shape == (5, 6) and np.abs(found.amplitude / exact - 1).max() < 1e-6, found.amplitude / exact
         assert np.abs(found.explained - 1).max() < 1e-9, found.explained
+        # By the formula, with the amplitudes given.
+        shapes = modes["complex_modes/shape_real"] + 1j * np.asarray(modes["complex_modes/shape_imaginary"])
+        frequencies = np.asarray(modes["complex_modes/frequency"])
+        energy = [(a * abs(r + 2j * np.pi * f)) ** 2 * (np.abs(shape) ** 2).sum() for a, r, f, shape in zip(exact[2], rates_of, frequencies, shapes)]
+        index = np.asarray(instability_index(found, modes))
+        assert np.abs(index[2] / (rates_of * energy / np.sum(energy)) - 1).max() < 1e-5, index
+        # Modes one by one: each has its own shape and that of the others as far as these are alike.
+        times = np.arange(4001) * 1e-7
+        overlap = np.abs(np.einsum("aijk,bijk->ab", shapes.conj(), shapes)) ** 2
+        overlap /= np.outer(np.diag(overlap), np.diag(overlap)) ** 0.5
+        for k in (0, 3):
+            alone = np.asarray(assurance(Synthetic(modes, 1e-9 * (np.arange(6) == k), times), modes, frequencies[k]))
+            assert np.abs(alone - overlap[k]).max() < 1e-3, (k, alone, overlap[k])
+        expect_refused(lambda: assurance(Synthetic(modes, given, np.arange(9) * 1e-6), modes, frequencies[0]), "ten periods")
         two = participation(Synthetic(modes, given * [1, 1, 0, 0, 0, 0], np.arange(101) * 1e-6), modes, window, [1, 2])
         assert two.amplitude.shape == (5, 2) and two.explained.max() < 0.5, two
         expect_refused(lambda: participation(Synthetic(modes, given, np.arange(9) * 1e-6), modes, 2.5e-6), "too few")

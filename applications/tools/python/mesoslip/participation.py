@@ -1,10 +1,12 @@
 """Which modes of steady sliding take part in a run: its snapshots as a superposition of the shapes of complex_modes.h5.
 
     import mesoslip
-    from mesoslip.participation import participation
+    from mesoslip.participation import assurance, instability_index, participation
     with mesoslip.open("output/run") as run, mesoslip.open("output/complex_modes") as modes:
         found = participation(run, modes, window=1e-4)
-    found.amplitude[:, 0]   # m, of the fastest growing mode over found.time
+        found.amplitude[:, 0]                   # m, of the fastest growing mode over found.time
+        instability_index(found, modes)         # 1/s, [windows][modes]
+        assurance(run, modes, frequency=123e3)  # [modes]: 1 where a mode has the shape of the vibration at 123 kHz
 """
 
 import collections
@@ -44,6 +46,40 @@ def participation(run, modes, window, chosen=None):
     if not times:
         raise ValueError(f"{run.path} has no {window:g} s of snapshots; give a shorter window")
     return Participation(Array(times, "s"), Array(amplitudes, "m"), Array(explained))
+
+
+def instability_index(found, modes, chosen=None):
+    """Growth rate of each mode (1/s) times its share of the kinetic energy of all, [windows][modes]: which modes feed the vibration, and how fast. A mode
+    that grows fast counts little where hardly anything vibrates like it. All points have the same mass.
+
+    found: the Participation of the modes; modes, chosen: as in participation()."""
+    rates, shapes = _shapes(modes, chosen)
+    energy = (np.asarray(found.amplitude) * np.abs(rates)) ** 2 * np.sum(np.abs(shapes) ** 2, axis=1)
+    total = energy.sum(axis=1, keepdims=True)
+    return Array(rates.real * np.divide(energy, total, out=np.full_like(energy, np.nan), where=total > 0), "1/s")
+
+
+def assurance(run, modes, frequency, chosen=None):
+    """The modal assurance criterion |phi_k^H w|^2 / (|phi_k|^2 |w|^2) [modes] of the shapes phi_k of complex modes and of the vibration w of a run at
+    a frequency (Hz): 1 for the same shape, 0 for one that is orthogonal, all points alike. w is the Fourier component of the snapshots, in Hann's window.
+
+    run, modes, chosen: as in participation().
+    Raises ValueError for files that do not fit, and for fewer than ten periods or two snapshots a period."""
+    _, shapes = _shapes(modes, chosen)
+    times = np.array([time for time, _ in run.snapshots()])
+    length = times[-1] - times[0] if len(times) > 2 else 0.0
+    if length * frequency < 10 or len(times) < 2 * length * frequency:
+        raise ValueError(f"{run.path} has {len(times)} snapshots in {length:g} s; the vibration at {frequency:g} Hz needs ten periods and two snapshots in each")
+    waves = np.sin(np.pi * (times - times[0]) / length) ** 2 * np.exp(-2j * np.pi * frequency * times)
+    waves -= waves.mean()  # which takes the mean displacement away
+    component = 0.0
+    for wave, (_, displacement) in zip(waves, run.snapshots()):
+        u = np.asarray(displacement, float).ravel()
+        if len(u) != shapes.shape[1]:
+            raise ValueError(f"{run.path} has {len(u)} displacements, the shapes have {shapes.shape[1]}; both need the same cells")
+        component = component + wave * u
+    product = np.abs(shapes.conj() @ component) ** 2
+    return Array(product / (np.sum(np.abs(shapes) ** 2, axis=1) * np.sum(np.abs(component) ** 2)))
 
 
 def _shapes(modes, chosen):
