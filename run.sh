@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Runs a chain of .prm files: ./run.sh [options] [folder]      (./run.sh --help)
-# or a study: ./run.sh paper | prediction | thickness | stability | verification | benchmarks | gallery [options]      (./run.sh paper --help)
+# or a study: ./run.sh paper | prediction | thickness | maps | stability | verification | benchmarks | gallery [options]      (./run.sh paper --help)
 set -euo pipefail
 cd "$(dirname "$(readlink -f "$0")")"
 . cmake/setup.sh

@@ -25,7 +25,7 @@ MENU = {
             "doc/python", "doc/platforms"),
     "Reference": ("doc/parameters/README", *(f"doc/parameters/{name}" for name in PROGRAMS), "doc/file_formats", "doc/theory", "doc/limits"),
     "Evidence": ("doc/verification", "doc/performance", "doc/performance/work_precision", "doc/stability/README", "doc/paper/README",
-                 "doc/paper/reading", "doc/paper/regimes", "doc/paper/prediction", "doc/paper/thickness"),
+                 "doc/paper/reading", "doc/paper/regimes", "doc/paper/prediction", "doc/paper/thickness", "doc/maps/pin"),
     "Develop": ("CONTRIBUTING", "doc/structure", "doc/extending", "CHANGELOG"),
 }
 LINK = re.compile(r"(\]\()([^)#\s]+)(#[^)\s]*)?(\))")

@@ -1,0 +1,126 @@
+"""The page of the maps of the paper's pin."""
+
+import os
+
+import h5py
+import numpy as np
+from matplotlib.colors import ListedColormap
+from matplotlib.patches import Patch
+from matplotlib.ticker import FuncFormatter, LogLocator, NullLocator
+from pages import save_picture, table, write_csv, write_page
+from report.base.figures import BLACK, above_all, plt
+from report.runs.sweep_map import REGIMES, edges
+
+MU = "global_interface_friction_coefficient"
+NUMBERS = {MU: "mu_inter", MU + "_95": "half width", "main_frequency": "main frequency (kHz)", "slip_fraction": "slip", "stick_fraction": "stick",
+           "separation_fraction": "separation"}
+REACHED = "limit_cycle_reached"
+PAGE = """# Maps of the paper's pin
+
+**{summary}**
+
+The pin of the paper, 56 x 16 mm with 10 % of stiff fibres, on a flat that moves at 2 m/s, from a push of 0.5 m/s: all {n} points of a map over \
+pressure and friction coefficient, with all fibres (560 x 160 cells) and homogenized (140 x 40 cells, the effective stiffness of its own morphology), for \
+{seeds} morphologies. Numbers are those of the second half of {end:g} ms, regimes those of the node in the middle of the contact. {reached} of the {runs} runs had \
+reached their limit cycle; a vibration that grows slowly, as at high pressure, may be another one later.
+
+![Regimes](pin_regimes.png)
+
+*(a) Homogenized. (b), (c) With all fibres, two morphologies. The paper has 0.5 and 0.4 MPa with a friction coefficient of 0.25 \
+([how the paper was read](../paper/reading.md)).*
+
+![Friction](pin_friction.png)
+
+*Global interface friction coefficient over the coefficient of the nodes: lines homogenized, points with fibres, bars the 95 % half widths that the runs state.*
+
+## What homogenization gets right
+
+{comparison}
+
+Written by `./run.sh maps`: {runs} runs of contact_dynamics in {maps} [maps](../maps.md); the table of all points is [pin.csv](pin.csv).
+"""
+
+
+class Found:
+    """The numbers of a map over its two axes."""
+
+    def __init__(self, folder):
+        with h5py.File(os.path.join(folder, "map.h5")) as file:
+            shape = tuple(file["axes"].attrs["shape"])
+            self.pressure = file["axes/pressure"][()].reshape(shape)[:, 0]
+            self.friction = file["axes/friction"][()].reshape(shape)[0]
+            self.regime = np.array([text.decode() for text in file["texts/regime"][()].ravel()]).reshape(shape)
+            self.numbers = {name: np.where(file[f"known/{name}"][()].astype(bool), file[f"numbers/{name}"][()], np.nan).reshape(shape)
+                            for name in file["numbers"] if name in NUMBERS or name == REACHED}
+
+
+def axes_of(axis, found):
+    axis.set(xscale="log", xlabel="pressure (MPa)")
+    axis.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+    axis.xaxis.set_minor_locator(NullLocator())
+    axis.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+    axis.grid(False)
+
+
+def regimes(found):
+    """Maps side by side: {title: Found}."""
+    names = [name for name in REGIMES if any((one.regime == name).any() for one in found.values())]
+    figure, panels = plt.subplots(1, len(found), figsize=(3.2 * len(found), 3.6), sharey=True)
+    for letter, axis, (title, one) in zip("abcd", panels, found.items()):
+        shown = np.select([one.regime.T == name for name in names], range(len(names)), np.nan)
+        axis.pcolormesh(edges(one.pressure / 1e6, True), edges(one.friction, False), np.ma.masked_invalid(shown),
+                        cmap=ListedColormap([REGIMES[name] for name in names]), vmin=-0.5, vmax=len(names) - 0.5)
+        axis.set_title(f"({letter}) {title}", loc="left")
+        axes_of(axis, one)
+    panels[0].set_ylabel("friction coefficient")
+    above_all(figure, [Patch(color=REGIMES[name], label=name) for name in names], 2)
+    return figure
+
+
+def friction(pairs):
+    """mu_inter over the coefficient at each pressure: lines of the homogenized pin, points of those with fibres."""
+    homogenized = pairs[0][0]
+    figure, axis = plt.subplots(figsize=(6.4, 4.2))
+    colours = plt.cm.viridis(np.linspace(0, 0.9, len(homogenized.pressure)))
+    for k, (pressure, colour) in enumerate(zip(homogenized.pressure, colours)):
+        axis.plot(homogenized.friction, np.mean([h.numbers[MU][k] for h, _ in pairs], axis=0), color=colour, label=f"{pressure / 1e6:.2g} MPa")
+        for shift, (_, fibres) in zip((-0.003, 0.003), pairs):
+            axis.errorbar(fibres.friction + shift, fibres.numbers[MU][k], np.nan_to_num(fibres.numbers[MU + "_95"][k]), color=colour, fmt="o", ms=4, lw=1)
+    axis.plot(homogenized.friction, homogenized.friction, color=BLACK, lw=0.8, ls=":", label="sliding everywhere")
+    axis.set(xlabel="friction coefficient of the nodes", ylabel="global interface friction coefficient")
+    axis.legend(ncol=2)
+    return figure
+
+
+def compared(pairs):
+    """Rows: how far the homogenized pin is from that with fibres, and the latter from one another."""
+    (h1, f1), (h2, f2) = pairs
+    rows = []
+    for what, couples in (("homogenized against fibres", pairs), ("two homogenized morphologies", [(h1, h2)]), ("two morphologies with fibres", [(f1, f2)])):
+        off = np.array([one.numbers[MU] / other.numbers[MU] - 1 for one, other in couples])
+        frequency = np.array([one.numbers["main_frequency"] / other.numbers["main_frequency"] - 1 for one, other in couples])
+        separation = np.array([one.numbers["separation_fraction"] - other.numbers["separation_fraction"] for one, other in couples])
+        same = np.mean([one.regime == other.regime for one, other in couples])
+        rows.append([what, f"{100 * same:.0f} %", f"{100 * np.nanmedian(np.abs(off)):.1f} %", f"{100 * np.nanmax(np.abs(off)):.0f} %",
+                     f"{100 * np.nanmedian(np.abs(frequency)):.1f} %", f"{100 * np.mean(np.abs(separation)):.0f} %"])
+    return rows
+
+
+def write(folder, folders, seeds, end):
+    maps = {name: Found(path) for name, path in folders.items() if not name.startswith("rve")}
+    pairs = [(maps[f"homogenized-{seed}"], maps[f"fibres-{seed}"]) for seed in seeds]
+    save_picture(regimes({"homogenized": pairs[0][0], **{f"fibres, morphology {seed}": fibres for seed, (_, fibres) in zip(seeds, pairs)}}), folder,
+                 "pin_regimes.png")
+    save_picture(friction(pairs), folder, "pin_friction.png")
+    rows = compared(pairs)
+    n = pairs[0][0].regime.size
+    comparison = table(["", "same regime", "mu_inter, median", "mu_inter, largest", "main frequency, median", "share of separation, mean"], rows)
+    comparison += ("\n\nThe differences between the morphologies are what one homogenized pin cannot know: where those of the first row are of their size, the "
+                   "homogenized pin is as good as a pin with another morphology of the same material.")
+    reached = int(sum(np.nansum(one.numbers[REACHED]) for one in maps.values()))
+    summary = (f"Over the second half of {1e3 * end:g} ms, when {reached} of {len(maps) * n} runs have a limit cycle, the homogenized pin is in the regime of the pin with fibres at {rows[0][1]} of the points, two pins with fibres of different "
+               f"morphology at {rows[2][1]}; its mu_inter is off by {rows[0][2]} (median), against {rows[2][2]} between morphologies.")
+    columns = ["body", "pressure [Pa]", "friction [-]", "regime", *(f"{name} [{'Hz' if name == 'main_frequency' else '-'}]" for name in NUMBERS)]
+    write_csv(folder, "pin.csv", columns, [[name, float(p), float(mu), one.regime[i, j], *(float(one.numbers[key][i, j]) for key in NUMBERS)]
+                                           for name, one in maps.items() for i, p in enumerate(one.pressure) for j, mu in enumerate(one.friction)])
+    write_page(folder, "pin.md", PAGE.format(summary=summary, n=n, seeds=len(seeds), end=1e3 * end, comparison=comparison, runs=len(maps) * n, maps=len(maps), reached=reached))
