@@ -219,23 +219,22 @@ void SweepAnalysis::write_results(RunContext &context) const
                  "log.txt of their folders");
 }
 
-/** The modes, or all that is missing. @return false if it was stopped. Collective. */
-bool SweepAnalysis::compute_missing(const bool only_modes, RunContext &context)
+/** The runs of @p kinds that are missing. @return false if it was stopped. Collective. */
+bool SweepAnalysis::compute_missing(const Kinds &kinds, RunContext &context)
 {
   std::vector<Task> tasks;
   on_root(context.communicator(),
-          [&]() { tasks = missing_tasks(context.output_folder(), only_modes); });
+          [&]() { tasks = missing_tasks(context.output_folder(), kinds); });
   broadcast_object(context.communicator(), tasks);
-  const std::size_t n_runs =
-    points.size() * (parameters.complex_modes && !parameters.skip_stable ? 2 : 1);
-  n_tasks = tasks.size();
-  n_ended = 0;
+  const std::size_t n_runs = points.size() * kinds.size();
+  n_tasks                  = tasks.size();
+  n_ended                  = 0;
   if (n_tasks < n_runs)
     context.log(std::to_string(n_runs - n_tasks) + " of " + std::to_string(n_runs) +
-                (parameters.skip_stable && !only_modes
+                (parameters.skip_stable && kinds == Kinds{false}
                    ? " points are there already, or not run as their vibrations decay"
                    : " runs are there already"));
-  context.progress().start(only_modes ? "Modes" : "Map",
+  context.progress().start(kinds == Kinds{true} ? "Modes" : "Map",
                            std::max<std::size_t>(1, n_tasks));
   bool is_complete = false;
   {
@@ -252,8 +251,11 @@ void SweepAnalysis::run(RunContext &context)
   on_root(context.communicator(), [&]() { write_file(context.file(base_file), base); });
   context.log(size_text());
   // Where modes say which points need not be run they come first.
-  const bool is_complete = (!parameters.skip_stable || compute_missing(true, context)) &&
-                           compute_missing(false, context);
+  const bool is_complete =
+    parameters.skip_stable
+      ? compute_missing({true}, context) && compute_missing({false}, context)
+      : compute_missing(parameters.complex_modes ? Kinds{false, true} : Kinds{false},
+                        context);
   on_root(context.communicator(), [&]() { write_results(context); });
   if (!is_complete)
     throw Interrupted("the map was stopped with " + std::to_string(n_tasks - n_ended) +

@@ -44,6 +44,9 @@ private:
     }
   };
 
+  /** Kinds of runs of a point, each by Task::is_of_modes. */
+  using Kinds = std::vector<bool>;
+
   /** The .prm of a point, in the folder of the map. */
   static constexpr char base_file[] = "point.prm";
 
@@ -51,12 +54,12 @@ private:
   bool is_there(const std::string &folder, const bool is_of_modes) const;
   std::vector<std::optional<std::size_t>>
   tasks_before(const std::vector<Task> &tasks) const;
-  std::vector<Task> missing_tasks(const std::string &folder, const bool only_modes) const;
+  std::vector<Task> missing_tasks(const std::string &folder, const Kinds &kinds) const;
   std::vector<std::string> words(const Task &task, const std::string &folder) const;
   void remove_results(const std::string &folder) const;
   void finish(const Task &task, const Outcome &outcome, RunContext &context);
   bool compute(const std::vector<Task> &tasks, RunContext &context);
-  bool compute_missing(const bool only_modes, RunContext &context);
+  bool compute_missing(const Kinds &kinds, RunContext &context);
   void write_results(RunContext &context) const;
   std::string size_text() const;
 
@@ -67,8 +70,8 @@ private:
   std::vector<SweepPoint> points;
   std::unique_ptr<Analysis> first; ///< checks and describes the first point
   bool is_trial       = false;     ///< --try
-  std::size_t n_tasks = 0;         ///< that are computed now
-  std::size_t n_ended = 0;         ///< of these
+  std::size_t n_tasks = 0;         ///< runs that compute_missing() has to do
+  std::size_t n_ended = 0;         ///< runs that it has done, or that failed
 };
 } // namespace mesoslip
 

@@ -143,8 +143,8 @@ void SweepParameters::bind(Keys &keys)
   keys.bind(
     "Skip stable", skip_stable,
     "Compute the complex modes first, and do not run points at which all vibrations "
-    "of steady sliding decay, as after a small push; one that is pushed hard may "
-    "vibrate all the same");
+    "of steady sliding up to Complex modes/Highest frequency decay; one that is "
+    "pushed hard may vibrate all the same");
   keys.bind("Keep results", keep_results,
             "Keep histories, fields and tables of each point, not only its summary");
   axes.resize(names.size());

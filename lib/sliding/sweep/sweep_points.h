@@ -51,7 +51,8 @@ constexpr char complex_modes_folder[] = "/complex_modes";
 /** Whether mark_point() has marked a folder, and not for the run to be tried again. */
 bool has_ended(const std::string &folder);
 
-/** Whether the complex modes in the folder of a point were computed, all of them were found and none grows. */
+/** Whether the complex modes in the folder of a point were computed, and none up to their highest frequency grows; not
+ * where it is not certain that all that grow were found. */
 bool is_stable(const std::string &folder);
 
 /** The result that the folder of a point (its path) holds, with complex modes also that of the folder in it; of

@@ -49,21 +49,19 @@ bool SweepAnalysis::is_there(const std::string &folder, const bool is_of_modes) 
 }
 
 std::vector<SweepAnalysis::Task> SweepAnalysis::missing_tasks(const std::string &folder,
-                                                              const bool only_modes) const
+                                                              const Kinds &kinds) const
 {
   std::vector<Task> tasks;
   std::set<std::string> wanted; // points may be there twice
   for (std::size_t k = 0; k < points.size(); ++k)
-    for (const bool is_of_modes : {false, true})
+    for (const bool is_of_modes : kinds)
       {
         const std::string place =
           points[k].folder + (is_of_modes ? complex_modes_folder : "");
-        const bool is_wanted =
-          is_of_modes
-            ? parameters.complex_modes
-            : !only_modes && !(parameters.skip_stable && is_stable(folder + "/" + place));
-        if (is_wanted && !is_there(folder + "/" + place, is_of_modes) &&
-            wanted.insert(place).second)
+        const std::string of_run = folder + "/" + place;
+        const bool is_skipped =
+          parameters.skip_stable && !is_of_modes && is_stable(of_run);
+        if (!is_skipped && !is_there(of_run, is_of_modes) && wanted.insert(place).second)
           tasks.push_back({k, is_of_modes, place});
       }
   // Points from whose end others start come before these.

@@ -143,6 +143,9 @@ class Synthetic:
         self.static = 1e-5 * generator.standard_normal(shapes.shape[1:])
         self.values = [self.static + np.tensordot(amplitudes * phases * np.exp(rates * t), shapes, 1).real for t in times]
 
+    def __getitem__(self, name):
+        return {"snapshots/time": self.time}[name]
+
     def snapshots(self):
         yield from zip(self.time, self.values)
 

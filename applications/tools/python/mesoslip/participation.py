@@ -66,17 +66,14 @@ def assurance(run, modes, frequency, chosen=None):
     run, modes, chosen: as in participation().
     Raises ValueError for files that do not fit, and for fewer than ten periods or two snapshots a period."""
     _, shapes = _shapes(modes, chosen)
-    times = np.array([time for time, _ in run.snapshots()])
+    times = np.asarray(run["snapshots/time"])
     length = times[-1] - times[0] if len(times) > 2 else 0.0
     if length * frequency < 10 or len(times) < 2 * length * frequency:
         raise ValueError(f"{run.path} has {len(times)} snapshots in {length:g} s; the vibration at {frequency:g} Hz needs ten periods and two snapshots in each")
     waves = np.sin(np.pi * (times - times[0]) / length) ** 2 * np.exp(-2j * np.pi * frequency * times)
     waves -= waves.mean()  # which takes the mean displacement away
     component = 0.0
-    for wave, (_, displacement) in zip(waves, run.snapshots()):
-        u = np.asarray(displacement, float).ravel()
-        if len(u) != shapes.shape[1]:
-            raise ValueError(f"{run.path} has {len(u)} displacements, the shapes have {shapes.shape[1]}; both need the same cells")
+    for wave, (_, u) in zip(waves, _displacements(run, shapes.shape[1])):
         component = component + wave * u
     product = np.abs(shapes.conj() @ component) ** 2
     return Array(product / (np.sum(np.abs(shapes) ** 2, axis=1) * np.sum(np.abs(component) ** 2)))
@@ -92,6 +89,15 @@ def _shapes(modes, chosen):
     return rates[chosen], shapes[chosen].reshape(len(chosen), -1)
 
 
+def _displacements(run, n):
+    """Time (s) and the n displacements (m) of each snapshot."""
+    for time, displacement in run.snapshots():
+        u = np.asarray(displacement, float).ravel()
+        if len(u) != n:
+            raise ValueError(f"{run.path} has {len(u)} displacements, the shapes have {n}; both need the same cells")
+        yield time, u
+
+
 def _orthonormal(rows):
     """An orthonormal basis [n][unknowns] of what the rows span."""
     _, sizes, basis = np.linalg.svd(rows, full_matrices=False)
@@ -102,10 +108,7 @@ def _windows(run, window, basis):
     """Times, coordinates of displacements in the basis, less those of the first, and the sum of squares about the mean over all
     unknowns, of each full window."""
     begin, moments, inside, total, squares, first = None, [], [], 0.0, 0.0, None
-    for time, displacement in run.snapshots():
-        u = np.asarray(displacement, float).ravel()
-        if len(u) != basis.shape[1]:
-            raise ValueError(f"{run.path} has {len(u)} displacements, the shapes have {basis.shape[1]}; both need the same cells")
+    for time, u in _displacements(run, basis.shape[1]):
         if begin is None or time >= begin + window * (1 - 1e-9):
             if begin is not None:
                 yield np.array(moments), np.array(inside), squares - np.sum(total**2) / len(moments)

@@ -25,12 +25,17 @@ def direction_of_flat(run):
     return np.array([1.0, 0.0]) if None in [part if part is None else 1 for part in parts] else np.array(parts, dtype=float).ravel()
 
 
+def along_flat(run, vectors):
+    """Components of vectors [n][2 or 3] along the motion of the flat."""
+    return vectors[:, :2] @ direction_of_flat(run) if vectors.shape[1] == 3 else vectors[:, 0]
+
+
 def contact_positions(run):
     """Places of the contact nodes along the motion of the flat (m); of bodies in 3D many nodes may share one."""
     position = run.get("/contact/position")
     if position is None:
         return run.get("/contact/x")
-    return position[:, :2] @ direction_of_flat(run) if position.shape[1] == 3 else position[:, 0]
+    return along_flat(run, position)
 
 
 def node_statistics(runs):

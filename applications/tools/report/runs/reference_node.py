@@ -7,24 +7,27 @@ import numpy as np
 from report.base.data import Missing
 from report.base.figures import BLUE, LENGTHS, ORANGE, STRESSES, WIDTH, plt, scaled, zoom_window
 from report.base.page import escape, number, quantity
-from report.runs.contact_states import direction_of_flat
+from report.runs.contact_states import along_flat
 
-MOST_PERIODS = 200  # of the loop's mean work; enough, and quick
-
-Motion = collections.namedtuple("Motion", "time along normal velocity shear pressure")
-Motion.__doc__ = """Of the reference node: time (s), displacements along the motion of the flat and along the normal (m), velocity along the motion (m/s),
-friction on the body along the motion and pressure (Pa), each [samples]."""
+Motion = collections.namedtuple("Motion", "time along normal velocity shear")
+Motion.__doc__ = """Motion of the reference node: time (s), displacements along the motion of the flat and along the normal (m), velocity along the motion
+(m/s), and friction on the body along the motion (Pa), each [samples]."""
 
 
-def motion(run, begin=0.0):
-    """The Motion from `begin` (s) on."""
+def motion(run):
+    """The Motion over the steady part."""
     time, u, v, traction = run.need(*(f"/reference/{name}" for name in ("time", "displacement", "velocity", "traction")))
-    chosen = time >= begin
-    if np.count_nonzero(chosen) < 8:
-        raise Missing(f"/reference of {run.name} has hardly a sample after {begin:.3g} s")
-    time, u, v, traction = (values[chosen] for values in (time, u, v, traction))
-    along = (lambda vector: vector[:, :2] @ direction_of_flat(run)) if u.shape[1] == 3 else (lambda vector: vector[:, 0])
-    return Motion(time, along(u), u[:, -1], along(v), along(traction), traction[:, -1])
+    found = Motion(time, along_flat(run, u), u[:, -1], along_flat(run, v), along_flat(run, traction))
+    steady = since(found, run.steady_from())
+    if len(steady.time) < 8:
+        raise Missing(f"/reference of {run.name} has fewer than 8 samples in the steady part")
+    return steady
+
+
+def since(found, begin):
+    """The Motion from `begin` (s) on."""
+    late = found.time >= begin
+    return Motion(*(values[late] for values in found))
 
 
 def phase(found, frequency):
@@ -38,12 +41,11 @@ def phase(found, frequency):
 def work_of_a_period(found, frequency):
     """J/m^2: what friction adds to the vibration of the node in a period, the area of the loop, mean over whole periods at the end of the record."""
     period = 1 / frequency
-    count = min(MOST_PERIODS, int((found.time[-1] - found.time[0]) / period))
+    count = int((found.time[-1] - found.time[0]) / period)
     if count < 1:
         raise Missing("the steady part is shorter than a period")
-    last = found.time > found.time[-1] - count * period
-    power = found.shear[last] * (found.velocity[last] - found.velocity[last].mean())
-    return float(power.mean() * period)
+    last = since(found, found.time[-1] - count * period)
+    return float(np.mean(last.shear * (last.velocity - last.velocity.mean())) * period)
 
 
 def loops(page, run):
@@ -51,11 +53,10 @@ def loops(page, run):
     frequency = run.number("main_frequency")
     if not frequency:
         raise Missing(f"{run.name} has no main frequency, so that there are no periods to draw")
-    steady = motion(run, run.steady_from())
-    shown = motion(run, zoom_window(run, steady.time[-1]))
+    steady = motion(run)
     angle, ratio = phase(steady, frequency)
     work = work_of_a_period(steady, frequency)
-    figure = loops_figure(shown)
+    figure = loops_figure(since(steady, zoom_window(run, steady.time[-1])))
     feeds = "feeds" if work > 0 else "brakes"
     samples = 1 / (frequency * float(np.median(np.diff(steady.time))))
     coarse = f" There are {samples:.0f} samples in a period; with a smaller Observation/History interval corners become round." if samples < 40 else ""

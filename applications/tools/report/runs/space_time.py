@@ -12,7 +12,7 @@ from report.base.figures import GREY, SEPARATED, SLIP, STICK, STRESSES, WIDTH, a
 from report.bodies import contact_surface
 from report.bodies.projections import Group, draw
 from report.bodies.stress_maps import STRESS_MAP
-from report.runs.contact_states import contact_positions, direction_of_flat, states_with
+from report.runs.contact_states import along_flat, contact_positions, direction_of_flat, states_with
 
 MOST_ROWS, MOST_COLUMNS = 900, 700  # of a picture; more than its pixels
 SHOWN = (2.5, 97.5)  # percentiles at the ends of a scale; the leading edge of a surface may have 2 % of the nodes
@@ -268,7 +268,7 @@ def spectrogram(run, runs=()):
     time, velocity = run.need("/reference/time", "/reference/velocity")
     if velocity.ndim != 2 or len(time) != len(velocity) or len(time) < 128:
         raise Missing(f"/reference of {run.name} has fewer than 128 samples")
-    velocity = velocity[:, :2] @ direction_of_flat(run) if velocity.shape[1] == 3 else velocity[:, 0]
+    velocity = along_flat(run, velocity)
     if not np.any(velocity):
         raise Missing(f"the reference node of {run.name} does not move along the flat")
     interval = (time[-1] - time[0]) / (len(time) - 1)

@@ -24,6 +24,13 @@ QUANTITIES = [("global_interface_friction_coefficient", "global interface fricti
               ("largest_strain", "largest strain", 100, "%")]
 
 
+def plain_ticks(axis):
+    """Of a logarithmic axis, in numbers and not in powers."""
+    axis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+    axis.set_minor_locator(NullLocator())
+    axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+
+
 class Map:
     """What map.h5 of a run holds, as arrays over its points."""
 
@@ -62,9 +69,7 @@ class Map:
             getattr(axes, f"set_{letter}label")(self.label(k))
             if self.is_logarithmic(k):
                 getattr(axes, f"set_{letter}scale")("log")
-                axis.set_major_locator(LogLocator(subs=(1, 2, 5)))
-                axis.set_minor_locator(NullLocator())
-                axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+                plain_ticks(axis)
 
     def is_logarithmic(self, axis):
         values = self.values[axis]
@@ -101,7 +106,7 @@ def maps(page, run):
     found = Map(run)
     n, failed = len(found.status), np.flatnonzero(found.status == "failed")
     done, skipped = int(np.sum(found.status == "done")), int(np.sum(found.status == "skipped"))
-    not_run = f" At {skipped} others all complex modes of steady sliding decay, so that they were not run." if skipped else ""
+    not_run = f" At {skipped} others all complex modes of steady sliding up to their highest frequency decay, so that they were not run." if skipped else ""
     html = (f"<h3>{escape(run.name)}</h3>" if run.title else "") + f'<p class="lead">{done} of {n} points over {escape(", ".join(found.names))} are done.{not_run} ' \
            f"{page.link(run.file_path('map.csv'), 'map.csv')} has a row for each point with the folder of its run.</p>"
     html += failures(found, failed)

@@ -1,15 +1,14 @@
 """The page of the maps of the paper's pin."""
 
-import os
+import contextlib
 
-import h5py
+import mesoslip
 import numpy as np
 from matplotlib.colors import ListedColormap
 from matplotlib.patches import Patch
-from matplotlib.ticker import FuncFormatter, LogLocator, NullLocator
 from pages import save_picture, table, write_csv, write_page
 from report.base.figures import BLACK, above_all, plt
-from report.runs.sweep_map import REGIMES, edges
+from report.runs.sweep_map import REGIMES, edges, plain_ticks
 
 MU = "global_interface_friction_coefficient"
 NUMBERS = {MU: "mu_inter", MU + "_95": "half width", "main_frequency": "main frequency (kHz)", "slip_fraction": "slip", "stick_fraction": "stick",
@@ -41,37 +40,23 @@ Written by `./run.sh maps`: {runs} runs of contact_dynamics in {maps} [maps](../
 """
 
 
-class Found:
-    """The numbers of a map over its two axes."""
-
-    def __init__(self, folder):
-        with h5py.File(os.path.join(folder, "map.h5")) as file:
-            shape = tuple(file["axes"].attrs["shape"])
-            self.pressure = file["axes/pressure"][()].reshape(shape)[:, 0]
-            self.friction = file["axes/friction"][()].reshape(shape)[0]
-            self.regime = np.array([text.decode() for text in file["texts/regime"][()].ravel()]).reshape(shape)
-            self.numbers = {name: np.where(file[f"known/{name}"][()].astype(bool), file[f"numbers/{name}"][()], np.nan).reshape(shape)
-                            for name in file["numbers"] if name in NUMBERS or name == REACHED}
-
-
-def axes_of(axis, found):
+def axes_of(axis):
     axis.set(xscale="log", xlabel="pressure (MPa)")
-    axis.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
-    axis.xaxis.set_minor_locator(NullLocator())
-    axis.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+    plain_ticks(axis.xaxis)
     axis.grid(False)
 
 
 def regimes(found):
-    """Maps side by side: {title: Found}."""
-    names = [name for name in REGIMES if any((one.regime == name).any() for one in found.values())]
+    """Maps side by side: {title: SweepMap}."""
+    names = [name for name in REGIMES if any((one["regime"] == name).any() for one in found.values())]
     figure, panels = plt.subplots(1, len(found), figsize=(3.2 * len(found), 3.6), sharey=True)
     for letter, axis, (title, one) in zip("abcd", panels, found.items()):
-        shown = np.select([one.regime.T == name for name in names], range(len(names)), np.nan)
-        axis.pcolormesh(edges(one.pressure / 1e6, True), edges(one.friction, False), np.ma.masked_invalid(shown),
+        regime = one["regime"]
+        shown = np.select([regime.T == name for name in names], range(len(names)), np.nan)
+        axis.pcolormesh(edges(one.axes["pressure"] / 1e6, True), edges(one.axes["friction"], False), np.ma.masked_invalid(shown),
                         cmap=ListedColormap([REGIMES[name] for name in names]), vmin=-0.5, vmax=len(names) - 0.5)
         axis.set_title(f"({letter}) {title}", loc="left")
-        axes_of(axis, one)
+        axes_of(axis)
     panels[0].set_ylabel("friction coefficient")
     above_all(figure, [Patch(color=REGIMES[name], label=name) for name in names], 2)
     return figure
@@ -81,12 +66,12 @@ def friction(pairs):
     """mu_inter over the coefficient at each pressure: lines of the homogenized pin, points of those with fibres."""
     homogenized = pairs[0][0]
     figure, axis = plt.subplots(figsize=(6.4, 4.2))
-    colours = plt.cm.viridis(np.linspace(0, 0.9, len(homogenized.pressure)))
-    for k, (pressure, colour) in enumerate(zip(homogenized.pressure, colours)):
-        axis.plot(homogenized.friction, np.mean([h.numbers[MU][k] for h, _ in pairs], axis=0), color=colour, label=f"{pressure / 1e6:.2g} MPa")
+    colours = plt.cm.viridis(np.linspace(0, 0.9, len(homogenized.axes["pressure"])))
+    for k, (pressure, colour) in enumerate(zip(homogenized.axes["pressure"], colours)):
+        axis.plot(homogenized.axes["friction"], np.mean([h[MU][k] for h, _ in pairs], axis=0), color=colour, label=f"{pressure / 1e6:.2g} MPa")
         for shift, (_, fibres) in zip((-0.003, 0.003), pairs):
-            axis.errorbar(fibres.friction + shift, fibres.numbers[MU][k], np.nan_to_num(fibres.numbers[MU + "_95"][k]), color=colour, fmt="o", ms=4, lw=1)
-    axis.plot(homogenized.friction, homogenized.friction, color=BLACK, lw=0.8, ls=":", label="sliding everywhere")
+            axis.errorbar(fibres.axes["friction"] + shift, fibres[MU][k], np.nan_to_num(fibres[MU + "_95"][k]), color=colour, fmt="o", ms=4, lw=1)
+    axis.plot(homogenized.axes["friction"], homogenized.axes["friction"], color=BLACK, lw=0.8, ls=":", label="sliding everywhere")
     axis.set(xlabel="friction coefficient of the nodes", ylabel="global interface friction coefficient")
     axis.legend(ncol=2)
     return figure
@@ -97,30 +82,34 @@ def compared(pairs):
     (h1, f1), (h2, f2) = pairs
     rows = []
     for what, couples in (("homogenized against fibres", pairs), ("two homogenized morphologies", [(h1, h2)]), ("two morphologies with fibres", [(f1, f2)])):
-        off = np.array([one.numbers[MU] / other.numbers[MU] - 1 for one, other in couples])
-        frequency = np.array([one.numbers["main_frequency"] / other.numbers["main_frequency"] - 1 for one, other in couples])
-        separation = np.array([one.numbers["separation_fraction"] - other.numbers["separation_fraction"] for one, other in couples])
-        same = np.mean([one.regime == other.regime for one, other in couples])
+        off = np.array([one[MU] / other[MU] - 1 for one, other in couples])
+        frequency = np.array([one["main_frequency"] / other["main_frequency"] - 1 for one, other in couples])
+        separation = np.array([one["separation_fraction"] - other["separation_fraction"] for one, other in couples])
+        same = np.mean([one["regime"] == other["regime"] for one, other in couples])
         rows.append([what, f"{100 * same:.0f} %", f"{100 * np.nanmedian(np.abs(off)):.1f} %", f"{100 * np.nanmax(np.abs(off)):.0f} %",
                      f"{100 * np.nanmedian(np.abs(frequency)):.1f} %", f"{100 * np.mean(np.abs(separation)):.0f} %"])
     return rows
 
 
 def write(folder, folders, seeds, end):
-    maps = {name: Found(path) for name, path in folders.items() if not name.startswith("rve")}
+    with contextlib.ExitStack() as stack:
+        write_of(folder, {name: stack.enter_context(mesoslip.open(path)).map for name, path in folders.items() if not name.startswith("rve")}, seeds, end)
+
+
+def write_of(folder, maps, seeds, end):
     pairs = [(maps[f"homogenized-{seed}"], maps[f"fibres-{seed}"]) for seed in seeds]
     save_picture(regimes({"homogenized": pairs[0][0], **{f"fibres, morphology {seed}": fibres for seed, (_, fibres) in zip(seeds, pairs)}}), folder,
                  "pin_regimes.png")
     save_picture(friction(pairs), folder, "pin_friction.png")
     rows = compared(pairs)
-    n = pairs[0][0].regime.size
+    n = pairs[0][0].status.size
     comparison = table(["", "same regime", "mu_inter, median", "mu_inter, largest", "main frequency, median", "share of separation, mean"], rows)
     comparison += ("\n\nThe differences between the morphologies are what one homogenized pin cannot know: where those of the first row are of their size, the "
                    "homogenized pin is as good as a pin with another morphology of the same material.")
-    reached = int(sum(np.nansum(one.numbers[REACHED]) for one in maps.values()))
+    reached = int(sum(np.nansum(one[REACHED]) for one in maps.values()))
     summary = (f"Over the second half of {1e3 * end:g} ms, when {reached} of {len(maps) * n} runs have a limit cycle, the homogenized pin is in the regime of the pin with fibres at {rows[0][1]} of the points, two pins with fibres of different "
                f"morphology at {rows[2][1]}; its mu_inter is off by {rows[0][2]} (median), against {rows[2][2]} between morphologies.")
     columns = ["body", "pressure [Pa]", "friction [-]", "regime", *(f"{name} [{'Hz' if name == 'main_frequency' else '-'}]" for name in NUMBERS)]
-    write_csv(folder, "pin.csv", columns, [[name, float(p), float(mu), one.regime[i, j], *(float(one.numbers[key][i, j]) for key in NUMBERS)]
-                                           for name, one in maps.items() for i, p in enumerate(one.pressure) for j, mu in enumerate(one.friction)])
+    write_csv(folder, "pin.csv", columns, [[name, float(p), float(mu), one["regime"][i, j], *(float(one[key][i, j]) for key in NUMBERS)]
+                                           for name, one in maps.items() for i, p in enumerate(one.axes["pressure"]) for j, mu in enumerate(one.axes["friction"])])
     write_page(folder, "pin.md", PAGE.format(summary=summary, n=n, seeds=len(seeds), end=1e3 * end, comparison=comparison, runs=len(maps) * n, maps=len(maps), reached=reached))

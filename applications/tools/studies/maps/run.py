@@ -7,9 +7,10 @@ import sys
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 TOP = os.path.normpath(os.path.join(HERE, "..", "..", "..", ".."))
-sys.path[:0] = [HERE, os.path.join(HERE, ".."), os.path.join(HERE, "..", "..")]
+sys.path[:0] = [HERE, os.path.join(HERE, ".."), os.path.join(HERE, "..", ".."), os.path.join(HERE, "..", "..", "python")]
 
 import map_page  # noqa: E402
+from mesoslip.maps import settings_of  # noqa: E402
 from study import Study, parse_arguments  # noqa: E402
 
 SEEDS = (1, 2)
@@ -20,9 +21,7 @@ PRM = os.path.join(TOP, "prm", "prediction")
 def sweep():
     """Keys of section Sweep."""
     axes = {"pressure": ("Supports/Top/Pressure", PRESSURE), "friction": ("Friction/Coefficient", FRICTION)}
-    keys = {"Sweep/Axes": "pressure, friction"}
-    for name, (key, values) in axes.items():
-        keys |= {f"Sweep/{name}/Key": key, f"Sweep/{name}/Values": ", ".join(map(str, values))}
+    keys = {key: ", ".join(map(str, value)) if isinstance(value, list) else value for key, value in settings_of(axes).items()}
     return {**keys, "Body/Initial velocity": "0.5, 0", "Time/End time": END, "Flat/Velocity": VELOCITY, "Observation/Steady from": END / 2}
 
 
