@@ -57,12 +57,12 @@ def loops(page, run):
     angle, ratio = phase(steady, frequency)
     work = work_of_a_period(steady, frequency)
     figure = loops_figure(since(steady, zoom_window(run, steady.time[-1])))
-    feeds = "feeds" if work > 0 else "brakes"
+    feeds, ahead = "feeds" if work > 0 else "brakes", "ahead of" if angle > 0 else "behind"
     samples = 1 / (frequency * float(np.median(np.diff(steady.time))))
     coarse = f" There are {samples:.0f} samples in a period; with a smaller Observation/History interval corners become round." if samples < 40 else ""
     return page.figure(figure, f"Reference node of the {escape(run.label)} run over the last periods. Left: its displacement into the body over its displacement along the "
-                       f"flat. At {quantity(frequency, 'Hz')} the normal motion has {number(ratio)} times the amplitude of the tangential motion and is ahead of it "
-                       f"by {number(angle)}°. Right: friction on the body over displacement along the flat. The area of the loop is what friction adds to the "
+                       f"flat. At {quantity(frequency, 'Hz')} the normal motion has {number(ratio)} times the amplitude of the tangential motion and is {ahead} it "
+                       f"by {number(abs(angle))}°. Right: friction on the body over displacement along the flat. The area of the loop is what friction adds to the "
                        f"vibration in a period: {quantity(abs(work), 'J/m²')} in the mean; friction {feeds} the vibration of this node.{coarse}")
 
 
