@@ -153,11 +153,20 @@ private:
   ComplexModes &report;
 };
 
-std::vector<Complex> numbers_of(const std::vector<FoundMode> &modes)
+/** Whether @p s vibrates. Eigenvalues that relax, those near -1/delta and -1/tau, cancel poles of the
+ * determinant nearly: divided out alone they would leave the poles, around which the phase turns
+ * several times within a step. None of them is counted. */
+bool vibrates(const Complex s)
+{
+  return s.imag() > -s.real();
+}
+
+std::vector<Complex> vibrations_of(const std::vector<FoundMode> &modes)
 {
   std::vector<Complex> numbers;
   for (const FoundMode &mode : modes)
-    numbers.push_back(mode.s);
+    if (vibrates(mode.s))
+      numbers.push_back(mode.s);
   return numbers;
 }
 
@@ -195,7 +204,7 @@ int count_missing(const SlidingPencil &pencil,
   const double low = range.low, top = range.top,
                decay = std::min(range.decay, range.steep * top), right = range.right,
                corner = decay / range.steep;
-  Divided above{pencil, numbers_of(found)}, below{still, found_still};
+  Divided above{pencil, vibrations_of(found)}, below{still, found_still};
   const int n_found = count_in(above.zeros, range);
   pair(above.zeros, below.zeros, decay + 0.1 * top);
   // In the range, other than those that are divided out.
