@@ -8,6 +8,7 @@
 #include "grid/uniform_grid.h"
 #include "mesh/mesh_part.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -39,7 +40,39 @@ struct Deformation
    * cell is turned inside out where it is not positive [-].
    */
   CellExtreme jacobian = {std::numeric_limits<double>::infinity(), 0, {}};
+
+  /** Largest strain that rounding of displacements takes or adds, see rounding_of_strain(); 0 in
+   * double precision [-]. */
+  double rounding = 0.;
 };
+
+/** The largest strains of a run. */
+struct LargestStrain
+{
+  double strain   = 0.; ///< largest norm of the strain of a cell [-]
+  double rounding = 0.; ///< largest Deformation::rounding [-]
+
+  /** Takes what a look has @p found. */
+  void add(const Deformation &found)
+  {
+    strain   = std::max(strain, found.strain.value);
+    rounding = std::max(rounding, found.rounding);
+  }
+
+  /** Saves or restores both (Boost.Serialization). */
+  template <class Archive>
+  void serialize(Archive &archive, const unsigned int)
+  {
+    archive &strain &rounding;
+  }
+};
+
+/** 2^-24 max |u_c| / h_c of all nodes of a grid, whose displacements @p u (m) were rounded to single
+ * precision [-]. Collective. */
+double rounding_of_strain(const UniformGrid<2> &grid,
+                          const NodeRows &rows,
+                          const NodalField<double> &u,
+                          const MPI_Comm communicator);
 
 /**
  * The extremes over all cells, the first of equal ones in the order of the cells, so that

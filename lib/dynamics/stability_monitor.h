@@ -224,17 +224,17 @@ public:
   void look(const std::uint64_t n)
   {
     const Deformation deformation = stepper.deformation();
-    largest                       = std::max(largest, deformation.strain.value);
+    largest.add(deformation);
     found(deformation, n);
   }
 
-  /** Largest norm of the strain of all looks so far [-]. */
-  double largest_strain() const
+  /** Of all looks so far. */
+  const LargestStrain &so_far() const
   {
     return largest;
   }
 
-  /** Saves or restores the largest strain (Boost.Serialization). */
+  /** Saves or restores the largest values (Boost.Serialization). */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
@@ -244,7 +244,7 @@ public:
 private:
   const Stepper &stepper;
   const std::function<void(const Deformation &, std::uint64_t)> found;
-  double largest = 0.;
+  LargestStrain largest;
 };
 } // namespace mesoslip
 

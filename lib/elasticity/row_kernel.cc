@@ -97,13 +97,17 @@ template <typename Number,
           bool gravity>
 static void select_last(Kernels<Number> &kernels)
 {
-  constexpr int n = MESOSLIP_ROWS_AT_ONCE;
-  if constexpr (sizeof(Number) == sizeof(double))
+  constexpr int n        = MESOSLIP_ROWS_AT_ONCE;
+  constexpr bool is_fine = sizeof(Number) == sizeof(double);
+  if constexpr (is_fine || damping)
     {
       kernels.step[0] =
         &Kernel<Number, variant, anisotropic, damping, gravity, true, 1>::run;
       kernels.step[1] =
         &Kernel<Number, variant, anisotropic, damping, gravity, true, n>::run;
+    }
+  if constexpr (is_fine)
+    {
       kernels.strain = &strain;
       kernels.dot    = &dot;
     }
@@ -125,8 +129,9 @@ static void select_terms(const bool *wanted, Kernels<Number> &kernels)
     select_last<Number, variant, terms...>(kernels);
   else
     {
-      // In single precision there are products only, no time step.
-      if constexpr (sizeof...(terms) == 0 || sizeof(Number) > sizeof(float))
+      // In single precision steps have damping, be it zero, to compile half as many kernels.
+      constexpr bool so_far[] = {terms..., false, false};
+      if constexpr (sizeof(Number) == sizeof(double) || sizeof...(terms) < 2 || so_far[1])
         if (*wanted)
           return select_terms<Number, variant, terms..., true>(wanted + 1, kernels);
       select_terms<Number, variant, terms..., false>(wanted + 1, kernels);

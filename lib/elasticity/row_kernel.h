@@ -155,7 +155,7 @@ struct Choice
 template <typename Number>
 struct Kernels
 {
-  /** Advances the state in place (double only). */
+  /** Advances the state in place; in single precision only with the term of damping. */
   RowFunction<Number> step[2] = {nullptr, nullptr};
 
   /** Stores internal forces. */

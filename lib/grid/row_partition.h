@@ -75,6 +75,8 @@ struct SweepOptions
    *  is the plain sweep. On a slab it is the number of ghost rows that counts, see
    *  partition_rows(). */
   unsigned int steps_at_once = 0;
+
+  bool single_precision = false; ///< of the motion between the contact and the top
 };
 
 /**

@@ -5,7 +5,7 @@
 #include "contact/contact_recorder.h"
 #include "contact/pair/paired_contact.h"
 #include "dynamics/energy_audit.h"
-#include "dynamics/explicit_stepper.h"
+#include "dynamics/grid/explicit_stepper.h"
 #include "dynamics/supports/side_column.h"
 #include "dynamics/supports/top_surface.h"
 #include "grid/halo.h"

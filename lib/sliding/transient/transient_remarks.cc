@@ -179,6 +179,18 @@ std::string map_remark(const TransientResult &run)
                     0.1 / frequency, " s, a tenth of a period");
 }
 
+/** Displacements that are large for the strains: single precision carries seven digits of them. */
+std::string precision_remark(const TransientResult &run)
+{
+  constexpr double doubtful = 1e-4;
+  if (!(run.rounded_share() > doubtful))
+    return "";
+  return brief_text(
+    2, "single precision rounds strains by up to ", 100. * run.rounded_share(),
+    " % of the largest one, as nodes are far from where they started: the "
+    "results are off by as much or more; set Time/Precision = double");
+}
+
 std::string separation_remark(const TransientResult &run)
 {
   if (run.contact.node_shares.empty() || run.contact.shares.separation < 1.)
@@ -201,7 +213,8 @@ void TransientResult::add_remarks()
   friction_warning = has_statistics ? friction_remark(*this) : steady_part_remark(*this);
   for (const std::string &text :
        {spectrum_remark(*this), history_remark(*this), map_remark(*this),
-        separation_remark(*this), weakening_remark(*this), settling_remark(*this)})
+        separation_remark(*this), weakening_remark(*this), settling_remark(*this),
+        precision_remark(*this)})
     if (!text.empty())
       warnings.push_back(text);
 }

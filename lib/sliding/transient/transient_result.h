@@ -46,10 +46,27 @@ struct TransientResult
   std::string limit_cycle                = {};    ///< the criterion and what came of it
   bool limit_cycle_reached               = false; ///< by the criterion
   double steady_from                     = 0.;    ///< s
-  double largest_strain                  = 0.;    ///< norm of the mean strain of a cell
+  LargestStrain strains                  = {};    ///< of the body
+  LargestStrain of_counter               = {};    ///< of a counter body
   double largest_weakening               = 0.;    ///< see VariableFriction
   PairSettling settling                  = {};    ///< with a second body, on rank 0
   /** @} */
+
+  /** Largest norm of the strain of a cell of either body [-]. */
+  double largest_strain() const
+  {
+    return std::max(strains.strain, of_counter.strain);
+  }
+
+  /** Share of the largest strain that single precision rounds off, of the worse body; 0 in double
+   * precision [-]. */
+  double rounded_share() const
+  {
+    const auto share = [](const LargestStrain &of) {
+      return of.rounding > 0. ? of.rounding / of.strain : 0.;
+    };
+    return std::max(share(strains), share(of_counter));
+  }
 
   /**
    * @name Evaluated from the steady part, absent where it has no meaning

@@ -82,7 +82,7 @@ public:
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    archive &parts.body &monitor &strains &statistics &loop_seconds &counter_strain;
+    archive &parts.body &monitor &strains &statistics &loop_seconds &of_counter;
     if (parts.counter != nullptr)
       archive &*parts.counter;
     if (parts.probes != nullptr)
@@ -116,11 +116,11 @@ private:
   DeformationWatch strains;
   RunStatistics<dim> statistics;
   std::unique_ptr<ContactMapOutput<dim>> map; ///< of the contact; null without one
-  bool warned           = false;              ///< of large strains
-  bool interrupted      = false;
-  bool at_limit_cycle   = false;
-  double loop_seconds   = 0.; ///< in earlier runs, too
-  double counter_strain = 0.; ///< DeformationWatch::largest_strain() of a counter body
+  bool warned         = false;                ///< of large strains
+  bool interrupted    = false;
+  bool at_limit_cycle = false;
+  double loop_seconds = 0.; ///< in earlier runs, too
+  LargestStrain of_counter; ///< the strains of a counter body
 
   std::chrono::steady_clock::time_point counted; ///< loop_seconds reach up to here
 };

@@ -125,7 +125,9 @@ void TransientResult::write_summary(RunContext &context) const
      {"main_frequency", value_of(frequencies, &SpectralSummary::main_frequency)},
      {"regime", regime},
      {"friction_energy", friction_energy},
-     {"largest_strain", largest_strain},
+     {"largest_strain", largest_strain()},
+     {"single_precision_rounding",
+      null_unless(parameters.sweep.single_precision, rounded_share())},
      {"energy_balance_residual", energy_residual},
      {"energy_balance_scale", null_unless(bool(energy_residual), residual_scale)},
      {"steady_from", steady_from},
@@ -150,7 +152,11 @@ void TransientResult::write_summary(RunContext &context) const
                                  {"separation", reference_shares.separation}};
   context.log(limit_cycle);
   context.log(key_numbers(*this));
-  context.log("Largest strain " + quantity_text(100. * largest_strain, "%"));
+  context.log("Largest strain " + quantity_text(100. * largest_strain(), "%") +
+              (parameters.sweep.single_precision
+                 ? "; single precision rounds strains by up to " +
+                     quantity_text(100. * rounded_share(), "%") + " of it"
+                 : ""));
   if (parameters.energy_interval > 0)
     context.log(energy_balance(*this));
   if (!duration_warning.empty()) // friction homogenization, which takes T_G, warns

@@ -1,7 +1,8 @@
-#ifndef mesoslip_dynamics_temporal_blocking_h
-#define mesoslip_dynamics_temporal_blocking_h
+#ifndef mesoslip_dynamics_grid_temporal_blocking_h
+#define mesoslip_dynamics_grid_temporal_blocking_h
 
-#include "dynamics/stepper.h"
+#include "dynamics/grid/step_masses.h"
+#include "dynamics/grid/swept_state.h"
 #include "dynamics/supports/platen_column.h"
 #include "dynamics/supports/side_column.h"
 #include "dynamics/surface_condition.h"
@@ -12,58 +13,13 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace mesoslip
 {
-/**
- * Masses in the forms a time step wants them. Inner rows get the kernel's factor
- * -dt / mass (times h/2, in which the kernel's forces lack): one row that stays in the
- * first cache when the density is uniform, else one for each node row. Internal to the
- * stepper.
- */
-class StepMasses
-{
-public:
-  /** Lumped masses of the rows of one rank, with what the time scheme makes of them. */
-  StepMasses(const UniformMaterial &material,
-             const NodeRows &rows,
-             const StepParameters &parameters,
-             const SideConstraints &sides,
-             const UniformMaterial *damping = nullptr);
-
-  /** Factors (and masses) of the stepping kernel for local node row @p l and above. */
-  void set_inner(kernels::Rows<double> &r, const unsigned int l) const;
-
-  /** Adds the inertia of nodes at the ends of the bottom or @p top row. */
-  void add_guests(const bool top, const std::vector<SideColumn *> &columns);
-
-  /** Masses and inverse masses of the bottom or top row. */
-  void set_boundary(kernels::Rows<double> &r, SurfaceView<2> &view, const bool top) const;
-
-private:
-  /** Inverses of inertias, zero where held, and masses of global node row @p j. */
-  void inverse_mass_row(const UniformMaterial &material,
-                        const SideConstraints &sides,
-                        const std::vector<double> &inertia,
-                        const unsigned int j,
-                        double *x,
-                        double *y,
-                        double *mass) const;
-
-  /** Bottom and top row. */
-  NodalField<double> inverse_boundary[2], mass_boundary[2];
-
-  /** Inner rows. */
-  NodalField<double> factor, mass;
-  bool one_row;
-  bool has_mass;
-  /** The factors of x and y are the same numbers. */
-  bool equal_components;
-};
-
 /** What the time steps of one rank work on, all of it owned elsewhere. */
 struct SteppedBody
 {
@@ -89,6 +45,34 @@ struct SteppedBody
   const UniformMaterial *damping = nullptr; ///< of phases_of_damping(), where there are
 };
 
+/** Time steps of the rows of one rank, several in a sweep. Internal to the stepper. */
+class Sweeps
+{
+public:
+  virtual ~Sweeps() = default;
+
+  /** Largest number of steps in a sweep. */
+  virtual unsigned int max_steps() const = 0;
+
+  /** Takes the state from the fields of the body; before the first sweep, and after something else moved rows. */
+  virtual void load() = 0;
+
+  /** Gives it back to them. */
+  virtual void save() = 0;
+
+  /** Tells the neighbours what they need for the next @p n_steps steps. */
+  virtual void send(const unsigned int n_steps) = 0;
+
+  /** @p n_steps steps from step @p first on, whose ghost rows have been sent; sends what
+   *  the @p n_next steps after them need. */
+  virtual void run(const std::uint64_t first,
+                   const unsigned int n_steps,
+                   const unsigned int n_next) = 0;
+
+  /** For the log. */
+  virtual std::string kernel_name() const = 0;
+};
+
 /**
  * Temporal blocking (time skewing): several time steps in one sweep over the rows. Each
  * is a stage that goes from the bottom to the top and follows the one before it as
@@ -97,39 +81,43 @@ struct SteppedBody
  *
  * On a slab, n steps start with n ghost rows of each neighbour. Stage s also advances the
  * n - 1 - s nearest ones, so the last stage finds all it needs, and the ranks talk once
- * in n steps. Internal to the stepper.
+ * in n steps.
+ *
+ * In single precision (@p Number is float) rows that a SurfaceCondition moves keep their state in the
+ * fields of the body, in double precision, and the kernels a copy; other rows are in the fields what the
+ * kernels have, so that a state that is written and read again is the same. Internal to the stepper.
  */
-class TemporalBlocking
+template <typename Number>
+class TemporalBlocking : public Sweeps
 {
 public:
-  /** Stages for at most @p max_steps steps in a sweep. */
+  /** At most @p max_steps steps in a sweep, with the kernels of @p isa. */
   TemporalBlocking(const SteppedBody &body,
-                   const RowKernels<double> &kernels,
-                   const StepMasses &masses,
+                   const SideConstraints &sides,
+                   const InstructionSet isa,
                    const unsigned int max_steps,
                    const PhaseDamping *damping = nullptr);
 
-  /** Number of stages. */
-  unsigned int max_steps() const
+  unsigned int max_steps() const override
   {
     return stages.size();
   }
 
-  /** Tell the neighbours what they need for the next @p n_steps steps. */
-  void send(const unsigned int n_steps);
-
-  /** @p n_steps steps from step @p first on, whose ghost rows have been sent; sends what
-   *  the @p n_next steps after them need. */
-  void
-  run(const std::uint64_t first, const unsigned int n_steps, const unsigned int n_next);
+  void load() override;
+  void save() override;
+  void send(const unsigned int n_steps) override;
+  void run(const std::uint64_t first,
+           const unsigned int n_steps,
+           const unsigned int n_next) override;
+  std::string kernel_name() const override;
 
 private:
   struct Stage
   {
-    Stage(const UniformMaterial &material, const RowKernels<double> &kernels);
+    Stage(const UniformMaterial &material, const RowKernels<Number> &kernels);
 
-    RowSweep<double> sweep;
-    NodalField<double> forces;
+    RowSweep<Number> sweep;
+    NodalField<Number> forces;
     std::uint64_t step = 0;
     /** It advances the rows begin to end (global numbers); those below next are done. */
     unsigned int begin = 0, end = 0, next = 0;
@@ -143,20 +131,28 @@ private:
   void advance_boundary(Stage &stage);
   void damp_rows(Stage &stage, const unsigned int n);
 
-  kernels::Rows<double> kernel_rows(Stage &stage, const unsigned int j) const;
+  void save(const unsigned int begin, const unsigned int end);
+  void send(const Halo::Side side, const unsigned int j, const unsigned int n);
+  void receive(const Halo::Side side, const unsigned int j, const unsigned int n);
+  kernels::Rows<Number> kernel_rows(Stage &stage, const unsigned int j);
+  std::array<double *, 2> boundary_forces(Stage &stage);
   RowBlock block(const unsigned int j, const unsigned int n) const;
 
   const SteppedBody body;
-  const RowKernels<double> &kernels;
-  const StepMasses &masses;
+  const RowKernels<Number> kernels;
+  StepMasses<Number> masses;
   const PhaseDamping *const damping;
   const unsigned int at_once;
+  SweptState<Number> state;
   std::vector<Stage> stages;
+  NodalField<double> boundary_force; ///< of the row that a SurfaceCondition moves
 
   /** Ghost rows above that are still to be received. */
   unsigned int missing_above = 0;
 };
 
+extern template class TemporalBlocking<double>;
+extern template class TemporalBlocking<float>;
 } // namespace mesoslip
 
 #endif

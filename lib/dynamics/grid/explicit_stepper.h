@@ -1,7 +1,7 @@
-#ifndef mesoslip_dynamics_explicit_stepper_h
-#define mesoslip_dynamics_explicit_stepper_h
+#ifndef mesoslip_dynamics_grid_explicit_stepper_h
+#define mesoslip_dynamics_grid_explicit_stepper_h
 
-#include "dynamics/temporal_blocking.h"
+#include "dynamics/grid/temporal_blocking.h"
 #include "elasticity/uniform_grid_operator.h"
 
 #include <algorithm>
@@ -48,22 +48,14 @@ public:
               body.damping != nullptr ? damping_of(body) : nullptr)
     , material(body.material)
     , isa(resolve(options.isa))
+    , is_single(options.single_precision)
     , columns(body.columns)
     , platens(body.platens)
     , free_surface(body.parameters)
-    , kernels(make_kernels(material, body.parameters, isa))
-    , masses(material, body.rows, body.parameters, sides, body.damping)
     , op(material, body.rows)
-    , sweeps(with_free_surfaces(body),
-             kernels,
-             masses,
-             max_steps(body, options),
-             by_phase.get())
+    , sweeps(options.single_precision ? make_sweeps<float>(body, sides, options)
+                                      : make_sweeps<double>(body, sides, options))
   {
-    if (rows.begin == 0)
-      masses.add_guests(false, columns);
-    if (rows.end == rows.n_global)
-      masses.add_guests(true, columns);
   }
 
   void advance(const std::uint64_t n_steps) override
@@ -71,7 +63,7 @@ public:
     const std::uint64_t end   = n_done + n_steps;
     const auto steps_of_sweep = [&](const std::uint64_t from) {
       const std::uint64_t left   = end - from;
-      const std::uint64_t blocks = (left + sweeps.max_steps() - 1) / sweeps.max_steps();
+      const std::uint64_t blocks = (left + sweeps->max_steps() - 1) / sweeps->max_steps();
       return static_cast<unsigned int>(left > 0 ? (left + blocks - 1) / blocks : 0);
     };
 
@@ -80,15 +72,18 @@ public:
     for (; (by_phase || !platens.empty()) && n_done < end; ++n_done)
       step_once();
     unsigned int n = steps_of_sweep(n_done);
-    if (n > 0)
-      sweeps.send(n);
+    if (n == 0)
+      return;
+    sweeps->load();
+    sweeps->send(n);
     while (n > 0)
       {
         const unsigned int n_next = steps_of_sweep(n_done + n);
-        sweeps.run(n_done, n, n_next);
+        sweeps->run(n_done, n, n_next);
         n_done += n;
         n = n_next;
       }
+    sweeps->save();
   }
 
   void multiply(NodalField<double> &Kx, NodalField<double> &x) const override
@@ -111,19 +106,22 @@ public:
   Deformation deformation() const override
   {
     update_ghost_rows(u, rows, communicator);
-    return largest_deformation(material.grid(), rows, u, communicator);
+    Deformation found = largest_deformation(material.grid(), rows, u, communicator);
+    if (is_single)
+      found.rounding = rounding_of_strain(material.grid(), rows, u, communicator);
+    return found;
   }
 
   /** Kernel variant and instruction set. */
   std::string kernel_name() const override
   {
-    return to_string(isa) + " " + kernels::name(kernels.choice);
+    return to_string(isa) + " " + sweeps->kernel_name();
   }
 
   /** Steps that advance() does in one sweep. */
   unsigned int steps_at_once() const
   {
-    return sweeps.max_steps();
+    return sweeps->max_steps();
   }
 
 private:
@@ -134,8 +132,10 @@ private:
       by_phase->start_step(w);
     for (PlatenColumn *platen : platens)
       platen->save();
-    sweeps.send(1);
-    sweeps.run(n_done, 1, 0);
+    sweeps->load();
+    sweeps->send(1);
+    sweeps->run(n_done, 1, 0);
+    sweeps->save();
     for (PlatenColumn *platen : platens)
       platen->advance(n_done);
   }
@@ -169,28 +169,6 @@ private:
     return material;
   }
 
-  static RowKernels<double> make_kernels(const UniformMaterial &material,
-                                         const StepParameters &parameters,
-                                         const InstructionSet isa)
-  {
-    RowKernels<double> kernels(material, isa, parameters.common_beta() != 0.,
-                               parameters.acts_on_mass());
-    auto &c         = *kernels.constants;
-    const double hx = material.grid().spacing[0], hy = material.grid().spacing[1];
-    c.beta      = parameters.common_beta();
-    c.c_new     = parameters.dt * (parameters.beta2 + 0.5);
-    c.c_old     = -parameters.dt * (parameters.beta2 - 0.5);
-    c.gravity_x = parameters.acceleration[0];
-    c.gravity_y = parameters.acceleration[1];
-    // Stepping kernels have forces times 2/h.
-    c.scaled_gravity_x = parameters.acceleration[0] * 2. / hx;
-    c.scaled_gravity_y = parameters.acceleration[1] * 2. / hy;
-    c.alpha            = parameters.common_alpha();
-    c.scaled_alpha_x   = parameters.common_alpha() * 2. / hx;
-    c.scaled_alpha_y   = parameters.common_alpha() * 2. / hy;
-    return kernels;
-  }
-
   static std::unique_ptr<PhaseDamping> damping_of(const SteppedBody &body)
   {
     const UniformMaterial &damping = *body.damping;
@@ -220,23 +198,25 @@ private:
                                 options.steps_at_once);
   }
 
-  SteppedBody with_free_surfaces(SteppedBody body)
+  template <typename Number>
+  std::unique_ptr<Sweeps>
+  make_sweeps(SteppedBody body, const SideConstraints &sides, const SweepOptions &options)
   {
     for (SurfaceCondition<2> **surface : {&body.bottom, &body.top})
       if (*surface == nullptr)
         *surface = &free_surface;
-    return body;
+    return std::make_unique<TemporalBlocking<Number>>(
+      body, sides, isa, max_steps(body, options), by_phase.get());
   }
 
   const UniformMaterial &material;
   const InstructionSet isa;
+  const bool is_single;
   const std::vector<SideColumn *> columns;
   const std::vector<PlatenColumn *> platens;
   FreeSurface<2> free_surface;
-  const RowKernels<double> kernels;
-  StepMasses masses;
   const UniformGridOperator op;
-  TemporalBlocking sweeps;
+  const std::unique_ptr<Sweeps> sweeps;
 };
 } // namespace mesoslip
 
