@@ -125,7 +125,7 @@ RowBlock TemporalBlocking::block(const unsigned int j, const unsigned int n) con
           body.w.row(1, l), body.u.stride(),  n};
 }
 
-/** Pointers of the kernel for node row @p j and those above. */
+/** Kernel pointers for node row @p j and the rows above. */
 kernels::Rows<double> TemporalBlocking::kernel_rows(Stage &stage,
                                                     const unsigned int j) const
 {
@@ -182,7 +182,7 @@ void TemporalBlocking::run(const std::uint64_t first,
     body.halo->send(Halo::upper, block(rows.end - n_next, n_next));
 }
 
-/** Where there is a neighbour, @p n_more ghost rows are advanced with the own ones. */
+/** Starts a stage; @p n_more ghost rows are advanced at sides with a neighbour. */
 void TemporalBlocking::start(Stage &stage,
                              const std::uint64_t step,
                              const unsigned int n_more)
@@ -195,23 +195,27 @@ void TemporalBlocking::start(Stage &stage,
   stage.sweep.reset();
 }
 
-/** The first stage goes ahead by @p stride rows; the bottom row is advanced by its
- *  SurfaceCondition, not by the kernel. */
+/**
+ * The first stage advances by @p stride rows; the bottom row belongs to its
+ * SurfaceCondition, not to the kernel.
+ */
 unsigned int TemporalBlocking::first_limit(const unsigned int stride) const
 {
   const unsigned int next = stages[0].next;
   return next + stride + (next == 0 ? 1 : 0);
 }
 
-/** A row needs the row above it to have finished the step before. */
+/** A row needs the row above it to have finished the previous step. */
 unsigned int TemporalBlocking::limit_behind(const Stage &before) const
 {
   return before.next == before.end ? before.end : std::max(before.next, 1u) - 1;
 }
 
-/** Advance rows below @p limit, several at a time where there are as many. A stage soon
- *  lags one row behind the one before it: the fewer rows between the first and the last,
- *  the more steps fit the cache. */
+/**
+ * Advances rows below @p limit, several at a time if possible. A stage soon lags one row
+ * behind the previous one: the fewer rows between the first and the last stage, the more
+ * steps fit the cache.
+ */
 void TemporalBlocking::advance(Stage &stage, const unsigned int limit)
 {
   const unsigned int top_row = body.rows.n_global - 1;
@@ -221,7 +225,7 @@ void TemporalBlocking::advance(Stage &stage, const unsigned int limit)
     return;
   if (stage.next == stage.begin && stage.begin > 0)
     {
-      // The forces of the cells below the first row.
+      // Forces of the cells below the first row.
       const unsigned int below = stage.begin - 1;
       stage.sweep.store(kernel_rows(stage, below), below, false);
     }
@@ -250,12 +254,15 @@ void TemporalBlocking::advance_rows(Stage &stage, const unsigned int n)
   stage.next += n;
 }
 
-/** The kernel has moved the next @p n rows without the damping of phases, in which the motion is linear. */
+/**
+ * Adds damping by phase to the next @p n rows; the kernel omits it, and the motion is
+ * linear in it.
+ */
 void TemporalBlocking::damp_rows(Stage &stage, const unsigned int n)
 {
   const double c_new        = kernels.constants->c_new;
   const unsigned int n_here = body.material.n_columns();
-  // Factors are for forces of the kernel, which lack h/2.
+  // The factors are for kernel forces, which lack h/2.
   const auto damp = [&](const double *f, const double h, const double *factor, double *u,
                         double *w) {
     for (unsigned int i = 0; i < n_here; ++i)
@@ -275,7 +282,7 @@ void TemporalBlocking::damp_rows(Stage &stage, const unsigned int n)
     }
 }
 
-/** Forces of the bottom or top row, handed to whoever moves it. */
+/** Computes the forces on the bottom or top row for its SurfaceCondition. */
 void TemporalBlocking::advance_boundary(Stage &stage)
 {
   const unsigned int j    = stage.next;

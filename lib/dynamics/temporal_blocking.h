@@ -19,32 +19,37 @@
 namespace mesoslip
 {
 /**
- * Masses in the forms a time step wants them. Inner rows get the kernel's factor
- * -dt / mass (times h/2, in which the kernel's forces lack): one row that stays in the
- * first cache when the density is uniform, else one for each node row. Internal to the
- * stepper.
+ * Masses in the formats of a time step. Inner rows have the factor -dt / mass of the
+ * kernel, times h/2, which is missing in the forces of the kernel. With uniform density
+ * it is one row, which stays in the first-level cache; otherwise one row per node row.
+ * Internal to the stepper.
  */
 class StepMasses
 {
 public:
-  /** Lumped masses of the rows of one rank, with what the time scheme makes of them. */
+  /**
+   * Lumped masses of the rows of one rank, combined with constants of the time scheme.
+   */
   StepMasses(const UniformMaterial &material,
              const NodeRows &rows,
              const StepParameters &parameters,
              const SideConstraints &sides,
              const UniformMaterial *damping = nullptr);
 
-  /** Factors (and masses) of the stepping kernel for local node row @p l and above. */
+  /**
+   * Sets the factors (and masses) of the stepping kernel for local node row @p l and
+   * above.
+   */
   void set_inner(kernels::Rows<double> &r, const unsigned int l) const;
 
-  /** Adds the inertia of nodes at the ends of the bottom or @p top row. */
+  /** Adds the guest masses of columns to the end nodes of the bottom or @p top row. */
   void add_guests(const bool top, const std::vector<SideColumn *> &columns);
 
-  /** Masses and inverse masses of the bottom or top row. */
+  /** Sets masses and inverse masses of the bottom or top row. */
   void set_boundary(kernels::Rows<double> &r, SurfaceView<2> &view, const bool top) const;
 
 private:
-  /** Inverses of inertias, zero where held, and masses of global node row @p j. */
+  /** Inverse inertias (zero where constrained) and masses of global node row @p j. */
   void inverse_mass_row(const UniformMaterial &material,
                         const SideConstraints &sides,
                         const std::vector<double> &inertia,
@@ -60,11 +65,11 @@ private:
   NodalField<double> factor, mass;
   bool one_row;
   bool has_mass;
-  /** The factors of x and y are the same numbers. */
+  /** Whether the factors of x and y are equal. */
   bool equal_components;
 };
 
-/** What the time steps of one rank work on, all of it owned elsewhere. */
+/** Inputs of the time integration on one rank; the caller owns all of them. */
 struct SteppedBody
 {
   const UniformMaterial &material; ///< stiffness and density of all cells of the grid
@@ -72,37 +77,37 @@ struct SteppedBody
   NodalField<double> &u;           ///< displacement (m)
   NodalField<double> &w;           ///< velocity of the scheme (m/s)
 
-  /** What moves the bottom and the top row of the grid; null: FreeSurface. */
+  /** Condition of the bottom row; null: FreeSurface. */
   SurfaceCondition<2> *bottom = nullptr;
-  SurfaceCondition<2> *top    = nullptr; ///< see bottom
+  SurfaceCondition<2> *top    = nullptr; ///< condition of the top row; null: FreeSurface
 
-  /** Node rows that this rank owns, and its ghost rows. */
+  /** Locally owned node rows and ghost rows. */
   NodeRows rows = NodeRows::all(material.n_rows());
 
-  Halo *halo            = nullptr;       ///< needed where a rank has neighbours
-  MPI_Comm communicator = MPI_COMM_SELF; ///< of the ranks that share the grid
+  Halo *halo            = nullptr;       ///< required if a rank has neighbours
+  MPI_Comm communicator = MPI_COMM_SELF; ///< ranks that share the grid
 
-  std::vector<SideColumn *> columns = {}; ///< left or right, where these are loaded
+  std::vector<SideColumn *> columns = {}; ///< left or right column, if loaded
 
-  std::vector<PlatenColumn *> platens = {}; ///< left or right, where platens move these
+  std::vector<PlatenColumn *> platens = {}; ///< left or right, moved by a platen
 
-  const UniformMaterial *damping = nullptr; ///< of phases_of_damping(), where there are
+  const UniformMaterial *damping = nullptr; ///< material of phases_of_damping(), or null
 };
 
 /**
  * Temporal blocking (time skewing): several time steps in one sweep over the rows. Each
- * is a stage that goes from the bottom to the top and follows the one before it as
- * closely as it may, a row needing the row above it to have finished the step before. One
- * stage is the plain sweep.
+ * step is a stage that moves from the bottom to the top. It follows the previous stage as
+ * closely as possible: a row needs the row above it to have finished the previous step.
+ * One stage is the plain sweep.
  *
- * On a slab, n steps start with n ghost rows of each neighbour. Stage s also advances the
- * n - 1 - s nearest ones, so the last stage finds all it needs, and the ranks talk once
- * in n steps. Internal to the stepper.
+ * On a slab, n steps start with n ghost rows from each neighbour. Stage s also advances
+ * the n - 1 - s nearest ghost rows, so that the last stage has all its input, and ranks
+ * communicate once in n steps. Internal to the stepper.
  */
 class TemporalBlocking
 {
 public:
-  /** Stages for at most @p max_steps steps in a sweep. */
+  /** Stages for at most @p max_steps steps per sweep. */
   TemporalBlocking(const SteppedBody &body,
                    const RowKernels<double> &kernels,
                    const StepMasses &masses,
@@ -115,11 +120,13 @@ public:
     return stages.size();
   }
 
-  /** Tell the neighbours what they need for the next @p n_steps steps. */
+  /** Sends the neighbours the rows for the next @p n_steps steps. */
   void send(const unsigned int n_steps);
 
-  /** @p n_steps steps from step @p first on, whose ghost rows have been sent; sends what
-   *  the @p n_next steps after them need. */
+  /**
+   * Runs @p n_steps steps from step @p first on, whose ghost rows have been sent; sends
+   * the rows for the @p n_next steps after them.
+   */
   void
   run(const std::uint64_t first, const unsigned int n_steps, const unsigned int n_next);
 
@@ -131,7 +138,7 @@ private:
     RowSweep<double> sweep;
     NodalField<double> forces;
     std::uint64_t step = 0;
-    /** It advances the rows begin to end (global numbers); those below next are done. */
+    /** Advances the rows begin to end (global indices); rows below next are done. */
     unsigned int begin = 0, end = 0, next = 0;
   };
 
@@ -153,7 +160,7 @@ private:
   const unsigned int at_once;
   std::vector<Stage> stages;
 
-  /** Ghost rows above that are still to be received. */
+  /** Ghost rows above that have not been received yet. */
   unsigned int missing_above = 0;
 };
 

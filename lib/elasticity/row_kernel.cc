@@ -1,4 +1,4 @@
-// The row kernels of one instruction set: selection of an instance, and the small row
+// Row kernels of one instruction set: selection of an instance, and the small row
 // functions. Compiled once for each set, see kernel_variants.h.
 #include "elasticity/row_kernel.h"
 
@@ -18,7 +18,7 @@ namespace mesoslip::kernels::MESOSLIP_VARIANT
 //
 #include "elasticity/row_kernel_impl.h"
 
-/** The top row: nothing above, so the buffers are all there is. */
+/** Top row: there are no cells above, only the buffers contribute. */
 template <typename Number, bool gravity>
 static void finish(const Constants<Number> &c, const Rows<Number> &r)
 {
@@ -109,7 +109,7 @@ static void select_last(Kernels<Number> &kernels)
     }
   kernels.store[0] =
     &Kernel<Number, variant, anisotropic, damping, gravity, false, 1>::run;
-  // Several rows at once are for whole products, which know neither w nor gravity.
+  // Several rows at once only for plain products, without w and gravity.
   if constexpr (!damping && !gravity)
     kernels.store[1] =
       &Kernel<Number, variant, anisotropic, damping, gravity, false, n>::run;
@@ -117,7 +117,7 @@ static void select_last(Kernels<Number> &kernels)
   kernels.rows_at_once = n;
 }
 
-/** With the terms that are @p wanted: anisotropy, damping, gravity. */
+/** Selects the instance with the @p wanted terms: anisotropy, damping, gravity. */
 template <typename Number, MaterialVariant variant, bool... terms>
 static void select_terms(const bool *wanted, Kernels<Number> &kernels)
 {
@@ -125,7 +125,7 @@ static void select_terms(const bool *wanted, Kernels<Number> &kernels)
     select_last<Number, variant, terms...>(kernels);
   else
     {
-      // In single precision there are products only, no time step.
+      // Single precision is used for products only, not for time steps.
       if constexpr (sizeof...(terms) == 0 || sizeof(Number) > sizeof(float))
         if (*wanted)
           return select_terms<Number, variant, terms..., true>(wanted + 1, kernels);
