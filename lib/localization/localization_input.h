@@ -93,7 +93,9 @@ private:
   void choose_window();
   void choose_snapshots();
 
-  /** @name Defined in probe_plan.cc @{ */
+  /** @name Defined in probe_plan.cc
+   * @{
+   */
   void find_points(CellFinder<dim> &in_body);
   void plan_probes(CellFinder<dim> &in_volume);
   void read_probe(PlannedProbe &probe);

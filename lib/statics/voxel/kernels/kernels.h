@@ -107,7 +107,9 @@ struct SweepArguments
   bool x_is_d;              ///< chebyshev: x is its own last increment, d is not read
   bool is_last;             ///< chebyshev: d is not needed
   Number *work;             ///< n_work_rows rows, and a plane of [n[1] + 1][6][stride]
-  /** @name For outer only @{ */
+  /** @name For outer only
+   * @{
+   */
   Number strain[6]; ///< added strain (Voigt), times 4 h_y
   Number stress[6]; ///< added stress (Voigt), times volume over 4 h_y
   /** @} */
