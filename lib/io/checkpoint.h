@@ -8,7 +8,7 @@ namespace mesoslip
 /**
  * Writes @p state to `<path>.part`, waits for the disk, then renames: an interruption at
  * any moment leaves the old or the new checkpoint. @p kind describes the state and its
- * layout: "contact_dynamics, 2D, layout 5".
+ * layout: "contact_dynamics, 2D, layout N".
  * @throws UserError if the disk is full or the folder is not writable.
  */
 void write_checkpoint(const std::string &path,
