@@ -29,21 +29,16 @@ struct SurfaceNodes
   /** Nodes of the side on this rank; in 2D in ascending order along the side. */
   std::vector<NodeIndex> nodes;
 
-  /**
-   * In 2D with periodic sides: the last node is the periodic copy of the first one.
-   * Meshes with Mesh::originals have no periodic copies here.
-   */
+  /** In 2D with periodic sides: the last node is the periodic copy of the first one.
+   * Meshes with Mesh::originals have no periodic copies here. */
   bool closed = false;
 
-  /**
-   * Integral of the outward normal times the shape function of each node: its tributary
-   * length (2D, m) or area (3D, m^2) in the direction of the normal. For all nodes of the
-   * side, on all ranks.
-   */
+  /** Integral of the outward normal times the shape function of each node: its tributary
+   * length (2D, m) or area (3D, m^2) in the direction of the normal. For all nodes of
+   * the side, on all ranks. */
   std::vector<std::array<double, dim>> normal_area;
 
-  /**
-   * Index of each of nodes among all nodes of the side; empty if nodes are all of them.
+  /** Index of each of nodes among all nodes of the side; empty if nodes are all of them.
    */
   std::vector<std::size_t> place_of_nodes;
 
@@ -54,8 +49,7 @@ struct SurfaceNodes
   }
 };
 
-/**
- * A contribution to an entry of K; contributions to the same entry add up. Degree of
+/** A contribution to an entry of K; contributions to the same entry add up. Degree of
  * freedom dim k + c is component c of node k = row of the field * n_columns() + column.
  */
 struct MatrixEntry
@@ -65,8 +59,7 @@ struct MatrixEntry
   double value         = 0.; ///< N/m, in 2D N/m^2
 };
 
-/**
- * Springs, dashpots and masses at nodes, in addition to the cells. Each rank has the
+/** Springs, dashpots and masses at nodes, in addition to the cells. Each rank has the
  * entries of its own nodes. Entries at periodic copies belong to their periodic masters.
  */
 struct Foundation
@@ -137,17 +130,13 @@ public:
     return sides[id];
   }
 
-  /**
-   * Components of @p field at all nodes of side @p id, node after node, on all ranks.
-   * Collective.
-   */
+  /** Components of @p field at all nodes of side @p id, node after node, on all ranks.
+   * Collective. */
   std::vector<double> surface_values(const unsigned int id,
                                      const NodalField<double> &field) const;
 
-  /**
-   * Values of @p mask at all nodes of side @p id: 1 for constrained components, else 0.
-   * Collective.
-   */
+  /** Values of @p mask at all nodes of side @p id: 1 for constrained components, else 0.
+   * Collective. */
   std::vector<double> surface_values(const unsigned int id, const DofMask &mask) const;
 
   /** Ranks over which fields are distributed; MPI_COMM_SELF for replicated fields. */
@@ -156,10 +145,8 @@ public:
     return sharing;
   }
 
-  /**
-   * Whether @p node is locally owned, i.e. counted on this rank in sums over nodes. In
-   * distributed fields only periodic masters count.
-   */
+  /** Whether @p node is locally owned, i.e. counted on this rank in sums over nodes. In
+   * distributed fields only periodic masters count. */
   bool is_counted(const NodeIndex &node) const
   {
     return index(node) < n_counted;
@@ -171,10 +158,9 @@ public:
     return index(node);
   }
 
-  /**
-   * Pairs of periodic copy and periodic master, axis after axis: the master of a corner
-   * is itself the copy of another node along the next axis. Empty for distributed fields.
-   */
+  /** Pairs of periodic copy and periodic master, axis after axis: the master of a corner
+   * is itself the copy of another node along the next axis. Empty for distributed
+   * fields. */
   const std::vector<std::array<NodeIndex, 2>> &duplicate_nodes() const
   {
     return duplicates;
@@ -186,16 +172,12 @@ public:
   /** Sums the values of periodic copies and masters, and stores the sum at both. */
   void add_duplicates(NodalField<double> &field) const;
 
-  /**
-   * Updates periodic copies and ghost nodes with the values of their masters and owners.
-   * Collective.
-   */
+  /** Updates periodic copies and ghost nodes with the values of their masters and owners.
+   * Collective. */
   virtual void copy_duplicates(NodalField<double> &field) const;
 
-  /**
-   * Constrains periodic copies whose masters are constrained. Solvers of distributed
-   * fields read masters only.
-   */
+  /** Constrains periodic copies whose masters are constrained. Solvers of distributed
+   * fields read masters only. */
   void copy_duplicates(DofMask &mask) const;
 
   /** Length of the body's bounding box along axis @p d (m). */
@@ -228,10 +210,8 @@ public:
     return distributed;
   }
 
-  /**
-   * Nodes of a second body that contact node @p k meets in place of the flat; empty on a
-   * flat.
-   */
+  /** Nodes of a second body that contact node @p k meets in place of the flat; empty on a
+   * flat. */
   virtual std::vector<WeightedNode> meets(const std::size_t /*k*/) const
   {
     return {};
@@ -248,10 +228,8 @@ public:
   /** Position of a node, from the lower corner of the bounding box (m). */
   virtual std::array<double, dim> point(const NodeIndex &node) const = 0;
 
-  /**
-   * Adds springs, dashpots and masses to the body: products and solvers include the
-   * springs, mass vectors the masses. Collective.
-   */
+  /** Adds springs, dashpots and masses to the body: products and solvers include the
+   * springs, mass vectors the masses. Collective. */
   void stand_on(const Foundation &given);
 
   /** Springs, dashpots and masses at nodes. */
@@ -260,10 +238,8 @@ public:
     return under;
   }
 
-  /**
-   * Lumped mass of the nodes, row after row (kg, in 2D kg/m); periodic copies and masters
-   * carry the sum of both.
-   */
+  /** Lumped mass of the nodes, row after row (kg, in 2D kg/m); periodic copies and
+   * masters carry the sum of both. */
   std::vector<double> lumped_mass() const;
 
   /** Number of groups of consecutive cells for evaluate(); on a grid a group is a row. */
@@ -277,31 +253,23 @@ public:
     std::vector<double> volume;           ///< in mean cell volumes: 1 on a grid
   };
 
-  /**
-   * Evaluates the displacement @p u in the cells of @p group; for distributed fields in
-   * the cells of this rank. Not collective.
-   */
+  /** Evaluates the displacement @p u in the cells of @p group; for distributed fields in
+   * the cells of this rank. Not collective. */
   virtual void
   evaluate(const NodalField<double> &u, const std::size_t group, Cells &cells) const = 0;
 
-  /**
-   * Ku = K u without constraints (N, in 2D N/m), including the springs of the foundation.
-   * Collective.
-   */
+  /** Ku = K u without constraints (N, in 2D N/m), including the springs of the
+   * foundation. Collective. */
   void vmult(NodalField<double> &Ku, const NodalField<double> &u) const;
 
-  /**
-   * Entries of K from the cells: contributions of the cells or rows of this rank, all
-   * ranks together without repetition. Periodic copies are separate from their masters or
-   * have no entries. Not collective; for replicated fields.
-   */
+  /** Entries of K from the cells: contributions of the cells or rows of this rank, all
+   * ranks together without repetition. Periodic copies are separate from their masters
+   * or have no entries. Not collective; for replicated fields. */
   virtual std::vector<MatrixEntry> stiffness_entries() const = 0;
 
-  /**
-   * A solver for K u = f, initially without constraints. The body must outlive it.
+  /** A solver for K u = f, initially without constraints. The body must outlive it.
    * Solvers of plane grids ignore springs; other solvers include the springs of the
-   * foundation and then start from u = 0.
-   */
+   * foundation and then start from u = 0. */
   virtual std::unique_ptr<StaticSolver> make_solver() const = 0;
 
   /**
@@ -311,10 +279,8 @@ public:
   virtual std::unique_ptr<ElasticBody> make_periodic() const = 0;
 
 protected:
-  /**
-   * Sets the layout of fields with @p n_columns x @p n_rows nodes; derived classes set
-   * the rest.
-   */
+  /** Sets the layout of fields with @p n_columns x @p n_rows nodes; derived classes set
+   * the rest. */
   ElasticBody(const unsigned int n_columns,
               const unsigned int n_rows,
               const std::vector<ElasticPhase<dim>> &phases,
@@ -369,10 +335,8 @@ std::vector<SpringEntry> with_foundation(const Foundation &foundation,
 template <int dim>
 std::vector<double> phase_volumes(const ElasticBody<dim> &body);
 
-/**
- * The body for @p solver: a GridBody, or for StaticSolverKind::ml a MeshBody with the
- * same cells, distributed over @p communicator. @p material must outlive it.
- */
+/** The body for @p solver: a GridBody, or for StaticSolverKind::ml a MeshBody with the
+ * same cells, distributed over @p communicator. @p material must outlive it. */
 std::unique_ptr<ElasticBody<2>> make_body(const UniformMaterial &material,
                                           const StaticSolverKind solver,
                                           const MPI_Comm communicator);

@@ -58,10 +58,7 @@ void evaluate_row(const double *ux,
     }
 }
 
-/**
- * Squares of strain and rotation, and the negative Jacobian: maxima of all three are
- * needed.
- */
+/** Squares of strain and rotation, and the negative Jacobian, which are to be largest. */
 using Extremes = std::array<CellExtreme, 3>;
 
 Extremes none()
@@ -71,10 +68,7 @@ Extremes none()
   return extremes;
 }
 
-/**
- * Updates @p best; among equal values the first cell counts, NaN is infinite. Returns
- * whether it changed.
- */
+/** Whether @p best changes; of equal values the first cell counts, NaN is infinite. */
 bool take_larger(CellExtreme &best, double value, const std::uint64_t cell)
 {
   if (std::isnan(value))
@@ -107,10 +101,7 @@ Deformation over_ranks(const Extremes &found, const MPI_Comm communicator)
   return largest;
 }
 
-/**
- * Displacements of the node rows around a row of bricks, and contributions of the bricks
- * to Extremes.
- */
+/** Displacements of the node rows around a row of bricks, and their Extremes. */
 class BrickRow
 {
 public:
@@ -123,10 +114,8 @@ public:
     nodes.fill(std::vector<double>(std::size_t{n_cells} + 1));
   }
 
-  /**
-   * Evaluates row @p j of layer @p k; @p copy_row(c, j, k, to) copies component c of a
-   * row of nodes.
-   */
+  /** Evaluates row @p j of layer @p k; @p copy_row(c, j, k, to) copies component c of a
+   * row of nodes. */
   template <typename CopyRow>
   const RowValues &
   evaluate(const unsigned int j, const unsigned int k, const CopyRow &copy_row)
@@ -195,9 +184,7 @@ private:
   RowValues values;
 };
 
-/**
- * Extremes over bricks with indices from the first of @p j and @p k to before the second.
- */
+/** Extremes over the bricks j[0] <= j < j[1] and k[0] <= k < k[1]. */
 template <typename CopyRow>
 Deformation largest_in_bricks(const UniformGrid<3> &grid,
                               const std::array<unsigned int, 2> &j,
