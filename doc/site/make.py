@@ -19,7 +19,7 @@ import parameters  # noqa: E402
 PROGRAMS = ("rve_homogenization", "contact_dynamics", "stress_localization")
 # Heading of the menu: pages, in the order of a first reading.
 MENU = {
-    "Start": ("doc/gallery", "doc/guide", "doc/first_steps", "doc/guide/tomogram", "doc/guide/squeal", "doc/guide/disc",
+    "Start": ("doc/gallery", "doc/first_steps", "doc/guide", "doc/guide/tomogram", "doc/guide/squeal", "doc/guide/disc",
               "doc/glossary"),
     "Use": ("doc/voxels", "doc/meshes", "doc/loads", "doc/composites", "doc/complex_modes/README", "doc/contact_maps", "doc/maps", "doc/chains",
             "doc/python", "doc/platforms"),

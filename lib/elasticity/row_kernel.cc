@@ -1,4 +1,4 @@
-// The row kernels of one instruction set: selection of an instance, and the small row
+// Row kernels of one instruction set: selection of an instance, and the small row
 // functions. Compiled once for each set, see kernel_variants.h.
 #include "elasticity/row_kernel.h"
 
@@ -18,7 +18,7 @@ namespace mesoslip::kernels::MESOSLIP_VARIANT
 //
 #include "elasticity/row_kernel_impl.h"
 
-/** The top row: nothing above, so the buffers are all there is. */
+/** Top row: there are no cells above, only the buffers contribute. */
 template <typename Number, bool gravity>
 static void finish(const Constants<Number> &c, const Rows<Number> &r)
 {
@@ -113,7 +113,7 @@ static void select_last(Kernels<Number> &kernels)
     }
   kernels.store[0] =
     &Kernel<Number, variant, anisotropic, damping, gravity, false, 1>::run;
-  // Several rows at once are for whole products, which know neither w nor gravity.
+  // Several rows at once only for plain products, without w and gravity.
   if constexpr (!damping && !gravity)
     kernels.store[1] =
       &Kernel<Number, variant, anisotropic, damping, gravity, false, n>::run;
@@ -121,7 +121,7 @@ static void select_last(Kernels<Number> &kernels)
   kernels.rows_at_once = n;
 }
 
-/** With the terms that are @p wanted: anisotropy, damping, gravity. */
+/** Selects the instance with the @p wanted terms: anisotropy, damping, gravity. */
 template <typename Number, MaterialVariant variant, bool... terms>
 static void select_terms(const bool *wanted, Kernels<Number> &kernels)
 {
@@ -129,7 +129,7 @@ static void select_terms(const bool *wanted, Kernels<Number> &kernels)
     select_last<Number, variant, terms...>(kernels);
   else
     {
-      // In single precision steps have damping, be it zero, to compile half as many kernels.
+      // Single precision has steps with the damping term only, to compile half as many kernels.
       constexpr bool so_far[] = {terms..., false, false};
       if constexpr (sizeof(Number) == sizeof(double) || sizeof...(terms) < 2 || so_far[1])
         if (*wanted)

@@ -80,7 +80,7 @@ void bind_friction(Keys &keys, FrictionParameters &friction, FrictionLaw &law)
   friction.bind(keys, law);
 }
 
-/** On a mesh many keys have no effect, and the others none without. */
+/** Checks keys that have no effect on a mesh, or only on a mesh. */
 void check_mesh(const Keys &keys, const ContactParameters &p)
 {
   keys.only_with("Analysis", {"transient", "modal", "static contact", "complex modes"},
@@ -113,7 +113,7 @@ void check_mesh(const Keys &keys, const ContactParameters &p)
       " as Dimension is " + std::to_string(p.mesh.mesh.dim) + "; use '" + held + "'");
 }
 
-/** @p paths and the keys of these names in the sections of all supports. */
+/** @p paths, plus the keys @p names of all sections of Supports. */
 std::vector<std::string> and_of_supports(const Keys &keys,
                                          const std::vector<std::string> &names,
                                          std::vector<std::string> paths)
@@ -125,7 +125,7 @@ std::vector<std::string> and_of_supports(const Keys &keys,
   return paths;
 }
 
-/** What each analysis makes use of. */
+/** Checks which keys each analysis uses. */
 void check_analysis(const Keys &keys)
 {
   const std::string of_map = "Sweep/Complex modes";
@@ -241,7 +241,7 @@ void ContactParameters::bind(Keys &keys)
   continue_run(keys);
 }
 
-/** Of a run that starts from the end of another one: what it knows; ramps at sides are over. */
+/** For a run that continues another run: checks its keys; ramps at sides are over. */
 void ContactParameters::continue_run(const Keys &keys)
 {
   if (time.continue_from.empty())

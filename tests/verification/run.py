@@ -70,14 +70,21 @@ def tests_of(folder, *options):
 
 
 def observed(measured, tests):
-    """What the tests of a problem measured, as text."""
-    orders = [f"{series}: order {measured.order((test, series)):.2f}, finest error {min(values.values()):.1e}"
-              for (test, series), values in measured.series.items() if test in tests]
-    numbers = []
+    """What the tests of a problem measured, as text: without the series of problems.ORDERS, which have their own table; the
+    largest of the numbers "residual: ..."."""
+    in_table = {series for names in problems.ORDERS.values() for series in names}
+    of_problem = [(test, series) for test, series in measured.series if test in tests]
+    orders = [f"{series}: order {measured.order((test, series)):.2f}, finest error {min(measured.series[test, series].values()):.1e}"
+              for test, series in of_problem if series not in in_table]
+    numbers, residuals = [], []
     for (test, what), (expected, found) in measured.numbers.items():
-        if test in tests:
+        if test in tests and what.startswith("residual: "):
+            residuals.append(found)
+        elif test in tests:
             numbers.append(f"{what}: {found:.2g}" if expected == 0 else f"{what}: {found:.6g} for {expected:.6g}")
-    return "<br>".join(orders + numbers) or "holds"
+    if residuals:
+        numbers.insert(0, f"largest of {len(residuals)} residuals: {max(residuals):.2g}")
+    return "<br>".join(orders + numbers) or ("order" if of_problem else "holds")
 
 
 def convergence(series, path):
@@ -129,11 +136,11 @@ def write(measured, pin):
                for size, value in sorted(values.items())])
     rows = [[problem, claim, "<br>".join(f"`{test}`" for test in tests), observed(measured, tests)]
             for problem, claim, tests in problems.PROBLEMS]
-    orders = [[series, f"{predicted:g}", f"{measured.order((test, series)):.2f}"]
+    orders = [[series, f"{predicted:g}", f"{measured.order((test, series)):.2f}", f"{min(measured.series[test, series].values()):.1e}"]
               for (predicted, _), names in problems.ORDERS.items() for test, series in measured.series if series in names]
     write_page(doc, "verification.md", problems.PAGE.format(
         problems=table(["problem", "what has to come out", "test", "observed"], rows),
-        orders=table(["series", "predicted order", "observed"], orders),
+        orders=table(["series", "predicted order", "observed", "finest error"], orders),
         pin=table(["", *(f"{n} rank{'s' * (n > 1)}" for n in mesh_pin.RANKS)],
                   [[what, *(f"{value:.0e}" for value in values)] for what, values in pin.items()])))
 

@@ -103,24 +103,26 @@ def page(programs, runs, folder):
     missing += sum(case["missing_modes"] for one in (swept, softer) for case in summary(one)["sweep"])
     text = [
         "# Modes of steady sliding that grow", "",
-        "Analysis `complex modes` of `contact_dynamics` for the paper's pin: eq. (10), mu = 0.25, delta = 1500 ns, beta = 4.4 ns, a",
-        "platen, up to 200 kHz ([theory](../theory.md), section 11). Written by `applications/tools/studies/complex_modes.py`.", "",
+        "Which vibrations of the paper's pin grow while it slides steadily, what changes them, and which of them a transient run shows. For",
+        "other bodies start from",
+        "[complex_modes.prm](../../prm/examples/complex_modes.prm) and the [guide to squeal](../guide/squeal.md).", "",
+        "All results are from `Analysis = complex modes` of `contact_dynamics` ([theory](../theory.md), section 11), up to 200 kHz: homogenized",
+        "stiffness of the paper's eq. (10), mu = 0.25, delta = 1500 ns, beta = 4.4 ns, a platen.",
+        "`applications/tools/studies/complex_modes.py` writes this page.", "",
         "## On three grids", "",
+        "Frequencies (kHz) and growth rates (1/s) of the modes that grow, by edge of the cells:", "",
         table(headings, rows), "",
-        f"The argument principle counts {missing or 'no'} modes that the search did not find, in all of these runs. Contact nodes that are",
-        f"separated in the static state and therefore free: {separated}. Where their number changes from grid to grid, so does the body",
-        "that vibrates, and growth rates need not converge smoothly.", "",
+        f"The argument principle finds {missing or 'no'} missing modes in the runs of this page. Contact nodes that are separated in the",
+        f"static state are free: {separated}. Where their number changes with the grid, growth rates need not converge smoothly.", "",
         "## Over the friction coefficient", "",
         f"![Frequency and growth rate of modes over the friction coefficient]({name})", "",
-        "Cells of 0.8 mm; modes that decay by at most 6000 1/s. Coloured: modes that grow somewhere, named by their last frequency; grey:",
-        "all others. Curves end where a mode decays faster, or where its shape has changed by more than half from one coefficient to the",
-        "next, where it meets another mode.", "",
+        "Cells of 0.8 mm; modes that decay by at most 6000 1/s. Coloured modes grow at some coefficient (legend: their last frequency), grey",
+        "modes at none. A curve ends where its mode decays faster, or meets another mode and changes its shape by more than half.", "",
         "## Over the stiffness of the contact", "",
         f"![Frequency and growth rate of modes over the stiffness of the contact]({name_of_softer})", "",
-        "The same with springs between pin and flat (`Flat/Normal stiffness`), as of the asperities of a rough surface; on the right it is the",
-        "rigid flat. The pressure of 5 MPa presses them in by 5 nm at 1e15 Pa/m and by 0.5 micrometres at 1e13. What grows fastest, at",
-        f"{fastest:.1f} 1/ms, does so at {at_stiffness:.2g} Pa/m. Who predicts a squeal needs the stiffness of the contact as well as its",
-        "friction.", ""]
+        "The same with springs between pin and flat (`Flat/Normal stiffness`), as from asperities of rough surfaces. The pressure of 5 MPa",
+        "compresses them by 5 nm at 1e15 Pa/m and by 0.5 micrometres at 1e13 Pa/m.",
+        f"The largest growth rate is {fastest:.1f} 1/ms, at {at_stiffness:.2g} Pa/m: squeal depends on the stiffness of the contact, too.", ""]
     text += participation_text(picked, facts)
     with open(os.path.join(folder, "README.md"), "w", encoding="utf-8") as file:
         paragraphs = re.sub(r"(?<=[^\n|])\n(?=[^\n|#!])", " ", "\n".join(text))
@@ -135,14 +137,14 @@ def participation_text(name, facts):
     return [
         "## Which of them a run picks", "",
         f"![Amplitudes of modes in the snapshots of two runs]({name})", "",
-        "Cells of 0.8 mm, two transient runs with snapshots every microsecond. In windows of 0.1 ms the modes that grow (coloured) and those",
-        "that decay by at most 3000 1/s (grey) are fitted to the snapshots by least squares (`mesoslip.participation`); below is the share",
-        "of the square of the motion that they account for. Dotted: nodes first stick or leave the flat after the smooth start.", "",
-        f"After a smooth start all nodes slide until {1e3 * change:.2f} ms. Until then each mode grows or decays at its own rate, from what the",
-        f"start leaves of it: the fastest one at {growth:.0f} 1/s. What takes over is what grows fastest, not what begins with the largest",
-        f"amplitude. Then nodes leave the flat, modes are coupled and are no longer those of the body; over the last millisecond {ends['smooth']}",
-        f"are fitted, which account for {shares['smooth']} together with all others. A pressure that acts at once throws the pin off the flat",
-        f"at the beginning, mostly in the mode of 41.7 kHz, and ends with {ends['at-once']} ({shares['at-once']}).", ""]
+        "Two transient runs on cells of 0.8 mm. Modes that grow (coloured) and modes that decay by at most 3000 1/s (grey) are fitted to the",
+        "snapshots by least squares in windows of 0.1 ms (`mesoslip.participation`). Below: share of the squared motion that the fit explains.",
+        "Dotted line: the first node sticks or separates after the smooth start.", "",
+        f"* **Smooth start.** All nodes slide until {1e3 * change:.2f} ms, and each mode grows or decays at its own rate, the fastest at",
+        f"{growth:.0f} 1/s. The mode that grows fastest prevails, whatever its amplitude after the start. Once nodes separate, modes",
+        f"are coupled. In the last millisecond the fit finds {ends['smooth']}; all modes together explain {shares['smooth']}.", "",
+        "* **Pressure at once.** The pin is thrown off the flat, mostly in the mode of 41.7 kHz. The run ends with",
+        f"{ends['at-once']} ({shares['at-once']}).", ""]
 
 
 if __name__ == "__main__":

@@ -105,8 +105,9 @@ class Page:
             file.write(content.strip() + "\n")
 
     def write(self, introduction, order, titles=None):
-        """Returns the parts that have no text yet. Of a part with a title in `titles` the text that the page has under it stays."""
-        texts, missing = [introduction.strip() + "\n"], []
+        """Returns the parts that have no text yet. A part with a title in `titles` keeps the text that the page has under it. `introduction` is a text, or
+        a function of the texts of the parts."""
+        texts, missing = [], []
         for part in order:
             try:
                 with open(os.path.join(self.parts, part + ".md"), encoding="utf-8") as file:
@@ -115,5 +116,6 @@ class Page:
                 text = self.section((titles or {}).get(part))
                 texts += [text] if text else []
                 missing += [] if text else [part]
-        write_page(self.folder, "README.md", "\n".join(texts))
+        first = introduction(texts) if callable(introduction) else introduction
+        write_page(self.folder, "README.md", "\n".join([first.strip() + "\n", *texts]))
         return missing

@@ -20,22 +20,22 @@ namespace mesoslip
  *     a = M^-1 (boundary forces + M (g - alpha w) - K (u + beta w)) / (1 + alpha dt / 2)
  *     w += dt a,   u += dt w + (beta2 - 1/2) dt^2 a
  *
- * which is the beta2 scheme with v = w + beta2 dt a where a velocity is reported (w alone
- * is v_n - beta2 dt a_n, see doc/). Inner rows are advanced by the kernel, the bottom and
- * the top row by the given SurfaceCondition<2> objects.
+ * This is the beta2 scheme with v = w + beta2 dt a where a velocity is reported (w alone
+ * is v_n - beta2 dt a_n, see doc/). The kernel advances inner rows, the given
+ * SurfaceCondition<2> objects the bottom and the top row.
  *
- * What the SteppedBody refers to must outlive the stepper; its fields have
+ * Objects referenced by SteppedBody must outlive the stepper; its fields have
  * material.n_columns() columns and rows.n_local() rows. On a slab every rank needs at
- * least two own rows and as many as there are ghost rows.
+ * least two owned rows, and at least as many as there are ghost rows.
  *
- * Between calls the own rows of the fields and the boundary rows are all the state there
- * is. The nearest ghost rows hold u_n and w_n after step(), before which they held
- * anything, and anything after advance().
+ * Between calls, the owned rows of the fields and the boundary rows are the complete
+ * state. After step() the nearest ghost rows hold u_n and w_n; after advance() they are
+ * undefined.
  */
 class ExplicitStepper : public Stepper
 {
 public:
-  /** Throws std::invalid_argument if something does not fit. */
+  /** Throws std::invalid_argument for inconsistent arguments. */
   explicit ExplicitStepper(const SteppedBody &body,
                            const SideConstraints &sides = {},
                            const SweepOptions &options  = {})
@@ -118,14 +118,16 @@ public:
     return to_string(isa) + " " + sweeps->kernel_name();
   }
 
-  /** Steps that advance() does in one sweep. */
+  /** Number of steps per sweep of advance(). */
   unsigned int steps_at_once() const
   {
     return sweeps->max_steps();
   }
 
 private:
-  /** A sweep of one step, between which something looks at all rows. */
+  /**
+   * One sweep of one step; phase damping and platens act on all rows before and after it.
+   */
   void step_once()
   {
     if (by_phase)
@@ -140,7 +142,7 @@ private:
       platen->advance(n_done);
   }
 
-  /** The material, once everything is known to fit it. */
+  /** The material, after a check that everything fits it. */
   static const UniformMaterial &checked(const SteppedBody &body,
                                         const SideConstraints &sides)
   {
@@ -186,7 +188,7 @@ private:
       std::move(drags), body.u);
   }
 
-  /** Time steps in a sweep: with neighbours as many as there are ghost rows. */
+  /** Time steps per sweep: the number of ghost rows if there are neighbours. */
   static unsigned int max_steps(const SteppedBody &body, const SweepOptions &options)
   {
     if (body.damping != nullptr || !body.platens.empty())

@@ -14,29 +14,30 @@
 namespace mesoslip
 {
 /**
- * Masses in the forms a time step wants them. Inner rows get the kernel's factor
- * -dt / mass (times h/2, in which the kernel's forces lack): one row that stays in the
- * first cache when the density is uniform, else one for each node row. Internal to the
- * stepper.
+ * Masses in the formats of a time step. Inner rows have the factor -dt / mass of the
+ * kernel, times h/2, which is missing in the forces of the kernel. With uniform density
+ * it is one row, which stays in the first-level cache; otherwise one row per node row.
+ * Internal to the stepper.
  */
 template <typename Number>
 class StepMasses
 {
 public:
-  /** Lumped masses of the rows of one rank, with what the time scheme makes of them. */
+  /** Lumped masses of the rows of one rank, combined with constants of the time scheme. */
   StepMasses(const UniformMaterial &material,
              const NodeRows &rows,
              const StepParameters &parameters,
              const SideConstraints &sides,
              const UniformMaterial *damping = nullptr);
 
-  /** Factors (and masses) of the stepping kernel for local node row @p l and above. */
+  /** Sets the factors (and masses) of the stepping kernel for local node row @p l and
+   * above. */
   void set_inner(kernels::Rows<Number> &r, const unsigned int l) const;
 
-  /** Adds the inertia of nodes at the ends of the bottom or @p top row. */
+  /** Adds the guest masses of columns to the end nodes of the bottom or @p top row. */
   void add_guests(const bool top, const std::vector<SideColumn *> &columns);
 
-  /** Masses and inverse masses of the bottom or top row. */
+  /** Sets masses and inverse masses of the bottom or top row. */
   void set_boundary(kernels::Rows<Number> &r, SurfaceView<2> &view, const bool top) const;
 
 private:
@@ -48,7 +49,7 @@ private:
   NodalField<Number> factor, mass;
   bool one_row;
   bool has_mass;
-  /** The factors of x and y are the same numbers. */
+  /** Whether the factors of x and y are equal. */
   bool equal_components;
 };
 

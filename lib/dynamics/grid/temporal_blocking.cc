@@ -84,7 +84,7 @@ void TemporalBlocking<Number>::save()
   save(body.rows.begin, body.rows.end);
 }
 
-/** Brings the fields up to date from row @p begin to @p end (global numbers), but for those that a SurfaceCondition moves. */
+/** Writes the inner rows from @p begin to before @p end (global indices) to the fields. */
 template <typename Number>
 void TemporalBlocking<Number>::save(const unsigned int begin, const unsigned int end)
 {
@@ -102,7 +102,7 @@ RowBlock TemporalBlocking<Number>::block(const unsigned int j, const unsigned in
           body.w.row(1, l), body.u.stride(),  n};
 }
 
-/** Pointers of the kernel for node row @p j and those above. */
+/** Kernel pointers for node row @p j and the rows above. */
 template <typename Number>
 kernels::Rows<Number> TemporalBlocking<Number>::kernel_rows(Stage &stage,
                                                             const unsigned int j)
@@ -181,7 +181,7 @@ void TemporalBlocking<Number>::run(const std::uint64_t first,
     send(Halo::upper, rows.end - n_next, n_next);
 }
 
-/** Where there is a neighbour, @p n_more ghost rows are advanced with the own ones. */
+/** Starts a stage; @p n_more ghost rows are advanced at sides with a neighbour. */
 template <typename Number>
 void TemporalBlocking<Number>::start(Stage &stage,
                                      const std::uint64_t step,
@@ -195,8 +195,8 @@ void TemporalBlocking<Number>::start(Stage &stage,
   stage.sweep.reset();
 }
 
-/** The first stage goes ahead by @p stride rows; the bottom row is advanced by its
- *  SurfaceCondition, not by the kernel. */
+/** The first stage advances by @p stride rows; the bottom row belongs to its
+ * SurfaceCondition, not to the kernel. */
 template <typename Number>
 unsigned int TemporalBlocking<Number>::first_limit(const unsigned int stride) const
 {
@@ -204,16 +204,16 @@ unsigned int TemporalBlocking<Number>::first_limit(const unsigned int stride) co
   return next + stride + (next == 0 ? 1 : 0);
 }
 
-/** A row needs the row above it to have finished the step before. */
+/** A row needs the row above it to have finished the previous step. */
 template <typename Number>
 unsigned int TemporalBlocking<Number>::limit_behind(const Stage &before) const
 {
   return before.next == before.end ? before.end : std::max(before.next, 1u) - 1;
 }
 
-/** Advance rows below @p limit, several at a time where there are as many. A stage soon
- *  lags one row behind the one before it: the fewer rows between the first and the last,
- *  the more steps fit the cache. */
+/** Advances rows below @p limit, several at a time if possible. A stage soon lags one row
+ * behind the previous one: the fewer rows between the first and the last stage, the more
+ * steps fit the cache. */
 template <typename Number>
 void TemporalBlocking<Number>::advance(Stage &stage, const unsigned int limit)
 {
@@ -224,7 +224,7 @@ void TemporalBlocking<Number>::advance(Stage &stage, const unsigned int limit)
     return;
   if (stage.next == stage.begin && stage.begin > 0)
     {
-      // The forces of the cells below the first row.
+      // Forces of the cells below the first row.
       const unsigned int below = stage.begin - 1;
       stage.sweep.store(kernel_rows(stage, below), below, false);
     }
@@ -262,13 +262,14 @@ void TemporalBlocking<Number>::advance_rows(Stage &stage, const unsigned int n)
   stage.next += n;
 }
 
-/** The kernel has moved the next @p n rows without the damping of phases, in which the motion is linear. */
+/** Adds damping by phase to the next @p n rows; the kernel omits it, and the motion is
+ * linear in it. */
 template <typename Number>
 void TemporalBlocking<Number>::damp_rows(Stage &stage, const unsigned int n)
 {
   const Number c_new        = kernels.constants->c_new;
   const unsigned int n_here = body.material.n_columns();
-  // Factors are for forces of the kernel, which lack h/2.
+  // The factors are for kernel forces, which lack h/2.
   const auto damp = [&](const double *f, const double h, const Number *factor, Number *u,
                         Number *w) {
     for (unsigned int i = 0; i < n_here; ++i)
@@ -288,7 +289,7 @@ void TemporalBlocking<Number>::damp_rows(Stage &stage, const unsigned int n)
     }
 }
 
-/** Forces of the bottom or top row, handed to whoever moves it. */
+/** Computes the forces on the bottom or top row for its SurfaceCondition. */
 template <typename Number>
 void TemporalBlocking<Number>::advance_boundary(Stage &stage)
 {

@@ -20,7 +20,7 @@
 
 namespace mesoslip
 {
-/** What the time steps of one rank work on, all of it owned elsewhere. */
+/** Inputs of the time integration on one rank; the caller owns all of them. */
 struct SteppedBody
 {
   const UniformMaterial &material; ///< stiffness and density of all cells of the grid
@@ -28,21 +28,21 @@ struct SteppedBody
   NodalField<double> &u;           ///< displacement (m)
   NodalField<double> &w;           ///< velocity of the scheme (m/s)
 
-  /** What moves the bottom and the top row of the grid; null: FreeSurface. */
+  /** Condition of the bottom row; null: FreeSurface. */
   SurfaceCondition<2> *bottom = nullptr;
-  SurfaceCondition<2> *top    = nullptr; ///< see bottom
+  SurfaceCondition<2> *top    = nullptr; ///< condition of the top row; null: FreeSurface
 
-  /** Node rows that this rank owns, and its ghost rows. */
+  /** Locally owned node rows and ghost rows. */
   NodeRows rows = NodeRows::all(material.n_rows());
 
-  Halo *halo            = nullptr;       ///< needed where a rank has neighbours
-  MPI_Comm communicator = MPI_COMM_SELF; ///< of the ranks that share the grid
+  Halo *halo            = nullptr;       ///< required if a rank has neighbours
+  MPI_Comm communicator = MPI_COMM_SELF; ///< ranks that share the grid
 
-  std::vector<SideColumn *> columns = {}; ///< left or right, where these are loaded
+  std::vector<SideColumn *> columns = {}; ///< left or right column, if loaded
 
-  std::vector<PlatenColumn *> platens = {}; ///< left or right, where platens move these
+  std::vector<PlatenColumn *> platens = {}; ///< left or right, moved by a platen
 
-  const UniformMaterial *damping = nullptr; ///< of phases_of_damping(), where there are
+  const UniformMaterial *damping = nullptr; ///< material of phases_of_damping(), or null
 };
 
 /** Time steps of the rows of one rank, several in a sweep. Internal to the stepper. */
@@ -54,38 +54,40 @@ public:
   /** Largest number of steps in a sweep. */
   virtual unsigned int max_steps() const = 0;
 
-  /** Takes the state from the fields of the body; before the first sweep, and after something else moved rows. */
+  /** Reads the state from the fields of the body. Required before the first sweep and
+   * after something else moved rows. */
   virtual void load() = 0;
 
-  /** Gives it back to them. */
+  /** Writes the state to the fields of the body. */
   virtual void save() = 0;
 
-  /** Tells the neighbours what they need for the next @p n_steps steps. */
+  /** Sends the neighbours the rows for the next @p n_steps steps. */
   virtual void send(const unsigned int n_steps) = 0;
 
-  /** @p n_steps steps from step @p first on, whose ghost rows have been sent; sends what
-   *  the @p n_next steps after them need. */
+  /** Runs @p n_steps steps from step @p first on, whose ghost rows have been sent; sends
+   * the rows for the @p n_next steps after them. */
   virtual void run(const std::uint64_t first,
                    const unsigned int n_steps,
                    const unsigned int n_next) = 0;
 
-  /** For the log. */
+  /** Kernel variant and precision, as text. */
   virtual std::string kernel_name() const = 0;
 };
 
 /**
  * Temporal blocking (time skewing): several time steps in one sweep over the rows. Each
- * is a stage that goes from the bottom to the top and follows the one before it as
- * closely as it may, a row needing the row above it to have finished the step before. One
- * stage is the plain sweep.
+ * step is a stage that moves from the bottom to the top. It follows the previous stage as
+ * closely as possible: a row needs the row above it to have finished the previous step.
+ * One stage is the plain sweep.
  *
- * On a slab, n steps start with n ghost rows of each neighbour. Stage s also advances the
- * n - 1 - s nearest ones, so the last stage finds all it needs, and the ranks talk once
- * in n steps.
+ * On a slab, n steps start with n ghost rows from each neighbour. Stage s also advances
+ * the n - 1 - s nearest ghost rows, so that the last stage has all its input, and ranks
+ * communicate once in n steps.
  *
- * In single precision (@p Number is float) rows that a SurfaceCondition moves keep their state in the
- * fields of the body, in double precision, and the kernels a copy; other rows are in the fields what the
- * kernels have, so that a state that is written and read again is the same. Internal to the stepper.
+ * In single precision (@p Number is float) the bottom and the top row keep their state in
+ * the fields of the body, in double precision, and kernels read a rounded copy. save()
+ * writes the other rows as the kernels have them, so that load() restores the same bits.
+ * Internal to the stepper.
  */
 template <typename Number>
 class TemporalBlocking : public Sweeps
@@ -119,7 +121,7 @@ private:
     RowSweep<Number> sweep;
     NodalField<Number> forces;
     std::uint64_t step = 0;
-    /** It advances the rows begin to end (global numbers); those below next are done. */
+    /** Advances the rows begin to end (global indices); rows below next are done. */
     unsigned int begin = 0, end = 0, next = 0;
   };
 
@@ -145,9 +147,9 @@ private:
   const unsigned int at_once;
   SweptState<Number> state;
   std::vector<Stage> stages;
-  NodalField<double> boundary_force; ///< of the row that a SurfaceCondition moves
+  NodalField<double> boundary_force; ///< forces (N/m) on the bottom or top row
 
-  /** Ghost rows above that are still to be received. */
+  /** Ghost rows above that have not been received yet. */
   unsigned int missing_above = 0;
 };
 

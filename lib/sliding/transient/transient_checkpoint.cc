@@ -99,7 +99,7 @@ void TransientCheckpoint::discard()
       }
     catch (const UserError &)
       {
-        // Whatever it was, it is not what this run will leave.
+        // Removed in any case: this run will leave another one.
       }
     record = Record();
     std::filesystem::remove(path);

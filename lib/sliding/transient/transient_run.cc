@@ -239,7 +239,7 @@ TransientResult TransientRun<dim>::collect()
   strains.look(stepper.step_number());
   all.strains    = strains.so_far();
   all.of_counter = of_counter;
-  // Before it was resumed, as each run has its own warnings.
+  // Strains before the run was resumed: each run has warnings of its own.
   if (!warned && !(all.largest_strain() <= largest_small_strain))
     parts.context.warn("the strain was " +
                        quantity_text(100. * all.largest_strain(), "%") +
@@ -320,7 +320,7 @@ void TransientRun<dim>::carry_out(const bool continued,
   if (parts.parameters.checkpoints.end)
     write_run_end(parts.body, result.steps_done * parts.time.step.dt,
                   context.output_folder(), context.communicator());
-  // The state is dropped only when nothing is left to be done.
+  // The state is dropped only after all results are written.
   context.write_summary();
   parts.checkpoint.complete(position());
 }

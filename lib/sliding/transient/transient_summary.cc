@@ -10,7 +10,7 @@ namespace
 {
 using json = nlohmann::json;
 
-/** A member of what may be absent: null without it. */
+/** A member of an optional result; null if it is absent. */
 template <class Part, class Number>
 json value_of(const std::optional<Part> &part, Number Part::*const member)
 {
@@ -47,7 +47,7 @@ std::string energy_balance(const TransientResult &run)
 {
   const unsigned int interval = run.parameters.energy_interval;
   if (run.energy_residual)
-    // What damping takes between two samples is known only in the mean.
+    // Dissipation by damping between two samples is known only on average.
     return brief_text(3, "Energy balance closes to ", *run.energy_residual, " of ",
                       run.residual_scale) +
            (interval > 1 && !(*run.energy_residual <= 1e-3)
@@ -159,7 +159,7 @@ void TransientResult::write_summary(RunContext &context) const
                  : ""));
   if (parameters.energy_interval > 0)
     context.log(energy_balance(*this));
-  if (!duration_warning.empty()) // friction homogenization, which takes T_G, warns
+  if (!duration_warning.empty()) // friction homogenization, which uses T_G, warns
     context.log(duration_warning);
   if (!friction_warning.empty())
     context.warn(friction_warning);

@@ -28,25 +28,23 @@ class Example:
 RVE, CONTACT = "rve_homogenization", "contact_dynamics"
 EXAMPLES = (
     Example("From a map of phases to localized stress",
-            "A text file with a number for each cell becomes a composite that slides on the flat, homogenized and with every grain; the stresses of both are compared "
-            "([first steps](first_steps.md)).", ("image",), "Von Mises stress averaged over time"),
+            "A text file with a number for each cell becomes a composite that slides on the flat ([first steps](first_steps.md)).", ("image",), "Von Mises stress averaged over time"),
     Example("From a micrograph to localized stress",
-            "The same chain from a grey picture with noise, which a short script segments ([guide](guide.md)).", ("micrograph",),
+            "The same chain from a grey picture with noise, segmented by a short script ([guide](guide.md)).", ("micrograph",),
             "Von Mises stress of the last snapshot of the heterogeneous run"),
     Example("A pin with fibres whose friction differs",
-            "Random fibres, sliding, static contact, the homogenized coefficient of friction, and localized stresses. The picture shows pressure and shear traction "
-            "along the contact in static contact.", ("fibres",), "Static contact of"),
+            "Sliding, static contact (in the picture), homogenized friction, and localized stresses.", ("fibres",), "Static contact of"),
     Example("Effective stiffness of random fibres",
-            "KUBC, SUBC and periodic conditions on one morphology, and how far several morphologies differ.", ("homogenization.prm",), "Phases of", RVE),
+            "KUBC, SUBC and periodic conditions on one morphology, and the scatter over several morphologies.", ("homogenization.prm",), "Phases of", RVE),
     Example("Stresses in fibres and matrix under a load of one's own",
-            "Tension, shear under pressure and confined compression by superposition of the unit load cases ([loads](loads.md)).", ("loads.prm",),
+            "Tension, shear under pressure and confined compression, by superposition of unit load cases ([loads](loads.md)).", ("loads.prm",),
             "Stresses in loads under the load shear under pressure", RVE),
     Example("Stresses that cooling leaves",
-            "Glass spheres in epoxy after curing: stiffness, expansion and loss factors of the composite, how certain they are, and the stresses of 100 K of cooling, "
-            "alone and under tension ([composites](composites.md)).", ("voxels/curing.prm",), "Stresses in curing under the load cold under tension", RVE),
+            "Glass spheres in epoxy: stiffness, expansion, loss factors, and stresses of 100 K of cooling, alone and under tension "
+            "([composites](composites.md)).", ("voxels/curing.prm",), "Stresses in curing under the load cold under tension", RVE),
     Example("Modes of vibration of the paper's pin", "Lowest frequencies and shapes, with the bottom free and held.", ("modal.prm",), "Lowest modes", CONTACT),
     Example("Which vibrations of sliding grow",
-            "Complex modes of the pin that slides steadily: growth rate over frequency ([complex modes](complex_modes/README.md)).", ("complex_modes.prm",),
+            "Complex modes of the pin in steady sliding: growth rate over frequency ([complex modes](complex_modes/README.md)).", ("complex_modes.prm",),
             "Modes of steady sliding", CONTACT),
     Example("A pin that squeals", "The fastest of these modes grows until nodes stick and lift, and becomes a limit cycle ([a pin that squeals](guide/squeal.md)).",
             ("squeal.prm",), "Map of the contact", CONTACT),
@@ -56,57 +54,66 @@ EXAMPLES = (
     Example("Stick and slip of a tribometer", "A pin on a spring, with the mass of its holder, is pulled over the flat ([theory](theory.md), section 4).",
             ("tribometer.prm",), "Apparent friction", CONTACT),
     Example("From stick and slip to continuous sliding",
-            "The pin with a dashpot beside its spring, in sixteen runs with other values of `Supports/Top/Spring stiffness` and `Flat/Velocity`. On a soft spring "
-            "over a slow flat it sticks most of the time, on stiffer springs over faster flats ever less. Where the dashpot takes so much of its swing that it does not "
-            "come back to the speed of the flat, it slides on. Above each panel is the share of the time in which most of the contact sticks, and in brackets that of a "
-            "rigid block whose friction falls at once. Grey stripes come from ruptures that begin at an edge and stop, before one lets the pin go.",
+            "The pin with a dashpot beside its spring: sixteen runs over `Supports/Top/Spring stiffness` and `Flat/Velocity`. Above each panel: the share "
+            "of time in which most of the contact sticks, and in brackets the same of a rigid block whose friction falls at once. Grey stripes are "
+            "ruptures that begin at an edge and stop.",
             ("tribometer_map.prm",), "", CONTACT, draw=tribometer.draw, changes=tribometer.CHANGES),
-    Example("Where a pin slips, sticks and separates", "A map of 80 runs over pressure and friction, side by side on all cores, with the border of growth of the "
-            "complex modes ([maps](maps.md)).", ("regime_map.prm",), "Regime of the reference node", CONTACT),
-    Example("Stick and slip, or sliding: two branches", "The pin of the map of a tribometer over the velocity of the flat, up and down again, each point from the end "
-            "of its neighbour: it sticks and slips on the way up, and goes on sliding on the way down ([maps](maps.md#branches-points-that-start-from-their-neighbours)).",
+    Example("Where a pin slips, sticks and separates",
+            "A map of 80 runs over pressure and friction, with the border of growth of the complex modes ([maps](maps.md)).", ("regime_map.prm",), "Regime of the reference node", CONTACT),
+    Example("Stick and slip, or sliding: two branches",
+            "As the velocity of the flat rises the pin sticks and slips; as it falls again the pin slides on "
+            "([maps](maps.md#branches-points-that-start-from-their-neighbours)).",
             ("branches.prm",), "Regime of the reference node (colours", CONTACT),
-    Example("Ruptures under slip weakening", "A pad is sheared by the flat; ruptures run through its contact and heal. Every contact node over time.",
+    Example("Ruptures under slip weakening",
+            "The flat shears a pad; ruptures run through its contact and heal.",
             ("friction_laws/rupture.prm",), "Contact states", CONTACT),
-    Example("A rupture in a half-space", "A body whose top and sides absorb waves is pressed on the flat and dragged along: a rupture runs through the contact once, and "
-            "nothing comes back ([theory](theory.md), section 4).", ("half_space.prm",), "Map of the contact", CONTACT),
-    Example("A pin on a wavy flat", "The flat has waves of 4 mm and 1.1 mm; the contact is on their crests, which move through the pin "
-            "([theory](theory.md), section 3).", ("rough_pin.prm",), "Map of the contact", CONTACT),
-    Example("A pin on a deformable disc", "The pin that squeals, on discs in the place of the rigid flat: one of steel, 10 mm thick, lowers the frequency and lets nodes leave "
-            "it more often, thicker or softer ones keep the pin quiet ([a pin on a disc](guide/disc.md)).", ("disc.prm",), "", CONTACT, draw=disc.draw, changes=disc.CHANGES),
-    Example("A pin with fibres on a disc", "The composite and its homogenized twin squeal on the disc of steel, at 115 and 117 kHz, with the same friction within 3 %; the stresses of "
-            "both are compared.", ("disc_fibres",), "Von Mises stress averaged over time"),
-    Example("Two identical blocks", "The pin on its twin: layers of one material on each other are quiet, but blocks have ends, and squeal at 40 kHz. The picture shows how both "
-            "vibrate.", ("blocks.prm",), "", CONTACT, draw=blocks.draw),
-    Example("A pulse between half-spaces that differ", "Two bodies are sheared a little less than friction holds. Where it falls for a moment a pulse of slip begins, which runs by "
-            "itself to where the slower body slips to, with the speed of generalized Rayleigh waves; equal bodies have weaker ones to both sides "
-            "([theory](theory.md), section 3).", ("bimaterial.prm",), "", CONTACT, draw=bimaterial.draw, changes=bimaterial.CHANGES),
-    Example("Which vibrations grow on a disc", "Complex modes of the pin on the disc of steel: one grows, where six grow on the rigid flat.", ("disc_modes.prm",),
+    Example("A rupture in a half-space",
+            "The top and sides of the body absorb waves: a rupture runs through the contact once, and nothing comes back ([theory](theory.md), section "
+            "4).", ("half_space.prm",), "Map of the contact", CONTACT),
+    Example("A pin on a wavy flat",
+            "Waves of 4 mm and 1.1 mm; the contact is on their crests, which move along the pin ([theory](theory.md), section 3).", ("rough_pin.prm",), "Map of the contact", CONTACT),
+    Example("A pin on a deformable disc",
+            "The pin that squeals, on discs instead of the rigid flat: 10 mm of steel lower the frequency, thicker or softer discs keep the pin quiet ([a "
+            "pin on a disc](guide/disc.md)).", ("disc.prm",), "", CONTACT, draw=disc.draw, changes=disc.CHANGES),
+    Example("A pin with fibres on a disc",
+            "The composite and its homogenized twin squeal on the steel disc, at 115 and 117 kHz, with the same friction within 3 %; their stresses are "
+            "compared.", ("disc_fibres",), "Von Mises stress averaged over time"),
+    Example("Two identical blocks",
+            "Layers of one material on each other are quiet, but blocks have ends, and squeal at 40 kHz.", ("blocks.prm",), "", CONTACT, draw=blocks.draw),
+    Example("A pulse between half-spaces that differ",
+            "Two bodies are sheared a little less than friction holds. Where friction falls for a moment a pulse of slip begins, which runs on in the "
+            "slip direction of the slower body; equal bodies have weaker pulses to both sides ([theory](theory.md), section 3).", ("bimaterial.prm",), "", CONTACT, draw=bimaterial.draw, changes=bimaterial.CHANGES),
+    Example("Which vibrations grow on a disc",
+            "Complex modes of the pin on the steel disc: one grows, six on the rigid flat.", ("disc_modes.prm",),
             "Modes of steady sliding", CONTACT),
     Example("A step of velocity under rate-and-state friction", "The friction of a block in 3D jumps and falls as the velocity of the flat rises tenfold.",
             ("friction_laws/rate_and_state.prm",), "Apparent friction", CONTACT),
     Example("Five more laws of friction",
-            "A pad that sticks and slips, one on a film of oil, slide, hold and slide again, a brake pad from a table, and flash "
-            "heating as an expression ([theory](theory.md), section 3). Traction over pressure of nodes that slip, beside the formula of the law.",
+            "Static and kinetic coefficient, Stribeck, slip weakening, a table, and an expression ([theory](theory.md), section 3). Traction over "
+            "pressure of nodes that slip, beside the formula.",
             tuple(f"friction_laws/{name}.prm" for name in ("static_and_kinetic", "stribeck", "slip_weakening", "table", "expression")), "", CONTACT,
             draw=laws.draw),
     Example("A pin with bevelled edges", "A mesh of Gmsh whose gap opens towards both ends ([meshes](meshes.md)).", ("mesh/chamfered_pin.prm",),
             "Von Mises stress of the last snapshot", CONTACT),
-    Example("A cylindrical pin in 3D", "Sliding, modes and static contact of a mesh of hexahedra. The picture shows pressure and shear traction of the static contact.",
+    Example("A cylindrical pin in 3D",
+            "Sliding, modes and static contact (in the picture) of a mesh of hexahedra.",
             ("mesh/cylinder.prm", "mesh/cylinder_modes.prm", "mesh/cylinder_static.prm"), "Static contact of", CONTACT, "cylinder_static"),
     Example("Round fibres in a pin", "A mesh that follows the edges of the fibres, its homogenized twin, and localization.", ("mesh/round_fibres",),
             "Von Mises stress averaged over time"),
-    Example("A body that is no box", "A pin with bevelled edges from scripts of Gmsh, the cell of its fibres, and stresses in the cell at two points of the pin beside "
-            "those of the direct run ([meshes](meshes.md#a-body-of-your-own)).", ("mesh/own_body",), "Von Mises stress of the last snapshot of the heterogeneous"),
+    Example("A body that is no box",
+            "A pin with bevelled edges from scripts of Gmsh, the cell of its fibres, and stresses at two points beside the direct run "
+            "([meshes](meshes.md#a-body-of-your-own)).", ("mesh/own_body",), "Von Mises stress of the last snapshot of the heterogeneous"),
     Example("A periodic cell with round fibres", "Effective stiffness and concentration tensors of a mesh.", ("mesh/fibre_cell.prm",), "Von Mises stress in", RVE),
     Example("Spheres in a periodic cube", "Tetrahedra in 3D, six load cases.", ("mesh/spheres.prm",), "Von Mises stress in", RVE),
     Example("Two crossing fibres as voxels", "A `.npy` of phases in 3D ([voxels](voxels.md)).", ("voxels/two_fibres.prm",), "Von Mises stress in", RVE),
-    Example("A polycrystal of copper", "Sixty grains of one phase, whose orientations are read from a file ([voxels](voxels.md#orientation-of-the-cells)).",
+    Example("A polycrystal of copper",
+            "Sixty grains of one phase, with orientations from a file ([voxels](voxels.md#orientation-of-the-cells)).",
             ("voxels/polycrystal.prm",), "Von Mises stress in", RVE),
     Example("An ensemble of random fibres in 3D", "Four seeds of periodic continuous fibres along z.", ("voxels/random_fibres.prm",), "Phases of", RVE),
-    Example("A pad of short fibres in 3D", "From the microstructure over sliding to localized stresses, all in boxes of voxels.", ("voxels/pad",),
+    Example("A pad of short fibres in 3D",
+            "From the microstructure over sliding to localized stresses, in boxes of voxels.", ("voxels/pad",),
             "Pressure on the contact surface, seen"),
     Example("From a tomogram to localized stress",
-            "A grey scan, its phases, and the sample cut out of it that slides on the flat ([guide](guide/tomogram.md)).", ("tomogram",),
+            "A grey scan, its phases, and a sample that slides on the flat ([tomogram](guide/tomogram.md)).", ("tomogram",),
             "Pressure on the contact surface, seen"),
 )

@@ -18,13 +18,13 @@ from study import parse_arguments  # noqa: E402
 
 PAGE = """# Gallery of examples
 
-Every `.prm` file of [prm/examples](../prm/examples) runs as it stands, from the top folder. `./run.sh folder` runs a chain; a single file runs with its program,
-and its report is made by
+Every `.prm` file of [prm/examples](../prm/examples), with a picture and, in brackets, its time on one core. Run the
+commands in the top folder. A chain writes its report (not in its time); make the report of a single file by
 
     /usr/bin/python3 applications/tools/report/make_report.py FOLDER --output report.html
 
-Times are by the clock on one core, chains without the report. `./run.sh gallery` runs all of them and writes this page.
-Pictures are from the reports, but for those of the five laws, of the map of a tribometer, of the disc, the blocks and the pulse.
+`./run.sh gallery` runs all examples and writes this page. The pictures are from the reports, except those of the five
+laws, the tribometer with a dashpot, the disc, the blocks and the pulse.
 
 {examples}
 """
@@ -70,7 +70,7 @@ def entry(arguments, example):
     figures = drawn(example, folder) if example.draw else report_figures(pictured)
     save(figures, example.figure, os.path.join(TOP, "doc", "gallery", name + ".png"))
     print(f"{name}: {seconds:.1f} s", file=sys.stderr, flush=True)
-    return "\n".join([f"## {example.title}", "", f"{example.text} {'About ' if seconds >= 1 else 'Less than '}{max(1, round(seconds))} s.", "",
+    return "\n".join([f"## {example.title}", "", f"{example.text} ({'' if seconds >= 1 else '< '}{max(1, round(seconds))} s)", "",
                       *("    " + command for command in commands(example)), "", f"![{example.title}](gallery/{name}.png)", ""])
 
 

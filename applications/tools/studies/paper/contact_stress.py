@@ -37,9 +37,8 @@ def normal(fragment, runs, names):
     axes[1].set_xlabel("time (µs)")
     lettered(axes)
     fragment.table(["", "paper: highest frequency above 10 % of the main one [kHz] (section 3.2)", "ours [kHz]", "T_G [µs]"], rows)
-    fragment.reading("Homogeneous pin, δ = 1500 ns, pressures as printed, pushed at 0.5 m/s. T_G is the mean duration of a contact, over all nodes; the paper prints none. "
-                     "It counts every short touch, of which a period has many.")
-    fragment.figure(figure, f"Normal contact stress at node M over the last {1e6 * shown:.0f} µs, {PERIODS} periods of the faster motion.")
+    fragment.text("T_G is the mean duration of a contact, over all nodes; the paper prints none. It counts every short touch, of which a period has many.")
+    fragment.figure(figure, f"Normal contact stress at node M over the last {1e6 * shown:.0f} µs, {PERIODS} periods of the faster motion")
 
 
 def sweep_runs(cases):
@@ -54,6 +53,7 @@ def mean_friction(mu_local, delta, duration):
 
 def sweep(fragment, runs, names):
     figure, axes = panels(2, 6.2, sharex=True)
+    kept, rows = [], []
     for axis, pressure in zip(axes, names):
         found, fine = ([runs[name] for name in members] for members in names[pressure])
         deltas, inter, error = _columns(found)
@@ -69,20 +69,22 @@ def sweep(fragment, runs, names):
         axis.axvline(1e9 * paper.SLOPE_CHANGE, color=GREY, lw=1, ls=":", label="paper: slope changes")
         axis.set(ylabel="friction coefficient", ylim=(None, mu_local + 0.008))
         axis.text(0.99, 0.95, f"({'ab'[list(names).index(pressure)]}) {LABELS[pressure]}", transform=axis.transAxes, ha="right", va="top")
-        rows = [["mu_inter", *map(fixed, inter)]]
-        for whose, duration in times.items():
-            rows += [[f"eq. (13), T_G of {whose}", *map(fixed, mean_friction(mu_local, deltas, duration))],
-                     [f"T_G of {whose} [µs]", *[fixed(1e6 * t, 1) for t in duration]]]
-        fragment.table([f"{LABELS[pressure]}: δ [ns]", *[f"{1e9 * d:.0f}" for d in deltas]],
-                       [*rows, ["M slips [%]", *[f"{100 * slip(run):.0f}" for run in found]]])
+        columns = [[fixed(m) for m in inter]]
+        for duration in times.values():
+            columns += [[fixed(m) for m in mean_friction(mu_local, deltas, duration)], [fixed(1e6 * t, 1) for t in duration]]
+        columns.append([f"{100 * slip(run):.0f}" for run in found])
+        kept += [[f"{pressure / 1e6:g}", f"{1e9 * d:.0f}", *line] for d, line in zip(deltas, zip(*columns))]
+        rows.append([f"mu_inter, {LABELS[pressure]}", *columns[0]])
     axes[1].set_xlabel(r"$\delta$ (ns)")
     above(axes[0], columns=2)
-    fragment.reading("Homogeneous pin, pressures as printed, pushed at 0.5 m/s; each point is a run of its own of 3 ms, of which the latter half counts. The paper says of its curve "
-                     "only that the slope changes sign near 300 Δt = 1500 ns, where regime 2 gives way to regime 1. T_G is the mean duration of the contacts, of node M as in the paper or of all nodes; a period "
-                     "has several, of uneven length, which eq. (13) does not know.")
-    fragment.text(f"With us every point of the curve at 0.5 MPa is in regime {_regimes(runs, names[P1])} and every point of that at 0.4 MPa in regime "
-                  f"{_regimes(runs, names[P2])}: at a given push the regime does not depend on δ, and the curves fall throughout but for their scatter.")
-    fragment.figure(figure, "Global interface friction coefficient and the mean coefficient of eq. (13) against the regularization time.")
+    fragment.table(["δ [ns]", *[f"{d:.0f}" for d in SWEEP]], rows)
+    link = fragment.csv(["P [MPa]", "delta [ns]", "mu_inter [-]", "eq. (13), T_G of node M [-]", "T_G of node M [µs]", "eq. (13), T_G of all nodes [-]", "T_G of all nodes [µs]", "M slips [%]"], kept)
+    fragment.text(
+        "Homogeneous pin on cells of 0.2 mm; each point is a run of 3 ms, of which the latter half counts. The paper says of its curve only that the slope changes sign near 300 Δt = 1500 ns, where regime 2 "
+        f"gives way to regime 1. Here all points at 0.5 MPa are in regime {_regimes(runs, names[P1])} and all points at 0.4 MPa in regime {_regimes(runs, names[P2])}, so the regime does not depend on δ, "
+        "and the curves fall throughout except for their scatter. Eq. (13) lies below mu_inter, with T_G of node M as in the paper and with T_G of all nodes "
+        f"({link}); it does not know that a period has several contacts of different length.")
+    fragment.figure(figure, "Global interface friction coefficient and the mean coefficient of eq. (13) against the regularization time")
 
 
 def _regimes(runs, names):

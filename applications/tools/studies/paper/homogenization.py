@@ -33,12 +33,10 @@ def stiffness(fragment, runs, names):
                      *[f"{values[entry][c].mean() / 1e9:.3f}" for c in CONDITIONS], f"{100 * deviation:.1f} %"])
     covered = [runs[name].summary["phases"][1]["volume_fraction"] for name in names]
     fragment.table(["", "paper", "ours", "difference", "KUBC", "SUBC", "deviation"], rows)
-    fragment.text(f"Largest standard deviation over both conditions and all morphologies: {100 * largest:.1f} % "
-                  f"(paper: at most {100 * paper.STIFFNESS_DEVIATION:.1f} %).")
-    fragment.reading(
-        f"{len(names)} morphologies of 56 x 16 mm on 560 x 160 cells, uniform strain (KUBC) and stress (SUBC) on the contour. Fibres 0.1 mm "
-        "wide, 1.2 to 3.6 mm tall, placed independently until their areas add up to 10 %, cut by the border; overlaps leave "
-        f"{100 * min(covered):.1f} to {100 * max(covered):.1f} % covered.")
+    fragment.text(f"The standard deviation over both conditions and all morphologies is at most {100 * largest:.1f} % (paper: {100 * paper.STIFFNESS_DEVIATION:.1f} %).")
+    fragment.text(
+        f"Mean of {len(names)} morphologies of 56 x 16 mm on 560 x 160 cells, under uniform strain (KUBC) and stress (SUBC) on the contour. Fibres are 0.1 mm wide, 1.2 to 3.6 mm tall, [placed "
+        f"independently](reading.md) and cut by the border; they cover {100 * min(covered):.1f} to {100 * max(covered):.1f} %.")
     figure, axes = panels(1, 2.9)
     for k, c in enumerate(CONDITIONS):
         for i, entry in enumerate(ENTRIES):
@@ -49,7 +47,7 @@ def stiffness(fragment, runs, names):
     axes[0].set(xticks=range(len(ENTRIES)), ylabel="difference (%)")
     axes[0].set_xticklabels([f"$D_{{{entry[1:]}}}$" for entry in ENTRIES])
     above(axes[0])
-    fragment.figure(figure, "Entries of the stiffness by morphology, relative to eq. (10).")
+    fragment.figure(figure, "Entries of the stiffness by morphology, relative to eq. (10)")
 
 
 def modes_runs(cases):
@@ -66,10 +64,9 @@ def modes(fragment, runs, names):
                      f"{first(heterogeneous, bottom):.0f}", f"{first(free_top, bottom):.0f}"])
     fragment.table(["first mode [Hz]", "paper", "ours, eq. (10)", "difference", "heterogeneous (1)",
                     "eq. (10), top free in y"], rows)
-    fragment.reading(
-        "Under a rigid platen, which these modes leave at rest; the last column is the literal reading, u_x = 0 and the top free "
-        "in y. It is the reason for the platen in all contact runs. The running contact of regime 1 vibrates at "
-        f"{frequency(contact):.0f} Hz (paper: {paper.MAIN_FREQUENCY[1]:.0f} Hz), close to BC2.")
+    fragment.text(
+        "The top is a rigid platen, which these modes leave at rest. The last column is the literal reading, u_x = 0 and a top that is free in y; it is the reason for the platen in all contact runs. "
+        f"The running contact of regime 1 vibrates at {frequency(contact):.0f} Hz (paper: {paper.MAIN_FREQUENCY[1]:.0f} Hz), close to BC2.")
     figure, axes = plt.subplots(2, 2, figsize=(9.0, 4.2))
     for row, (run, label) in enumerate([(homogeneous, "homogeneous"), (heterogeneous, "heterogeneous")]):
         with h5py.File(os.path.join(run.folder, "modal.h5")) as file:
@@ -80,7 +77,7 @@ def modes(fragment, runs, names):
     axes[0, 0].plot([0, SCALE], [-2.5, -2.5], color=BLACK, lw=2.5, solid_capstyle="butt", clip_on=False)
     axes[0, 0].text(SCALE + 1, -2.5, f"{SCALE} mm", va="center")
     lettered(axes.flat)
-    fragment.figure(figure, "First modes, every twentieth grid line; displacements are of arbitrary size. Undeformed outline in grey.")
+    fragment.figure(figure, "First modes, every twentieth grid line; displacements are of arbitrary size", "Every twentieth grid line; displacements are of arbitrary size. Grey: undeformed outline.")
 
 
 def _shape(axes, shape, spacing, every=20, scale=2.0):

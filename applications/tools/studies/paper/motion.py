@@ -20,10 +20,10 @@ LABELS = ("0.5 MPa, homogeneous", "0.5 MPa, heterogeneous 1", "0.4 MPa, homogene
 
 def trajectory(fragment, runs, names):
     found = [runs[name] for name in names]
-    rows = [["distance from the flat [µm], largest of a period, on average", fixed(1e6 * paper.SEPARATION, 1),
-             *[f"{1e6 * height(run):.2f} ({relative(height(run), paper.SEPARATION)})" for run in found]]]
-    fragment.table(["", "paper", *LABELS], rows)
-    fragment.reading("Node M in the middle of the contact, the last periods; pressures as printed, the pin pushed at 0.5 m/s. The paper shows regime 1.")
+    fragment.table(["largest distance of M from the flat in a period, on average [µm]", "paper", "ours", "difference"],
+                   [[label, *((fixed(1e6 * paper.SEPARATION, 1), f"{1e6 * height(run):.2f}", relative(height(run), paper.SEPARATION)) if label in LABELS[:2] else ("-", f"{1e6 * height(run):.2f}", "-"))]
+                    for label, run in zip(LABELS, found)])
+    fragment.text("Node M is in the middle of the contact. The paper shows regime 1, which is that of 0.5 MPa.")
     figure, axes = plt.subplots(1, 3, figsize=(9.0, 3.4), sharey=True)
     for axis, run, label, colour in zip(axes, found, LABELS, (BLUE, ORANGE, GREEN)):
         _, u, _, _ = reference(run, run.number("simulated_time") - SHOWN_PERIODS / frequency(run))
@@ -34,7 +34,7 @@ def trajectory(fragment, runs, names):
         axis.set_title(label, loc="left")
     axes[0].set_ylabel("$u_y$ (µm)")
     lettered(axes)
-    fragment.figure(figure, f"Trajectory of node M over {SHOWN_PERIODS} periods. u_y = 0: the rigid flat; dashed: the paper's 0.2 µm.")
+    fragment.figure(figure, f"Trajectory of node M over {SHOWN_PERIODS} periods. u_y = 0: the rigid flat; dashed: the paper's 0.2 µm", "Last periods. u_y = 0 is the rigid flat; dashed: the paper's 0.2 µm.")
 
 
 def convergence_runs(cases):
@@ -51,8 +51,7 @@ def convergence(fragment, runs, names):
             ["mu_inter", "-", *[mu_text(run) for run in (coarse, fine)]],
             ["slip of node M", "70 %", *[f"{100 * run.number('reference_node', 'slip'):.0f} %" for run in (coarse, fine)]]]
     fragment.table(["", "paper", *labels], rows)
-    fragment.reading("P = 0.5 MPa as printed, the pin pushed at 0.5 m/s; 1 ms, of which the paper's steady part, from 0.25 ms on, counts. "
-                     "The paper took these two pairs of cell and time step.")
+    fragment.text("0.5 MPa and 1 ms, of which the paper's steady part, from 0.25 ms on, counts. The two pairs of cell and time step are the paper's.")
     figure, axes = plt.subplots(1, 3, figsize=(9.0, 3.6), gridspec_kw={"width_ratios": [1.4, 1, 1.2]})
     for run, label, colour, width in zip((coarse, fine), labels, (BLUE, ORANGE), (1.6, 1.0)):
         time, u, _, _ = reference(run, 0.0)
@@ -69,5 +68,4 @@ def convergence(fragment, runs, names):
     axes[2].set(xlabel="frequency (kHz)", ylabel="amplitude of $u_x$ (µm)")
     lettered(axes)
     above_all(figure, axes[1].get_legend_handles_labels()[0])
-    fragment.figure(figure, "Node M at two grids and time steps: (a) transient and steady part, (b) mean phase diagram, (c) spectrum; dashed the "
-                            "paper's 40, 80 and 120 kHz.")
+    fragment.figure(figure, "Node M at two grids and time steps", "(a) Transient and steady part, (b) mean phase diagram, (c) spectrum; dashed: the paper's 40, 80 and 120 kHz.")

@@ -6,13 +6,37 @@ import pages
 
 INTRODUCTION = """# The paper's tables and figures
 
-Peillex, Baillet, Berthier, *Homogenization in non linear dynamics due to frictional contact*, Int. J. Solids Structures (2008): every table
-and figure with a number or a curve, beside what mesoslip computes. `./run.sh paper` makes this page; the runs are the files of
-[prm/paper](../../prm/paper) with the changes named. Only the paper's numbers are typed in
-(`applications/tools/report/paper_values.py`); nothing is read off its figures. "Difference" is ours against the paper's.
+This page sets mesoslip beside every table and figure with a number or a curve in Peillex, Baillet, Berthier, *Homogenization in non linear dynamics due to frictional contact*, \
+Int. J. Solids Structures (2008).
 
-How the paper was read, and why, has [a page of its own](reading.md).
+Effective stiffness, modes, static contact and friction by phase agree with the paper. Both regimes of the sliding pin appear at the printed pressures if the pin starts with a push along x, \
+which the paper does not mention. In table 3 two of four models are in regime 2 where the paper has regime 1. In regime 1 node M leaves the flat by about half the paper's distance. Localized stresses come \
+close to the paper's bounds in the middle of the pin (figure 15) and miss them at the contact (figure 14).
+
+{differences}
+
+`./run.sh paper` makes this page from the files of [prm/paper](../../prm/paper). Only the paper's numbers are typed in (`applications/tools/report/runs/paper_values.py`); nothing is read off \
+its figures. [How the paper was read](reading.md) gives the reasons for the settings.
 """
+
+
+def introduction(texts):
+    """What stands above the parts, with the largest difference of each."""
+    rows = [row for row in map(_largest, texts) if row]
+    return INTRODUCTION.format(differences=pages.table(["part", "largest difference", "of"], rows)) if rows else INTRODUCTION.replace("{differences}\n\n", "")
+
+
+def _largest(text):
+    """Link, value and row of the largest entry below "difference" in the tables of a part; None where it has no such column."""
+    title, found = text.split("\n")[0].removeprefix("## "), []
+    for lines in re.findall(r"(?:^\|.*\n)+", text, re.MULTILINE):
+        head, _, *rows = ([cell.strip() for cell in line.strip("|").split(" | ")] for line in lines.strip().split("\n"))
+        found += [(cell, row[0]) for row in rows for name, cell in zip(head, row) if name == "difference" and cell.endswith("%")]
+    if not found:
+        return None
+    value, row = max(found, key=lambda entry: abs(float(entry[0].rstrip(" %").replace("−", "-"))))
+    anchor = re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-")
+    return [f"[{title.split(':')[0]}](#{anchor})", value, row]
 
 
 def relative(ours, paper):
@@ -33,9 +57,6 @@ class Fragment:
     def text(self, text):
         self.lines += [text, ""]
 
-    def reading(self, text):
-        self.text("*Reading.* " + text)
-
     def table(self, header, rows):
         self.text(pages.table(header, rows, right=True))
 
@@ -45,9 +66,15 @@ class Fragment:
                    [(what, fixed(paper, digits), fixed(ours, digits), relative(ours, paper))
                     for what, paper, ours in rows])
 
-    def figure(self, figure, caption, suffix="", dpi=110):
+    def csv(self, headings, rows):
+        """Keeps a table beside the page; returns a link to it."""
+        pages.write_csv(self.page.folder, self.key + ".csv", headings, rows)
+        return f"[{self.key}.csv]({self.key}.csv)"
+
+    def figure(self, figure, title, caption="", suffix="", dpi=110):
+        """`title` stands for the picture, `caption` below it."""
         name = pages.save_picture(figure, self.page.folder, self.key + suffix + ".png", dpi=dpi, pil_kwargs={"optimize": True})
-        self.text(f"![{re.split(r'[.:;] (?=[A-Z])', caption)[0].rstrip('.')}]({name})\n\n*{caption}*")
+        self.text(f"![{title}]({name})" + (f"\n\n*{caption}*" if caption else ""))
 
     def save(self):
         self.page.text(self.key, "\n".join(self.lines))

@@ -3,7 +3,7 @@
 import numpy as np
 
 from cases import P1, P2, PUSHED, TENFOLD
-from measures import frequency, height, mu_text, relative_velocity, separation, slip, within
+from measures import frequency, height, mu_text, relative_velocity, slip, within
 from page import fixed
 from report.base.figures import BLACK, BLUE, GREEN, GREY, ORANGE, above, above_all, lettered, panels, plt
 from report.runs import paper_values as paper
@@ -16,7 +16,7 @@ COLOURS = dict(zip(LONG, (GREY, BLUE, ORANGE)))
 
 COLUMNS = (("0.5 MPa, homogeneous", PUSHED, P1, False), ("0.5 MPa, heterogeneous 1", PUSHED, P1, True),
            ("0.4 MPa, homogeneous", PUSHED, P2, False), ("0.4 MPa, heterogeneous 1", PUSHED, P2, True),
-           ("5 MPa from rest, homogeneous", TENFOLD, P1, False))
+           ("5 MPa, from rest", TENFOLD, P1, False))
 
 
 def regime_runs(cases):
@@ -29,22 +29,19 @@ def regime_runs(cases):
 def regimes(fragment, runs, names):
     columns, pushes = names
     fragment.text(
-        "The paper does not say how the motion starts, and that decides. As long as no node sticks or turns back, the motion scales with the pressure "
-        "(P and V count by P/V alone), so that 0.5 and 0.4 MPa could not give two regimes to pins that start alike but for P. A pin that is pushed along x at "
-        "the start is another matter: the push over the pressure counts. Below, both printed pressures and pushes from 0 to 2 m/s.")
+        "The paper does not say how the motion starts, and the start decides the regime ([why](reading.md#pressure-and-start)). This page takes **the pressures as printed, pressure and flat that act at once, "
+        f"and a pin that starts with {PUSHED.start:g} m/s along x**. The push is the one number that is ours. Its ratio to the pressure counts: {PUSHED.start * 1e6 / P1:g} (m/s)/MPa at 0.5 MPa, in regime 1, "
+        f"and {PUSHED.start * 1e6 / P2:g} at 0.4 MPa, in regime 2.")
     found = {case: runs[name] for case, name in pushes.items()}
     _by_push(fragment, found)
     _in_the_long_run(fragment, found)
-    fragment.text(
-        f"So the reading of this page is: **pressures as printed, pressure and flat act at once, and the pin starts with {PUSHED.start:g} m/s along x**, "
-        f"the one number that is ours: {PUSHED.start * 1e6 / P1:g} (m/s)/MPa at 0.5 MPa, on the plateau of regime 1, and {PUSHED.start * 1e6 / P2:g} at 0.4 MPa, in regime 2. The "
-        "paper's two pressures then differ for the reason that its heterogeneous models do: which cycle a start falls to. Without a push a third cycle is reached, "
-        "of small amplitude.")
     _table(fragment, [runs[name] for name in columns])
-    fragment.reading(
-        "Rigid platen on top, 560 x 160 cells of 0.1 mm (figures above: 0.2 mm), μ = 0.25, δ = 1500 ns, V = 2 m/s, β = 4.4 ns, β₂ = 1/2, 95 % of the critical time step, "
-        f"{1e3 * PUSHED.end:g} ms of which the last {1e3 * (PUSHED.end - PUSHED.steady_from):g} ms count. The last column is another reading, ten times the printed pressure from rest.")
-    fragment.text("Maps over pressure, velocity, δ and start: [regimes](regimes.md); how δ can be predicted: [prediction](prediction.md). The pin in 3D: [thickness](thickness.md).")
+    fragment.text(
+        "The last column is another reading, ten times the printed pressure. More: [regimes](regimes.md) over pressure, δ and start, [prediction](prediction.md) of δ, the pin in 3D ([thickness](thickness.md)).")
+    fragment.text(
+        "Unless a section says otherwise, runs have this push, the printed pressure, a rigid platen, 560 x 160 cells of 0.1 mm (280 x 80 in the two pictures above), μ = 0.25, δ = 1500 ns, V = 2 m/s, "
+        f"β = 4.4 ns, β₂ = 1/2, 95 % of the critical time step and {1e3 * PUSHED.end:g} ms, of which the last {1e3 * (PUSHED.end - PUSHED.steady_from):g} ms count. The homogeneous pin has eq. (10). ± is the 95 % "
+        "interval of the mean in time. The regime is that of node M: 1 up to half of its time separated, 2 beyond half, none below 10 %.")
 
 
 def _table(fragment, found):
@@ -53,10 +50,8 @@ def _table(fragment, found):
     fragment.table(["", "paper, regime 1 / 2", *[label for label, *_ in COLUMNS]], [
         ["mu_inter", both(paper.INTERFACE_FRICTION), *[mu_text(run) for run in found]],
         ["main frequency [kHz]", both(paper.MAIN_FREQUENCY, 1e-3, 1), *[fixed(frequency(run) / 1e3, 1) for run in found]],
-        ["node M slips", f"{percent(paper.SLIP[1])} / {percent(paper.SLIP[2])}", *[percent(slip(run)) for run in found]],
-        ["node M is separated", f"{percent(1 - paper.SLIP[1])} / {percent(1 - paper.SLIP[2])}",
-         *[percent(separation(run)) for run in found]],
-        ["it leaves the flat by [µm] (largest of a period)", f"{fixed(1e6 * paper.SEPARATION, 1)} / -", *[fixed(1e6 * height(run), 2) for run in found]],
+        ["M slips (else separated)", f"{percent(paper.SLIP[1])} / {percent(paper.SLIP[2])}", *[percent(slip(run)) for run in found]],
+        ["M leaves the flat by [µm]", f"{fixed(1e6 * paper.SEPARATION, 1)} / -", *[fixed(1e6 * height(run), 2) for run in found]],
         ["flat relative to M [m/s]", "{} to {} / -".format(*paper.RELATIVE_VELOCITY),
          *["{:.2f} to {:.2f}".format(*relative_velocity(run)) for run in found]]])
 
@@ -78,24 +73,25 @@ def _by_push(fragment, found):
         axis.set(xlabel="push / P ((m/s)/MPa)", ylabel=label)
     lettered(axes)
     above_all(figure, axes[0].get_legend_handles_labels()[0], columns=4)
-    fragment.figure(figure, "Homogeneous pin of both pressures against the velocity with which it starts, over the pressure; "
-                            f"from {1e3 * end / 3:.0f} to {1e3 * end:.0f} ms.", "-pushes")
-    fragment.text(_plateaus([{**state, "push": 1e6 * push / pressure, "drift": drift[pressure, push]} for (pressure, push), state in seen.items()]))
+    fragment.figure(figure, f"Homogeneous pin of both pressures against the velocity with which it starts, over the pressure; from {1e3 * end / 3:.0f} to {1e3 * end:.0f} ms",
+                    f"Homogeneous pin against its push over the pressure, from {1e3 * end / 3:.0f} to {1e3 * end:.0f} ms.", "-pushes")
+    _plateaus(fragment, [{**state, "push": 1e6 * push / pressure, "drift": drift[pressure, push]} for (pressure, push), state in seen.items()])
 
 
-def _plateaus(seen):
-    """What _by_push shows, in words; `seen` of within(), with the push over the pressure in (m/s)/MPa and the drift of mu."""
+def _plateaus(fragment, seen):
+    """What _by_push shows; `seen` of within(), with the push over the pressure in (m/s)/MPa and the drift of mu."""
     first, second = ([state for state in seen if low <= state["slip"] <= high] for low, high in ALIKE.values())
     if not first or not second or max(s["push"] for s in first) > min(s["push"] for s in second):
-        return "At these pushes the two regimes are not apart."
+        fragment.text("At these pushes the two regimes are not apart.")
+        return
     span = lambda group, key, scale, digits: f"{scale * min(s[key] for s in group):.{digits}f} to {scale * max(s[key] for s in group):.{digits}f}"
     begin = min(s["push"] for s in second)
     others = sum(s["push"] >= begin for s in seen) - len(second)
-    return (f"Over the push divided by the pressure both pressures lie on one line, but for mu_inter in regime 2. Regime 1 is a plateau, of {len(first)} starts from {span(first, 'push', 1, 1)} (m/s)/MPa: M slips "
-            f"{span(first, 'slip', 100, 0)} % of the time, mu_inter is {span(first, 'mu', 1, 3)}. Smaller pushes lead to cycles between it and that without a push. From {begin:.4g} (m/s)/MPa on the pin "
-            f"comes to regime 2: in {len(second)} starts M slips {span(second, 'slip', 100, 0)} % at {span(second, 'frequency', 1e-3, 1)} kHz, whatever the push. Its mu_inter is no plateau but "
-            f"scatters from {span(second, 'mu', 1, 3)}, as it does in time: from the first to the second half of a run by up to {max(s['drift'] for s in second):.3f} "
-            f"(regime 1: {max(s['drift'] for s in first):.4f}). {others} of the starts beyond had left it by then.")
+    fragment.table(["regime", "starts", "push / P [(m/s)/MPa]", "M slips [%]", "main frequency [kHz]", "mu_inter", "drift of mu_inter in a run"], [
+        ["1", str(len(first)), span(first, "push", 1, 1), span(first, "slip", 100, 0), "-", span(first, "mu", 1, 3), f"{max(s['drift'] for s in first):.4f}"],
+        ["2", str(len(second)), f"from {begin:.4g} on", span(second, "slip", 100, 0), span(second, "frequency", 1e-3, 1), span(second, "mu", 1, 3), f"{max(s['drift'] for s in second):.3f}"]])
+    fragment.text(f"Both pressures lie on one line, except mu_inter in regime 2, which is no plateau but scatters. {others} of the starts beyond {begin:.4g} (m/s)/MPa had left regime 2 by then. Smaller pushes lead to "
+                  "cycles between regime 1 and a third cycle, of small amplitude, which the pin reaches without a push.")
 
 
 def _in_the_long_run(fragment, found):
@@ -108,7 +104,8 @@ def _in_the_long_run(fragment, found):
     axes.set(xlabel="time (ms)", ylabel="share of separation of M (%)", ylim=(0, 100))
     axes.margins(x=0)
     above(axes, columns=3)
-    fragment.figure(figure, "Share of time in which node M is separated, in the long run, at 0.5 MPa. " + _end_of_regime_2(*shares[max(LONG)]), "-long")
+    fragment.figure(figure, "Share of time in which node M is separated, in the long run, at 0.5 MPa",
+                    f"0.5 MPa and three pushes over {1e3 * LONG_END:g} ms. " + _end_of_regime_2(*shares[max(LONG)]), "-long")
 
 
 def _end_of_regime_2(time, share):

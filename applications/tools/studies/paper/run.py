@@ -22,7 +22,7 @@ import static_contact  # noqa: E402
 import tables  # noqa: E402
 from cases import TOP, Cases  # noqa: E402
 from measures import Runs  # noqa: E402
-from page import INTRODUCTION, Fragment  # noqa: E402
+from page import Fragment, introduction  # noqa: E402
 from pages import Page  # noqa: E402
 from report.base.data import Missing  # noqa: E402
 from report.runs import paper_values  # noqa: E402
@@ -74,7 +74,7 @@ def make(study, keys, doc, extra=None):
             missing.append(f"{key}: {reason}")
             continue
         fragment.save()
-    missing += [f"{key}: not run yet" for key in page.write(INTRODUCTION, PARTS, {key: part.title for key, part in PARTS.items()}) if key not in keys]
+    missing += [f"{key}: not run yet" for key in page.write(introduction, PARTS, {key: part.title for key, part in PARTS.items()}) if key not in keys]
     return missing
 
 

@@ -57,10 +57,10 @@ def table(fragment, results, names):
             spread = f"{everything.mean():.3f} ± {everything.std(ddof=1):.3f}" if method == "SCA" else "-"
             rows.append([f"{label}, {method}", fixed(value / unit, 2), fixed(ours[key] / unit), relative(ours[key], value), spread])
     fragment.table(["", "paper", "ours at 10 % on the contact", "difference", f"mean and deviation of {len(found)} morphologies"], rows)
-    fragment.reading(
-        "P = 0.5 MPa as printed (static pressures scale with P), rigid platen, all nodes slipping, friction by phase. In the paper's morphology fibres cover 10 % of the contact; "
-        f"in ours {100 * share.min():.1f} to {100 * share.max():.1f} %. The column at 10 % takes SPR from eq. (19), and SCA from a straight line through our morphologies. "
-        "P_i is the mean of −σ_yy over the phase's cells at the contact.")
+    fragment.text(
+        "0.5 MPa (static pressures scale with P), all nodes slipping, friction by phase. In the paper's morphology fibres cover 10 % of the contact, "
+        f"in ours {100 * share.min():.1f} to {100 * share.max():.1f} %. At 10 %, SPR is from eq. (19) and SCA from a straight line through our morphologies. "
+        "P_h and P_m are the means of −σ_yy over the cells of fibres and matrix at the contact.")
     figure, axes = panels(2, 5.2, sharex=True)
     shown = np.linspace(min(share.min(), 0.07), max(share.max(), 0.105), 50)
     for axis, phase in zip(axes, PHASES):
@@ -73,4 +73,4 @@ def table(fragment, results, names):
     axes[1].set_xlabel("share of fibres on the contact (%)")
     lettered(axes)
     above_all(figure, axes[0].get_legend_handles_labels()[0], columns=4)
-    fragment.figure(figure, "Contact pressures of the phases in the static contact analysis: (a) fibres, (b) matrix; dashed: straight line through the morphologies.")
+    fragment.figure(figure, "Contact pressures of the phases in the static contact analysis", "(a) Fibres, (b) matrix; dashed: straight line through the morphologies.")

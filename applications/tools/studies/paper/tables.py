@@ -5,7 +5,7 @@ import dataclasses
 import numpy as np
 
 from cases import P1, P2, PUSHED, pushed
-from measures import frequency, mu, mu_text, regime, slip
+from measures import mu, mu_text, regime, slip
 from page import fixed, relative
 from report.base.figures import BLUE, ORANGE, above, panels
 from report.runs import paper_values as paper
@@ -19,11 +19,12 @@ class Row:
     name: str
 
 
-def _write(fragment, runs, rows, caption):
+def _write(fragment, runs, rows, title):
     found = [runs[row.name] for row in rows]
-    fragment.table(["mu_inter", "paper", "ours", "difference", "M slips [%]", "main frequency [kHz]", "regime"],
-                   [[row.label, fixed(row.value), mu_text(run), relative(mu(run), row.value), f"{100 * slip(run):.0f}",
-                     fixed(frequency(run) / 1e3, 1), regime(run)] for row, run in zip(rows, found)])
+    fragment.table(["mu_inter", "paper", "ours", "difference", "M slips [%]"],
+                   [[row.label, fixed(row.value), mu_text(run), relative(mu(run), row.value), f"{100 * slip(run):.0f}"] for row, run in zip(rows, found)])
+    seen = sorted({regime(run) for run in found})
+    fragment.text(f"All are in regime {seen[0]}." if len(seen) == 1 else "The regimes are " + ", ".join(regime(run) for run in found) + ".")
     figure, (axes,) = panels(1, 1.1 + 0.3 * len(rows))
     y = -np.arange(len(rows))
     axes.plot([row.value for row in rows], y, "x", color=ORANGE, ms=9, mew=2.2, label="paper")
@@ -32,13 +33,13 @@ def _write(fragment, runs, rows, caption):
     axes.set(yticks=y, xlabel=r"$\mu_\mathrm{inter}$", ylim=(y[-1] - 0.6, 0.6))
     axes.set_yticklabels([row.label for row in rows])
     above(axes)
-    fragment.figure(figure, caption + " Bars: 95 % interval of the mean in time.")
+    fragment.figure(figure, title)
 
 
 def _spread(fragment, runs, rows, reference):
     values = [mu(runs[row.name]) for row in rows]
-    fragment.text(f"Over the {len(values)} morphologies: {np.mean(values):.3f} ± {np.std(values, ddof=1):.3f} (mean and standard deviation); "
-                  f"paper: {np.mean(reference):.3f} ± {np.std(reference, ddof=1):.3f}.")
+    fragment.text(f"Mean and standard deviation over the {len(values)} morphologies are {np.mean(values):.3f} ± {np.std(values, ddof=1):.3f}, in the paper {np.mean(reference):.3f} ± {np.std(reference, ddof=1):.3f}. "
+                  "The paper's morphologies are not published; ours are seeds 1, 2, 4 and 6 of the same statistics.")
 
 
 def _models(cases, table, pressure):
@@ -53,12 +54,9 @@ def table_2_runs(cases):
 
 
 def table_2(fragment, runs, rows):
-    _write(fragment, runs, rows, "Global interface friction coefficients of table 2.")
+    _write(fragment, runs, rows, "Global interface friction coefficients of table 2")
     reference = paper.TABLE_2["heterogeneous"]
     _spread(fragment, runs, rows[: len(reference)], list(reference.values()))
-    fragment.reading("P = 0.5 MPa as printed, pushed at 0.5 m/s. The paper's morphologies are not published; ours are seeds 1, 2, 4 and 6 of the same statistics. "
-                     "± is the 95 % interval of the mean in time, within one run. The regime is that of node M: 1 up to half, 2 beyond half of its time separated, "
-                     "none below 10 %.")
 
 
 # m/s; around the push at which 0.4 MPa changes its regime.
@@ -74,15 +72,18 @@ def table_3_runs(cases):
 
 def table_3(fragment, runs, names):
     rows, pushes = names
-    _write(fragment, runs, rows, "Global interface friction coefficients of table 3.")
-    fragment.reading("P = 0.4 MPa as printed, else as table 2. In the paper heterogeneous model 1 and the homogeneous one with 1500 ns are in regime 2, the two others in regime 1.")
+    _write(fragment, runs, rows, "Global interface friction coefficients of table 3")
     changes = {_change({v: regime(runs[members[k]]) for v, members in pushes.items()}) for k in range(len(rows))}
-    fragment.text("Which regime a model comes to changes with the push" + (
-        f", {changes.pop()} for all of them: no push tried parts the four as in the paper." if len(changes) == 1 else f": {'; '.join(sorted(changes))}.")
-        + f" Regime (and mu_inter from {1e3 * pushed(0).steady_from:g} to {1e3 * pushed(0).end:g} ms; the last column as above) of the same four:")
-    fragment.table(["push [m/s]", *[f"{v:g}" for v in pushes]],
-                   [[row.label, *[f"{regime(runs[members[k]])} ({mu(runs[members[k]]):.3f})" for members in pushes.values()]]
-                    for k, row in enumerate(rows)])
+    link = fragment.csv(["model", "push [m/s]", "regime", "mu_inter [-]", "from [ms]", "to [ms]"],
+                        [[row.label, f"{v:g}", regime(runs[members[k]]), f"{mu(runs[members[k]]):.3f}", *(f"{1e3 * t:g}" for t in _window(v))] for k, row in enumerate(rows) for v, members in pushes.items()])
+    fragment.text("In the paper heterogeneous model 1 and the homogeneous model with 1500 ns are in regime 2, the two others in regime 1. Here the regime changes with the push" + (
+        f", {changes.pop()} for all four models ({link}); none of the pushes separates them as in the paper." if len(changes) == 1 else f" ({link}): {'; '.join(sorted(changes))}."))
+
+
+def _window(push):
+    """Begin and end (s) of what counts of a run with this push."""
+    reading = PUSHED if push == PUSHED.start else pushed(push)
+    return reading.steady_from, reading.end
 
 
 def _change(regimes):
@@ -98,6 +99,6 @@ def by_phase_runs(table, cases):
 
 
 def by_phase(number, fragment, runs, rows):
-    _write(fragment, runs, rows, f"Global interface friction coefficients of table {number}.")
-    fragment.reading("P = 0.5 MPa as printed, pushed at 0.5 m/s. Coefficients by phase: 0.3 at fibres, 0.12 at the matrix; a node between both takes the mean weighted with "
-                     "the stiffness.")
+    _write(fragment, runs, rows, f"Global interface friction coefficients of table {number}")
+    if number == 5:
+        fragment.text("At 0.5 MPa. The coefficient is 0.3 at fibres and 0.12 at the matrix; a node between both takes the mean weighted with the stiffness.")

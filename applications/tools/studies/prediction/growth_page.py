@@ -39,44 +39,33 @@ def regimes_section(found, runs):
     """`runs` of regime_map.collect."""
     start = found.paper[AT]
     fastest, slow = max(start, key=lambda s: s.real), min(start, key=lambda s: abs(kilohertz(s) - 41.6))
-    rows = [[f"{kilohertz(s):.2f}"] + [f"{line[k].real:.0f}" for line in found.paper] for k, s in enumerate(start)]
     return ["## Growth of steady sliding",
-            f"Eigenvalues of the pin of eq. (10) that slides steadily, on cells of {cell_size(growth.CELLS)}. They depend neither on P nor on V. All modes that grow at one of these δ, each followed over δ by the overlap of its shape; growth in 1/s:",
-            table(["kHz at 1500 ns"] + [f"δ = {d * 1e9:g} ns" for d in growth.DELTAS], rows),
-            "![growth](regimes/growth.png)",
-            f"At 1500 ns the fastest mode, at {kilohertz(fastest):.2f} kHz, grows by {fastest.real:.0f} 1/s. That near 41.6 kHz, the paper's main frequency, grows by {slow.real:.0f} 1/s: a time "
-            f"constant of {1e3 / slow.real:.1f} ms, and the fastest grows {fastest.real / slow.real:.0f} times as fast. What a run of 1 ms shows near 41 kHz is therefore mostly what the start put "
-            "there; other modes take over later. The short strokes beside 1500 ns are the ten morphologies of [prediction](prediction.md).",
-            *_search(found), *_other_bodies(found), *_beside_runs(found, runs)]
+            f"At 1500 ns the fastest mode, at {kilohertz(fastest):.2f} kHz, grows by {fastest.real:.0f} 1/s. The mode at {kilohertz(slow):.2f} kHz, near the paper's main frequency, grows by {slow.real:.0f} 1/s (time constant {1e3 / slow.real:.1f} ms), "
+            f"{fastest.real / slow.real:.0f} times more slowly. What a run of 1 ms shows near 41 kHz is therefore mostly what the start put there; other modes take over later. "
+            "Growth depends neither on P nor on V. The picture and its [table](regimes/growth.csv) have the modes of the pin of eq. (10) on cells of "
+            f"{cell_size(growth.CELLS)}, followed over δ by the overlap of their shapes.",
+            "![Growth rates over delta; strokes beside 1500 ns: the ten morphologies of the page on prediction](regimes/growth.png)",
+            *_search(found), *_beside_runs(found, runs)]
 
 
 def _search(found):
-    return ["All these are modes of steady sliding by `Analysis = complex modes` of `contact_dynamics`, which finds every mode that grows up to a frequency "
-            f"([theory](../theory.md#11-complex-modes-libeigenvaluescomplex)); here up to {found.searched / 1e3:.0f} kHz. The argument principle counts "
-            f"{found.missing or 'no'} others in any of the runs. No mode above {found.bound / 1e3:.0f} kHz can grow at 1500 ns on these cells, by the numerical range of friction in the "
-            f"elastic energy; between the two frequencies nothing was searched. Residuals are below {found.residual:.0e} of the terms of the equation. "
-            "Growth and frequency are also those of a run (next table, and `tests/system/pages/prediction.py`). Contact nodes that are separated in the static state are free; "
-            f"there are {_separated(found)}."]
+    return ["The modes come from `Analysis = complex modes` of `contact_dynamics`, which finds every mode that grows up to a frequency "
+            f"([theory](../theory.md#11-complex-modes-libeigenvaluescomplex)), here {found.searched / 1e3:.0f} kHz; the argument principle counts {found.missing or 'no'} others. "
+            f"No mode above {found.bound / 1e3:.0f} kHz can grow at 1500 ns on these cells; between the two frequencies nothing was searched. Contact nodes that are separated in the static state "
+            f"(at most {max(found.separated.values())}) are free. [growth_bodies.csv](regimes/growth_bodies.csv) has the same modes in a transient run, on finer cells and with the mean stiffness of the morphologies."]
 
 
-def _separated(found):
-    grids = ", ".join(f"{found.separated[cells]} on cells of {cell_size(cells)}" for cells in (growth.CELLS, *growth.FINER))
-    pins = [found.separated[seed] for seed in found.morphologies]
-    return f"{grids}, and {min(pins)} to {max(pins)} in the morphologies"
-
-
-def _other_bodies(found):
-    """The modes that grow at START, on finer cells and with the other stiffness."""
+def write_bodies(folder, found):
+    """The modes that grow at START: of eq. (10), in a run whose pressure grows for 1 ms (matrix pencil method on u_x of M in growth.WINDOW), on finer cells and with
+    the other stiffness."""
     start = found.paper[AT][found.paper[AT].real > 0]
     if len(found.mean[AT]) != len(start):
         raise RuntimeError(f"{len(start)} modes grow with eq. (10), {len(found.mean[AT])} with the mean stiffness")
     columns = {f"eq. (10), {cell_size(growth.CELLS)}": start, f"run, {cell_size(growth.CELLS)}": found.seen,
                **{f"eq. (10), {cell_size(cells)}": line for cells, line in found.refined.items()},
                f"mean stiffness, {cell_size(growth.CELLS)}": found.mean[AT]}
-    rows = [[f"{line[k].real:.1f} at {kilohertz(line[k]):.3f}" for line in columns.values()] for k in range(len(start))]
-    return ["The modes that grow at 1500 ns, growth in 1/s at kHz: of eq. (10); in a run of `contact_dynamics` whose pressure grows for 1 ms, "
-            f"from {growth.WINDOW[0] * 1e3:g} to {growth.WINDOW[1] * 1e3:g} ms, while all nodes slide (matrix pencil method on u_x of M); on finer cells; and with the mean stiffness of the "
-            "ten morphologies:", table(list(columns), rows)]
+    write_csv(folder, "growth_bodies.csv", ["body", "mode", "growth [1/s]", "frequency [kHz]"],
+              [[body, k, f"{s.real:.1f}", f"{kilohertz(s):.3f}"] for body, line in columns.items() for k, s in enumerate(line)])
 
 
 def fastest_branches(found):
@@ -90,19 +79,31 @@ def fastest_branches(found):
 
 
 def _beside_runs(found, runs):
-    rows = []
+    """Ramped runs beside the fastest modes: {delta: largest relative difference of the main frequency}"""
+    apart = {}
     for delta, line in zip(growth.DELTAS, found.paper):
         late = [runs.get((p, d, "ramped")) for p in SHOWN for d in regime_map.DELTAS if abs(d - delta) < 1e-12]
         if len(late) == len(SHOWN) and all(late):
-            fastest = max(line, key=lambda s: s.real)
-            if delta == growth.START and any(abs(m.frequency / 1e3 - kilohertz(fastest)) > 2 for _, m in late):
-                raise RuntimeError("the ramped runs at 1500 ns are not at the frequency of the fastest mode; the text of this page says they are")
-            rows.append([f"{delta * 1e9:g}", f"{kilohertz(fastest):.1f}", f"{fastest.real:.0f}", *(f"{m.frequency / 1e3:.1f}" for _, m in late)])
-    return ["A start with a ramp leaves the choice to growth. Main frequencies of such runs of the map from "
-            f"{regime_map.LATE[0] * 1e3:g} to {regime_map.LATE[1] * 1e3:g} ms beside the fastest mode:",
-            table(["δ [ns]", "fastest mode [kHz]", "its growth [1/s]", *(f"run at {p / 1e6:g} MPa [kHz]" for p in SHOWN)], rows),
-            "The dominant frequency of the transient runs, near 124 kHz at 1500 ns, is that of the fastest mode, and so is that near 180 kHz at smaller δ; once nodes stick or leave the flat "
-            "it shifts by some per cent. Where growth is slowest, at 3000 ns, the mode near 41.6 kHz that the ramp excited is still the largest after 3 ms."]
+            tone = kilohertz(max(line, key=lambda s: s.real))
+            apart[delta] = max(abs(m.frequency / 1e3 / tone - 1) for _, m in late)
+    near = [delta for delta, difference in apart.items() if difference < 0.05]
+    if growth.START not in near or max(apart) in near:
+        raise RuntimeError("the text of this page on ramped runs is not what they show")
+    return [f"After a ramped start growth alone chooses the mode. Ramped runs at {' and '.join(f'{p / 1e6:g}' for p in SHOWN)} MPa vibrate from {regime_map.LATE[0] * 1e3:g} to "
+            f"{regime_map.LATE[1] * 1e3:g} ms at the frequency of the fastest mode within {100 * max(apart[d] for d in near):.0f} % for δ = {min(near) * 1e9:g} to {max(near) * 1e9:g} ns; nodes that stick or "
+            f"leave the flat shift it. At {max(apart) * 1e9:g} ns, where growth is slowest, the mode near 41.6 kHz that the ramp excited is still the largest."]
+
+
+def write_correlations(folder, found, keys, runs):
+    """Spearman's rank correlation over the morphologies of growth with mu_inter, by mode of the homogeneous pin."""
+    write_csv(folder, "growth_correlations.csv", ["mode, homogeneous [kHz]", "load", "window", "rank correlation [-]"],
+              [[mode, load.label, window, value] for mode, values in correlations(found, keys, runs).items() for (load, window), value in zip(keys, values)])
+
+
+def correlations(found, keys, runs):
+    """{mode: texts for each of `keys`}"""
+    values = {f"{kilohertz(s):.2f}": [_rank_correlation(found.morphologies, runs[key], lambda line, k=k: line[k].real) for key in keys] for k, s in enumerate(found.mean[AT])}
+    return {**values, "fastest": [_rank_correlation(found.leading, runs[key], lambda line: line[0].real) for key in keys]}
 
 
 def prediction_section(data, keys, runs):
@@ -115,34 +116,33 @@ def prediction_section(data, keys, runs):
         tones = delta_rules.interval([kilohertz(line[k]) for line in lines])
         alike = [overlaps[k] for overlaps in found.overlaps.values()]
         stars = delta_rules.interval([1e9 * growth.matching_delta(found, k, line[k]) for line in lines])
-        rows.append([f"{kilohertz(s):.2f}", f"{tones[0]:.2f} ± {tones[2]:.2f}", f"{min(alike):.2f} to {max(alike):.2f}", *_rates(s.real, rates, stars),
-                     *(_rank_correlation(found.morphologies, runs[key], lambda line, k=k: line[k].real) for key in keys)])
+        rows.append([f"{kilohertz(s):.2f}", f"{tones[0]:.2f} ± {tones[2]:.2f}", f"{min(alike):.2f} to {max(alike):.2f}", *_rates(s.real, rates, stars)])
     leading = [line[0] for line in found.leading.values()]
     rates, stars = (delta_rules.interval(values) for values in (
         [s.real for s in leading], [1e9 * growth.matching_delta_of_fastest(found, seed) for seed in found.leading]))
-    rows.append(["fastest", "–", "–", *_rates(found.fastest[AT], rates, stars), *(_rank_correlation(found.leading, runs[key], lambda line: line[0].real) for key in keys)])
+    rows.append(["fastest", "–", "–", *_rates(found.fastest[AT], rates, stars)])
     near = {k: sum(np.argmin(abs(line - values[0])) == k and abs(line - values[0]).min() < 1e-3 * abs(values[0])
                    for line, values in zip(found.morphologies.values(), found.leading.values())) for k in range(len(found.mean[AT]))}
     counts = sorted({len(line) for line in found.leading.values()})
+    every = [float(value) for values in correlations(found, keys, runs).values() for value in values]
+    level = _significant(len(lines))
     return ["## Growth rates of steady sliding",
-            f"Eigenvalues of the sliding pin at 1500 ns on cells of {cell_size(growth.CELLS)}, homogeneous with the mean stiffness and with each morphology: all modes that grow, found as "
-            "[regimes](regimes.md) says. Each morphology's mode is the one whose shape is most like that of the homogeneous pin (*overlap*: 1 for equal shapes), so that the "
-            f"two modes near 124 kHz, {_apart(found.mean[AT]):.1f} kHz apart, are not mixed; the last row is the fastest mode of each, "
-            "whichever it is. *δ\\**: where the homogeneous mode grows as that of the morphology (by the slope over δ at 1500 ns; for the fastest along its curve). "
-            f"And Spearman's rank correlation over the morphologies of the growth rate with mu_inter. {search_of_morphologies(found)}:",
-            table(["kHz, homogeneous", "kHz, morphologies", "overlap", "growth, homogeneous [1/s]", "growth, morphologies [1/s]", "deviation",
-                      "δ* [ns]", "deviation"] + [f"correlation, {load.label}, {w}" for load, w in keys], rows),
-            f"The fastest mode is that near {' or '.join(f'{kilohertz(found.mean[AT][k]):.0f} kHz ({n})' for k, n in near.items() if n)} (number of morphologies); "
-            f"{counts[0]} to {counts[-1]} modes grow in each. "
-            "The frequencies agree within a per cent. The growth rates part widely from one morphology to the next, though the effective stiffnesses agree "
-            "within some tenths of a per cent: a growth rate is a percent or less of the angular frequency, a small difference between what friction feeds in "
-            "and what is lost. Here morphologies differ that are equal in statics and in free vibration; the paper found no such difference (section 3.6.2). "
-            f"With {len(lines)} morphologies a single correlation is significant at 5 % above {_significant(len(lines)):.2f}; {len(rows) * len(keys)} are shown, so that one such is to be expected."]
+            f"Table 3. All growing eigenvalues of the sliding pin at 1500 ns on cells of {cell_size(growth.CELLS)}, with the mean stiffness and with each morphology, found as in "
+            "[regimes](regimes.md#growth-of-steady-sliding). A mode of a morphology belongs to the homogeneous mode with the most similar shape (overlap 1: equal shapes). "
+            "δ* is where the homogeneous mode grows as the mode of the morphology, by the slope over δ at 1500 ns; for the fastest mode, along its curve. "
+            f"{search_of_morphologies(found)}.",
+            table(["kHz, homogeneous", "kHz, morphologies", "overlap", "growth, homogeneous [1/s]", "growth, morphologies [1/s]", "deviation", "δ* [ns]", "deviation"], rows),
+            f"{counts[0]} to {counts[-1]} modes grow in each morphology; the fastest is near "
+            f"{' or '.join(f'{kilohertz(found.mean[AT][k]):.0f} kHz ({n})' for k, n in near.items() if n)} (number of morphologies). "
+            "The frequencies agree within a per cent and the effective stiffnesses within some tenths of a per cent, but the growth rates differ widely. "
+            "A growth rate is a small difference between the energy that friction feeds in and the energy that is lost. So morphologies differ here that are equal in statics and in free "
+            f"vibration; the paper found no such difference (section 3.6.2). {sum(abs(value) > level for value in every)} of the {len(every)} rank correlations of growth with mu_inter "
+            f"([table](prediction/growth_correlations.csv)) exceed {level:.2f}, the 5 % level of a single one."]
 
 
 def search_of_morphologies(found):
     others = f"counts {found.missing} others in all runs" if found.missing else "counts no others there"
-    return (f"The modes of the morphologies were looked for up to {found.searched_morphologies / 1e3:.0f} kHz, and the argument principle {others}. Contact nodes that "
+    return (f"The modes of the morphologies were searched up to {found.searched_morphologies / 1e3:.0f} kHz; the argument principle {others}. Contact nodes that "
             f"are separated in the static state are free: {by_seed({seed: found.separated[seed] for seed in found.morphologies})}")
 
 
@@ -159,11 +159,6 @@ def by_seed(numbers):
             of = f"seeds {', '.join(names[:-1])} and {names[-1]}" if len(names) > 1 else f"seed {names[0]}"
             parts.append(f"{word(count)} in {'each of ' if count and len(names) > 1 else ''}{of}")
     return ", ".join([*parts, f"{word(commonest)} in each of the others" if parts else f"{word(commonest)} in each"])
-
-
-def _apart(modes):
-    """Distance in kHz of the two modes that are nearest to each other."""
-    return np.diff(sorted(kilohertz(s) for s in modes)).min()
 
 
 def _rates(homogeneous, rates, stars):

@@ -16,13 +16,6 @@ from study import Study, parse_arguments  # noqa: E402
 
 PARTS = {"limit": sections.limit_part, "stress": sections.stress_part, "long": sections.long_part,
          "refinement": sections.refinement_part, "sensitivity": sections.sensitivity_part}
-INTRODUCTION = """
-# Stability under stress
-
-Written by `./run.sh stability`; every number on this page is inserted by it. A run has to end stable or be stopped by the program with exit status 3, naming step,
-time, place and likely cause. A run counts as stable when every data set of its `dynamics.h5` is finite, its energy balance closes to round-off and the body never holds more energy than was
-put in. A short form of the first three parts is a test (`verification/stability`).
-"""
 
 
 def main():
@@ -37,7 +30,7 @@ def main():
     for part in arguments.parts:
         verdicts, findings = PARTS[part](study, page)
         wrong += findings + [verdict.outcome for verdict in verdicts if not verdict.good]
-    page.write(INTRODUCTION, PARTS)
+    page.write(sections.summary(doc), PARTS)
     for sentence in wrong:
         print("stability: " + sentence, file=sys.stderr)
     print(f"doc/stability/README.md: {'all as it should be' if not wrong else f'{len(wrong)} runs are not as they should be'}")

@@ -5,8 +5,7 @@ import os
 
 from pages import table
 
-MU, HALF, MAIN = "mu_inter [-]", "half width [-]", "main frequency [kHz]"
-STATES = ("slip [-]", "stick [-]", "separated [-]")
+MU, HALF, SEPARATED = "mu_inter [-]", "half width [-]", "separated [-]"
 
 
 def read(folder, name):
@@ -35,75 +34,55 @@ def differences(rows, body, cells, load):
 
 
 def fibre_table(rows, cells, load):
+    """A line a body: with fibres and homogenized."""
     lines = []
     for body in dict.fromkeys(r["body"] for r in rows):
-        for material in ("heterogeneous", "homogeneous"):
-            some = chosen(rows, body, material, cells, load)
-            if some:
-                lines.append([f"{load:g}", f"{cells:g}", f"{body}, {material}", interval(values(some, MU), 3), f"{max(values(some, HALF)):.4f}",
-                              interval(differences(rows, body, cells, load), 3) if material == "heterogeneous" else "-",
-                              interval(values(some, MAIN), 2), *[interval(values(some, c, 100), 0) for c in STATES]])
+        pair = [chosen(rows, body, material, cells, load) for material in ("heterogeneous", "homogeneous")]
+        lines.append([f"{load:g} MPa, {cells:g} mm, {body}", *(interval(values(some, MU), 3) for some in pair), interval(differences(rows, body, cells, load), 3),
+                      *(interval(values(some, SEPARATED, 100), 0) for some in pair)])
     return lines
 
 
 def fibre_verdict(rows):
-    said = []
-    for load in (0.5, 0.4):
-        said.append(f"at {load:g} MPa " + ", ".join(
-            f"{interval(differences(rows, body, 0.5, load), 3)} ({name})"
-            for body, name in (("plane strain", "plane strain"), ("long bars", "long bars in 2 mm"), ("short bars", "short bars in 2 mm"))))
-    separated = {m: ", ".join(str(sum(v > 0.5 for v in values(chosen(rows, body, m, 0.5, 0.5), STATES[2]))) for body in dict.fromkeys(r["body"] for r in rows))
-                 for m in ("heterogeneous", "homogeneous")}
-    return ("**Fibres** 0.5 mm wide change mu_inter, heterogeneous minus homogeneous over three starts, " + "; ".join(said) + ". At 0.5 MPa a start may fall to "
-            f"another regime with fibres than without: of three starts, in that order of bodies, {separated['heterogeneous']} are separated most of the time with "
-            f"fibres, {separated['homogeneous']} without. One seed and one size of cells.")
+    every = [d for load in (0.5, 0.4) for body in dict.fromkeys(r["body"] for r in rows) for d in differences(rows, body, 0.5, load)]
+    return (f"Fibres of 0.5 mm change mu_inter by {min(every):.3f} to {max(every):.3f} against the homogenized pin, because a start may fall to another regime with fibres than without (table 2).")
+
+
+def has_fine(folder):
+    """Whether `./run.sh thickness fine` has been run."""
+    return os.path.exists(os.path.join(folder, "fine.csv"))
 
 
 def fibres(folder):
     rows = read(folder, "fibres.csv")
+    lines, thin = fibre_table(rows, 0.5, 0.5) + fibre_table(rows, 0.5, 0.4), ""
+    if has_fine(folder):
+        fine = read(folder, "fine.csv")
+        lines += fibre_table(fine, 0.1, 0.5) + fibre_table(fine, 0.1, 0.4)
+        thin = (" The fibres of 0.1 mm are the paper's, seed 1, in plane strain and as bars through a pin of 0.4 mm with free faces, of which one half is computed. They were pushed at 0.5 m/s only and took "
+                f"{sum(values(fine, 'cpu [s]')) / 60:.0f} min on one core.")
     return [
         "## Pins with every fibre",
-        "Pins of 2 mm on cells of 0.5 mm. The fibres are 0.5 mm wide, five times the paper's 0.1 mm, which would take cells of 0.1 mm; they are 1.5 to "
-        "3.5 mm tall, nominally 10 %, one seed. Long bars go through the thickness, the plane's cells repeated; short bars are 0.5 x 0.5 mm and lie along "
-        "z in the whole pin, without a plane of symmetry. Homogenized by PBC, as KUBC would hold faces that are free in the pin. Pushed at "
-        "0.45, 0.5 and 0.55 m/s (smallest to largest, largest half width; differences start by start).",
-        table(["P [MPa]", "cells [mm]", "body", "mu_inter", "half width", "minus homogeneous", "kHz", "slip [%]", "stick [%]", "separated [%]"],
-              fibre_table(rows, 0.5, 0.5) + fibre_table(rows, 0.5, 0.4), right=True)]
-
-
-def fine(folder):
-    """The paper's fibres in a thin pin, where `./run.sh thickness fine` has been run."""
-    if not os.path.exists(os.path.join(folder, "fine.csv")):
-        return []
-    rows = read(folder, "fine.csv")
-    return [
-        "## Fibres of 0.1 mm",
-        "The paper's fibres, seed 1, on the paper's cells of 0.1 mm: in plane strain, and as bars through a pin of 0.4 mm with free faces, of which one half is "
-        f"computed. Homogenized by PBC, pushed at 0.5 m/s; {sum(values(rows, 'cpu [s]')) / 60:.0f} min on one core with AVX2.",
-        table(["P [MPa]", "cells [mm]", "body", "mu_inter", "half width", "minus homogeneous", "kHz", "slip [%]", "stick [%]", "separated [%]"],
-              fibre_table(rows, 0.1, 0.5) + fibre_table(rows, 0.1, 0.4), right=True)]
+        "The fibres of 0.5 mm are five times as wide as the paper's; they are 1.5 to 3.5 mm tall, nominally 10 %, in pins of 2 mm. Long bars go through the thickness and repeat the cells of the plane. "
+        "Short bars are 0.5 x 0.5 mm and lie along z in the whole pin, without a plane of symmetry. The homogenized pins have the stiffness under PBC, because KUBC would hold faces that are free in the pin. "
+        f"The pins were pushed at 0.45, 0.5 and 0.55 m/s (smallest to largest; differences start by start).{thin}",
+        f"Table 2. Pressure, width of the fibres (one cell) and body. No node sticks; the half width of mu_inter is at most {max(values(rows, HALF)):.4f}.",
+        table(["case", "mu_inter, fibres", "homogenized", "difference", "separated [%], fibres", "homogenized"], lines, right=True)]
 
 
 def fine_verdict(folder):
-    """Bars of 0.1 mm in a thin pin beside plane strain, load by load."""
-    if not os.path.exists(os.path.join(folder, "fine.csv")):
+    """Bars of 0.1 mm in a thin pin beside plane strain."""
+    if not has_fine(folder):
         return []
-    rows, said = read(folder, "fine.csv"), []
-    for load in dict.fromkeys(float(r["P [MPa]"]) for r in rows):
-        plane, thin = (chosen(rows, body, "heterogeneous", 0.1, load)[0] for body in ("plane strain", "long bars"))
-        homogeneous = chosen(rows, "long bars", "homogeneous", 0.1, load)[0]
-        said.append(f"at {load:g} MPa mu_inter {float(thin[MU]):.4f} and {float(thin[MAIN]):.2f} kHz, in plane strain {float(plane[MU]):.4f} and "
-                    f"{float(plane[MAIN]):.2f} kHz, the thin homogenized pin {float(homogeneous[MU]):.4f} and {float(homogeneous[MAIN]):.2f} kHz")
-    return ["**The paper's fibres** of 0.1 mm as bars through a pin of 0.4 mm: " + "; ".join(said) + ". One seed and one start."]
+    rows = read(folder, "fine.csv")
+    plane, thin = (chosen(rows, body, "heterogeneous", 0.1, 0.5)[0] for body in ("plane strain", "long bars"))
+    return [f"With the paper's fibres of 0.1 mm as bars through a pin of 0.4 mm, mu_inter is {float(thin[MU]):.4f}, in plane strain {float(plane[MU]):.4f}."]
 
 
 def modes_verdict(folder):
-    rows = read(folder, "modes.csv")
-    thick, plane = rows[:-1], rows[-1]
-    shear = [float(r["shear along x [kHz]"]) for r in thick]
+    thick = read(folder, "modes.csv")[:-1]
     first = [float(r["first out of plane [kHz]"]) for r in thick]
-    return (f"**Modes**: the mode of shear along x stays at {interval(shear, 2)} kHz (plane strain {float(plane['shear along x [kHz]']):.2f}), but below it lie modes "
-            f"out of the plane, the first at {min(first):.1f} kHz ({float(thick[0]['thickness [mm]']):g} mm) to {max(first):.1f} kHz, which all runs of half a pin leave out.")
+    return f"Below the mode of shear along x lie modes out of the plane, from {min(first):.1f} kHz on (table 3), which all runs of half a pin leave out."
 
 
 def modes(folder):
@@ -114,7 +93,6 @@ def modes(folder):
         lines.append([f"{float(thickness):g} mm" if across else thickness, *[f"{float(v):.2f}" if v else "-" for v in (across, beam, shear)], below or "-"])
     return [
         "## Modes in 3D",
-        "The whole homogeneous pin, bottom held in z. Out of plane are the modes that its half with a plane of symmetry has not. Beside them the first "
-        "frequency of a thin beam along z without shear, clamped by the platen, whose lower end does not turn; low-order bricks lock where a cell is "
-        "much longer than it is thick, so that the thinnest pins come out too stiff.",
+        "Table 3. The whole homogeneous pin, bottom held in z. Out of plane are the modes that half a pin with a plane of symmetry does not have. The thin beam lies along z, without shear, clamped by the "
+        "platen; its lower end does not turn.",
         table(["body", "first out of plane [kHz]", "thin beam [kHz]", "shear along x [kHz]", "out of plane below it"], lines, right=True)]

@@ -1,13 +1,14 @@
 /**
- * A contact step on boxes of cubes, and beside it, in turns, what a mesh of as many shifted
- * hexahedra and a program without a kernel of its own (Trilinos CSR matrix) take.
+ * Benchmark of a contact step on boxes of cubes. Alternates with a mesh of as many
+ * shifted hexahedra, and with a program that uses a Trilinos CSR matrix in place of a
+ * kernel.
  *
  *     [mpirun -np n] brick_benchmark <kind>:<cells along an edge>...
  *
- * Kinds: homogeneous, two (isotropic phases at random), anisotropic (the second one is).
- * Mesh and matrix have at most 48 cells along an edge. One line of CSV for each: wall-clock
- * seconds of a step, median, lowest and highest, of rank 0 alone, of all ranks together and
- * of all ranks with a body each of its own.
+ * Kinds: homogeneous, two (isotropic phases at random), anisotropic (the second phase
+ * is). Mesh and matrix have at most 48 cells along an edge. Each argument gives one line
+ * of CSV: wall-clock seconds of a step, median, lowest and highest, for rank 0 alone, for
+ * all ranks together, and for all ranks with one body each.
  */
 #include "verification/mesh_sliding/mesh_sliding.h"
 
@@ -37,7 +38,7 @@ std::vector<ElasticPhase<3>> phases_of(const std::string &kind)
   return phases;
 }
 
-/** Shifted hexahedra. */
+/** Mesh of shifted hexahedra. */
 MeshCase<3> shifted(const unsigned int n)
 {
   MeshCase<3> c;
@@ -53,7 +54,7 @@ MeshCase<3> shifted(const unsigned int n)
   return c;
 }
 
-/** "median,lowest,highest" for so many cells, with a comma before them. */
+/** ",median,lowest,highest" for this number of cells. */
 std::string rates(std::vector<double> seconds, const double cells)
 {
   std::sort(seconds.begin(), seconds.end());

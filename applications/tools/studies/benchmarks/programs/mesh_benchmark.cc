@@ -1,14 +1,14 @@
 /**
- * A contact step on meshes, its share of memory, and what a program without a kernel of its
- * own would do: the product with a Trilinos matrix (CSR) and the update of the nodes.
+ * Benchmark of a contact step on meshes: its time, its memory, and the time of a program
+ * without a kernel (product with a Trilinos CSR matrix and update of the nodes).
  *
  *     [mpirun -np n] mesh_benchmark <kind>:<cells along an edge>...
  *
- * Kinds: quadrilaterals, triangles, hexahedra, tetrahedra, whose inner points are shifted at
- * random, and congruent-quadrilaterals etc. of a grid. Of squares and cubes, each cut into 8
- * triangles or 24 tetrahedra. One line of CSV for each: wall-clock seconds of a step, median,
- * lowest and highest, in turns of rank 0 alone, of its matrix, of all ranks together and of
- * all ranks with a body each of its own, which is the bound where memory is shared.
+ * Kinds: quadrilaterals, triangles, hexahedra, tetrahedra with randomly shifted inner
+ * points, and congruent-quadrilaterals etc. of a grid. Squares and cubes are cut into 8
+ * triangles or 24 tetrahedra. Each argument gives one line of CSV: wall-clock seconds of
+ * a step, median, lowest and highest, alternating between rank 0 alone, its matrix, all
+ * ranks together, and all ranks with one body each, which is the bound for shared memory.
  */
 #include "matrix_step.h"
 #include "measuring.h"
@@ -24,7 +24,7 @@ using namespace verification;
 namespace
 {
 constexpr unsigned int repetitions = 15;
-constexpr unsigned int steps       = 10; ///< in a repetition
+constexpr unsigned int steps       = 10; ///< steps per repetition
 
 struct Kind
 {
@@ -68,7 +68,7 @@ double resident_bytes()
   return 0.;
 }
 
-/** "median,lowest,highest", with a comma before them. */
+/** ",median,lowest,highest". */
 std::string text(std::vector<double> seconds)
 {
   std::sort(seconds.begin(), seconds.end());

@@ -1,12 +1,12 @@
 /**
- * Errors and times of problems whose answers are known: a mode of the rectangle, the bar
- * that hits the wall, the growth of steady sliding, in 3D under 45 degrees.
+ * Errors and times of problems with known solutions: a mode of the rectangle, the bar
+ * that hits the wall, the growth of steady sliding, also in 3D under 45 degrees.
  *
- *   model_problems mode|bar|growth|oblique_growth <repetitions> <n>:<share>:<beta2>...
+ *     model_problems mode|bar|growth|oblique_growth <repetitions> <n>:<share>:<beta2>...
  *
- * n are the cells over the height, share is that of the critical time step. Each choice
- * gives one line of CSV; cpu_s is that of the time loop alone, without observers:
- * median, lowest and highest of the repetitions.
+ * n is the number of cells over the height, share the time step over the critical one.
+ * Each choice gives one line of CSV; cpu_s is the time of the time loop alone, without
+ * observers: median, lowest and highest of the repetitions.
  */
 #include "box_run.h"
 #include "measuring.h"
@@ -35,11 +35,11 @@ struct Choice
   double share, beta2;
 };
 
-/** What one choice gave. */
+/** Results of one choice. */
 struct Outcome
 {
   double cells, dt, steps;
-  /** Relative; their names are the problem's columns. */
+  /** Relative errors; the columns are named by the problem. */
   std::vector<double> errors;
   std::vector<double> cpu_seconds;
 };
@@ -70,7 +70,9 @@ Outcome outcome(const BodySetup &setup, const double end)
           {}};
 }
 
-/** Five periods of the slowest shear mode, from rest; the error is that of its frequency.
+/**
+ * Five periods of the slowest shear mode, starting at rest; the error is the frequency
+ * error.
  */
 Outcome mode(const Choice &choice, const unsigned int repetitions)
 {
@@ -101,8 +103,7 @@ Outcome mode(const Choice &choice, const unsigned int repetitions)
   return result;
 }
 
-/** One impact: share of the energy that is lost, relative error of the time of contact.
- */
+/** Share of energy dissipated in a single impact, relative error of the contact time. */
 Outcome bar(const Choice &choice, const unsigned int repetitions)
 {
   using namespace impact_bar;
@@ -122,7 +123,9 @@ Outcome bar(const Choice &choice, const unsigned int repetitions)
   return result;
 }
 
-/** Growth rate and frequency of the fastest wave of regularized, damped sliding. */
+/**
+ * Errors of growth rate and frequency of the fastest wave of regularized, damped sliding.
+ */
 Outcome growth(const Choice &choice, const unsigned int repetitions)
 {
   using namespace sliding_layer;
@@ -145,8 +148,10 @@ Outcome growth(const Choice &choice, const unsigned int repetitions)
   return result;
 }
 
-/** The layer as a box of cubes, nine heights long and half as wide, between walls along the
- * sliding: that is a length of the wave under 45 degrees. */
+/**
+ * The layer as a box of cubes, nine heights long and half as wide, between walls along
+ * the sliding direction: this length is one wavelength under 45 degrees.
+ */
 ContactParameters oblique_box(const sliding_layer::ObliqueLayer &layer,
                               const unsigned int n)
 {
@@ -164,7 +169,7 @@ ContactParameters oblique_box(const sliding_layer::ObliqueLayer &layer,
   return p;
 }
 
-/** Sliding under uniform stress, and the wave on top of it. */
+/** Starts the box with sliding under uniform stress plus the wave. */
 void start_oblique(BoxRun &run,
                    const sliding_layer::ObliqueLayer &layer,
                    const ElasticPhase<3> &material,
@@ -186,8 +191,10 @@ void start_oblique(BoxRun &run,
       }
 }
 
-/** The exponent nearest to @p s of a sum of six exponentials, of which the samples are values
- * at equal intervals, by linear prediction: waves of the same length grow nearly as fast. */
+/**
+ * Exponent nearest to @p s in a sum of six exponentials, by linear prediction from
+ * @p samples at equal intervals; waves of the same length grow nearly as fast.
+ */
 sliding_layer::Complex exponent(const std::vector<sliding_layer::Complex> &samples,
                                 const double interval,
                                 const sliding_layer::Complex s)
@@ -198,7 +205,7 @@ sliding_layer::Complex exponent(const std::vector<sliding_layer::Complex> &sampl
   Eigen::VectorXcd next(n);
   for (Eigen::Index i = 0; i < n; ++i)
     {
-      // What grows counts as much early as late.
+      // Scaling gives early and late samples the same weight.
       const auto scale = std::exp(-s * interval * static_cast<double>(i));
       for (Eigen::Index k = 0; k < order; ++k)
         before(i, k) = scale * samples[static_cast<std::size_t>(i + k)];
@@ -217,13 +224,13 @@ sliding_layer::Complex exponent(const std::vector<sliding_layer::Complex> &sampl
   return best;
 }
 
-/** Growth rate and frequency of an oblique wave in three dimensions, as growth(). */
+/** Errors of growth rate and frequency of an oblique wave in 3D, see growth(). */
 Outcome oblique_growth(const Choice &choice, const unsigned int repetitions)
 {
   using namespace sliding_layer;
   ObliqueLayer layer;
   static_cast<Layer &>(layer) = {2. * M_PI * std::sqrt(2.) / 9., 0.4, 1.5e-6, 4.4e-9};
-  layer.flat_velocity         = 16.; // more than waves by the sudden start of friction
+  layer.flat_velocity         = 16.; // exceeds the waves of the sudden start of friction
   layer.angle                 = M_PI / 4.;
   const Complex exact         = fastest_oblique(layer);
   const ElasticPhase<3> phase = {isotropic_stiffness<3>(2.4 * ObliqueLayer::G, 0.2),
@@ -231,7 +238,7 @@ Outcome oblique_growth(const Choice &choice, const unsigned int repetitions)
   ContactParameters setup     = oblique_box(layer, choice.n);
   setup.step.beta2            = choice.beta2;
   setup.step.dt               = std::nan("");
-  constexpr double end = 400e-6, start = 100e-6; // the seed has no memory of friction
+  constexpr double end = 400e-6, start = 100e-6; // the seed has no friction memory
   Outcome result{};
   const auto solve = [&]() {
     BoxRun run(setup, {phase}, MPI_COMM_SELF, choice.share);

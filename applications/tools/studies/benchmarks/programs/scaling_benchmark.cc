@@ -1,30 +1,31 @@
 /**
- * What a model of the run time needs, and what it has to predict. One line of CSV each.
+ * Measurements for a model of the run time, and times to be predicted by it. One line of
+ * CSV each.
  *
- *   scaling_benchmark stream <bytes>...
- *     updates in place: GB/s by working set
+ *     scaling_benchmark stream <bytes>...
+ *       updates in place: GB/s by working set
  *
- *   scaling_benchmark copy <bytes>...
- *     from one array of that size to another
+ *     scaling_benchmark copy <bytes>...
+ *       from one array of this size to another
  *
- *   mpirun -np 2 scaling_benchmark message <bytes>...
- *     half a round trip between two ranks
+ *     mpirun -np 2 scaling_benchmark message <bytes>...
+ *       half a round trip between two ranks
  *
- *   mpirun -np 2 scaling_benchmark halo <columns>:<rows>...
- *     two ranks exchange as many node rows, as between blocks of steps
+ *     mpirun -np 2 scaling_benchmark halo <columns>:<rows>...
+ *       two ranks exchange as many node rows, as between blocks of steps
  *
- *   [mpirun -np n] scaling_benchmark step <cells x>:<cells y>:<steps in flight>...
- *     0 steps in flight: automatic
+ *     [mpirun -np n] scaling_benchmark step <cells x>:<cells y>:<steps in flight>...
+ *       0 steps in flight: automatic
  *
- *   [mpirun -np n] scaling_benchmark box <cells x>:<cells y>:<cells z>:<phases>...
- *     cubes in 3D, of one or two phases
+ *     [mpirun -np n] scaling_benchmark box <cells x>:<cells y>:<cells z>:<phases>...
+ *       cubes in 3D, of one or two phases
  *
- *   scaling_benchmark units fma|add|mixed|load|store|cycle...
- *     instructions on vectors of 512 bits a nanosecond
+ *     scaling_benchmark units fma|add|mixed|load|store|cycle...
+ *       instructions on vectors of 512 bits per nanosecond
  *
- * A step is that of a body on the flat with contact, friction and damping, without
- * observers. Times are wall-clock: median, lowest and highest of the repetitions; cpu_s is
- * the least time of the processor of rank 0.
+ * A step advances a body on the flat with contact, friction and damping, without
+ * observers. Times are wall-clock: median, lowest and highest of the repetitions; cpu_s
+ * is the least processor time of rank 0.
  */
 #include "box_run.h"
 #include "measuring.h"
@@ -50,7 +51,7 @@ using namespace verification;
 
 namespace
 {
-// Many and short: on a machine that others use some of them run undisturbed.
+// Many short repetitions: some of them run undisturbed on a shared machine.
 constexpr unsigned int repetitions = 41;
 
 std::vector<double> measure(const std::function<void()> &run)
@@ -58,7 +59,8 @@ std::vector<double> measure(const std::function<void()> &run)
   return mesoslip::measure(run, repetitions);
 }
 
-/** A line: what was measured; median, lowest, highest of the times, each times @p factor.
+/**
+ * Prints a line: description; median, lowest, highest time, each multiplied by @p factor.
  */
 void print(const std::string &what,
            const std::vector<double> &seconds,
@@ -70,14 +72,14 @@ void print(const std::string &what,
   std::fflush(stdout);
 }
 
-/** The numbers between the colons of an argument. */
+/** Numbers of an argument, separated by colons. */
 using Sizes = std::vector<unsigned long>;
 
-/** Reads and writes every number once, four arrays at a time, as the stepper does. */
+/** Reads and writes every number once, four arrays at a time, like the stepper. */
 void stream(const Sizes &sizes)
 {
   const std::size_t bytes = sizes[0];
-  // Not a power of two apart, as no rows of a grid should be.
+  // Distance not a power of two, as for rows of a grid.
   const std::size_t n = bytes / sizeof(double) / 4, apart = n + 72;
   std::vector<double> values(4 * apart, 1.);
   const unsigned int sweeps = std::max<std::size_t>(1, 20000000 / bytes);
@@ -110,7 +112,7 @@ void copy(const Sizes &sizes)
   print(std::to_string(bytes), seconds, 1. / sweeps);
 }
 
-/** One message to the other rank and one back, twenty times. */
+/** Twenty round trips of a message between two ranks. */
 void message(const Sizes &sizes)
 {
   const std::size_t bytes = sizes[0];
@@ -181,7 +183,7 @@ sliding_body(const unsigned int nx, const unsigned int ny, const unsigned int in
 void step(const Sizes &sizes)
 {
   {
-    // What any run brings along does not count as memory of the grid.
+    // The memory of a small run is subtracted.
     Body small(sliding_body(16, 16, 1), MPI_COMM_WORLD);
     small.run(10);
   }
@@ -201,7 +203,7 @@ void step(const Sizes &sizes)
   print(what.str(), seconds, 1. / n_steps);
 }
 
-/** Memory is that of all ranks after, beyond what a small box takes. */
+/** Memory of all ranks, minus the memory of a small box. */
 void box(const Sizes &sizes)
 {
   std::vector<ElasticPhase<3>> phases = two_phases<3>();
@@ -246,8 +248,8 @@ Sizes sizes_of(std::string text)
 
 struct Benchmark
 {
-  const char *columns; ///< before the times
-  std::size_t n_sizes; ///< in an argument
+  const char *columns; ///< columns before the times
+  std::size_t n_sizes; ///< number of sizes in an argument
   void (*run)(const Sizes &);
 };
 

@@ -33,8 +33,10 @@ namespace
 {
 constexpr double dt = 5e-9, beta = 4.4e-9, beta2 = 0.5, spacing = 1e-4;
 
-/** Prints million cell updates a second by @p n_steps steps of so many @p seconds,
- * ascending; returns the median. */
+/**
+ * Prints million cell updates per second for @p n_steps steps in @p seconds, which are
+ * ascending; returns the median.
+ */
 double report(const std::string &what,
               const std::array<unsigned int, 2> cells,
               const unsigned int n_steps,

@@ -1,12 +1,12 @@
 /**
- * Load cases of a volume of voxels: overlapping spheres, 30 %.
+ * Benchmark of load cases for a volume of voxels with overlapping spheres, 30 %.
  *
- *   mpirun -np [ranks] voxel_benchmark [cells] [contrast] [KUBC|SUBC|PBC] [load cases]
- *                                      [nu of the matrix] [h_z / h_x]
+ *     mpirun -np [ranks] voxel_benchmark [cells] [contrast] [KUBC|SUBC|PBC] [load cases]
+ *       [nu of the matrix] [h_z / h_x]
  *
- * A line of CSV: iterations of each load case; wall-clock seconds of set-up and of all; seconds
- * of the processors of all ranks; memory of the largest rank. The stiffness (GPa) is there
- * after six load cases.
+ * Prints a line of CSV: iterations of each load case; wall-clock seconds of set-up and of
+ * everything; processor seconds of all ranks; memory of the largest rank. The stiffness
+ * (GPa) is added after six load cases.
  */
 #include "material/stiffness.h"
 #include "measuring.h"
@@ -27,7 +27,7 @@ using namespace mesoslip;
 
 namespace
 {
-/** Overlapping spheres in a periodic box of @p cells, until they fill 30 %. */
+/** Overlapping spheres in a periodic box of @p cells that fill 30 %. */
 PhaseMap<3> spheres(const std::array<unsigned int, 3> cells, const double aspect)
 {
   PhaseMap<3> map{{cells, {{1e-6, 1e-6, 1e-6 * aspect}}, {}}, {}};
@@ -66,7 +66,7 @@ double cpu_seconds()
   return double(std::clock()) / CLOCKS_PER_SEC;
 }
 
-/** Highest resident memory (MB). */
+/** Peak resident memory (MB). */
 double memory()
 {
   std::ifstream status("/proc/self/status");
