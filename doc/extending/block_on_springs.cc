@@ -3,7 +3,7 @@
 #include "steel_block.h"
 
 #include <dynamics/critical_time_step.h>
-#include <dynamics/explicit_stepper.h>
+#include <dynamics/grid/explicit_stepper.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -19,7 +19,7 @@
 
 namespace boost::serialization
 {
-/** Small matrices, by their entries. */
+/** Saves or restores a fixed-size matrix entry by entry. */
 template <class Archive, int n_rows, int n_columns, int options>
 void serialize(
   Archive &archive,
@@ -35,7 +35,10 @@ namespace mesoslip
 {
 namespace internal
 {
-/** Saves or restores one member; plain structs and their arrays as they are in memory. */
+/**
+ * Saves or restores one member; trivially copyable structs and arrays are stored
+ * bytewise.
+ */
 template <class Archive, class T>
 void serialize_member(Archive &archive, T &member)
 {

@@ -21,7 +21,7 @@ namespace mesoslip
 class Digest
 {
 public:
-  /** A text, with its length. */
+  /** Adds a text and its length. */
   Digest &add(const std::string_view text)
   {
     add_bytes(text.data(), text.size());
@@ -29,7 +29,7 @@ public:
     return *this;
   }
 
-  /** All bits count: -0 and 0 differ. */
+  /** Adds the bits of a number: -0 and 0 differ. */
   Digest &add(const double number)
   {
     std::uint64_t bits;
@@ -44,7 +44,7 @@ public:
     require_readable_file("", path);
     std::ifstream in(path, std::ios::binary);
     std::uint64_t n = 0;
-    std::vector<char> piece(std::size_t{1} << 20U); // not the file, which may be large
+    std::vector<char> piece(std::size_t{1} << 20U); // in pieces: may be large
     while (in.read(piece.data(), static_cast<std::streamsize>(piece.size())),
            in.gcount() > 0)
       {
@@ -55,7 +55,7 @@ public:
     return *this;
   }
 
-  /** 16 hexadecimal digits. */
+  /** The digest as 16 hexadecimal digits. */
   std::string hex() const
   {
     char text[17];
@@ -78,7 +78,7 @@ private:
   {
     for (int i = 0; i < 8; ++i, number >>= 8)
       {
-        const unsigned char byte = number & 0xff; // in this order on all machines
+        const unsigned char byte = number & 0xff; // the same byte order on all machines
         add_bytes(&byte, 1);
       }
   }

@@ -8,7 +8,7 @@
 
 namespace mesoslip
 {
-/** What a program returns to the shell. */
+/** Exit status of a program. */
 enum class ExitStatus : int
 {
   done              = 0,

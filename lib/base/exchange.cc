@@ -13,7 +13,7 @@ namespace mesoslip
 {
 namespace
 {
-// Messages have fewer than 2^31 bytes.
+// Longest message (bytes); MPI counts are below 2^31.
 constexpr std::size_t longest_message = 1 << 30;
 
 void send(const MPI_Comm communicator, const int rank, const std::string &text)
@@ -56,7 +56,9 @@ MPI_Datatype type_of()
     return MPI_UINT64_T;
 }
 
-/** Over the ranks; the value itself where there is one, or MPI was not started. */
+/**
+ * Reduction over the ranks; returns @p value if there is one rank or MPI was not started.
+ */
 template <typename Number>
 Number reduce(Number value, const MPI_Op operation, const MPI_Comm communicator)
 {
@@ -310,7 +312,9 @@ void wait_for_all(std::vector<MPI_Request> &requests)
 
 namespace
 {
-/** As mpirun tells it; empty of a process that it has not started. */
+/**
+ * Rank as set by mpirun in the environment; empty if mpirun did not start this process.
+ */
 std::string rank_by_mpirun()
 {
   for (const char *name : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK"})

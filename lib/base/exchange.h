@@ -11,12 +11,12 @@
 
 namespace mesoslip
 {
-/** The texts of all ranks on rank 0, in their order; elsewhere empty. */
+/** Texts of all ranks on rank 0, in rank order; empty on other ranks. */
 std::vector<std::string> gather(const MPI_Comm communicator, const std::string &text);
 
 /**
- * The few questions of dealii::Utilities::MPI that are asked here, without its header and the archives of Boost, which
- * each source that includes them takes seconds to compile.
+ * Replacements of some functions of dealii::Utilities::MPI. They avoid its header, which
+ * brings Boost's archives and takes seconds to compile.
  */
 namespace mpi
 {
@@ -26,27 +26,30 @@ unsigned int n_mpi_processes(const MPI_Comm communicator);
 /** Number of this rank. */
 unsigned int this_mpi_process(const MPI_Comm communicator);
 
-/** Sum over the ranks: of double and unsigned integers. Collective. */
+/** Sum over the ranks, for double and unsigned integers. Collective. */
 template <typename Number>
 Number sum(const Number &value, const MPI_Comm communicator);
 
-/** Largest of the ranks: of double and integers. Collective. */
+/** Maximum over the ranks, for double and integers. Collective. */
 template <typename Number>
 Number max(const Number &value, const MPI_Comm communicator);
 
-/** Smallest of the ranks: of int and unsigned integers. Collective. */
+/** Minimum over the ranks, for int and unsigned integers. Collective. */
 template <typename Number>
 Number min(const Number &value, const MPI_Comm communicator);
 
 namespace internal
 {
-/** Replaces the @p n @p bytes, which may be more than 2^31, by those of rank @p owner. Collective. */
+/**
+ * Replaces the @p n @p bytes (@p n may exceed 2^31) by the bytes of rank @p owner.
+ * Collective.
+ */
 void broadcast_bytes(void *bytes,
                      const std::size_t n,
                      const int owner,
                      const MPI_Comm communicator);
 
-/** The texts of all ranks, in their order, on each of them. Collective. */
+/** Texts of all ranks, in rank order, on every rank. Collective. */
 std::vector<std::string> all_gather(const MPI_Comm communicator, const std::string &text);
 
 template <typename T>
@@ -98,7 +101,7 @@ std::vector<std::vector<T>> gather(const std::vector<T> &own, const MPI_Comm com
   return internal::values_of<T>(mesoslip::gather(communicator, internal::bytes_of(own)));
 }
 
-/** The values of each rank on all. Collective. */
+/** The values of each rank, on all ranks. Collective. */
 template <typename T>
 std::vector<std::vector<T>> all_gather(const std::vector<T> &own,
                                        const MPI_Comm communicator)
@@ -109,41 +112,53 @@ std::vector<std::vector<T>> all_gather(const std::vector<T> &own,
 } // namespace mpi
 
 /**
- * Runs @p work on rank 0 while the others wait; what it throws is thrown on all ranks
- * (UserError, NumericalFailure and Interrupted as such, others as std::runtime_error).
- * For reading files and anything else that only one rank does and that may fail.
+ * Runs @p work on rank 0 while the other ranks wait. An exception is rethrown on all
+ * ranks (UserError, NumericalFailure and Interrupted as such, any other as
+ * std::runtime_error). Use it for reading files and for other work of a single rank that
+ * may fail.
  */
 void on_root(const MPI_Comm communicator, const std::function<void()> &work);
 
 /**
- * Runs @p work on every rank; what one of them throws, of several the lowest, is thrown on
- * all as by on_root(). Within @p work ranks may need each other only where none can have failed.
+ * Runs @p work on every rank. If ranks throw, the exception of the lowest one is rethrown
+ * on all ranks as by on_root(). Within @p work, ranks may communicate only where none of
+ * them can have failed.
  */
 void on_all_ranks(const MPI_Comm communicator, const std::function<void()> &work);
 
 /** Gives every rank the text of rank @p owner. */
 void broadcast(const MPI_Comm communicator, std::string &text, const int owner = 0);
 
-/** Gives rank 0 the text of rank @p owner; the other ranks keep theirs. */
+/** Gives rank 0 the text of rank @p owner; other ranks keep theirs. */
 void bring_to_root(const MPI_Comm communicator, std::string &text, const int owner);
 
-/** Gives rank r the text r of rank 0. */
+/** Sends text r of rank 0 to rank r; returns the text of this rank. */
 std::string scatter(const MPI_Comm communicator, const std::vector<std::string> &texts);
 
 /**
- * Gives each rank but the first the text that @p make (its number) returns on rank 0, made
- * one after the other so that rank 0 never has all of them; on rank 0 empty.
+ * Sends to each rank r > 0 the text that @p make (r) returns on rank 0; empty on rank 0.
+ * Rank 0 makes the texts one after another, so that it never stores all of them.
  */
 std::string scatter(const MPI_Comm communicator,
                     const std::function<std::string(unsigned int)> &make);
 
-/** Replaces the @p n @p values, as many on all ranks, by their sums over the ranks. Collective. */
+/**
+ * Replaces the @p n @p values (same @p n on all ranks) by their sums over the ranks.
+ * Collective.
+ */
 void sum_over_ranks(double *values, const std::size_t n, const MPI_Comm communicator);
 
-/** Replaces each of the @p values, as many on all ranks, by its sum over the ranks. Collective. */
+/**
+ * Replaces each of the @p values (same size on all ranks) by its sum over the ranks.
+ * Collective.
+ */
 void sum_over_ranks(std::vector<double> &values, const MPI_Comm communicator);
 
-/** Fills @p all with the @p own values of each rank, whose @p counts and @p starts there all ranks know. Collective. */
+/**
+ * Fills @p all with the @p own values of every rank. All ranks know @p counts and
+ * @p starts, the length and the position of the values of each rank in @p all.
+ * Collective.
+ */
 void all_gather(const std::vector<double> &own,
                 const std::vector<int> &counts,
                 const std::vector<int> &starts,
@@ -151,30 +166,29 @@ void all_gather(const std::vector<double> &own,
                 const MPI_Comm communicator);
 
 /**
- * Lets the ranks, one after the other, @p add what they have to @p values, so that a sum has the same
- * bits on any number of ranks; then all have what the last one made. @p n values, whose start is that
- * of rank 0. Collective.
+ * Reduction in rank order: each rank calls @p add, which adds its contribution to the
+ * @p n @p values; the result is broadcast. The bits of a sum then do not depend on the
+ * number of ranks. Begins with the @p values of rank 0. Collective.
  */
 void in_order_of_ranks(double *values,
                        const std::size_t n,
                        const std::function<void()> &add,
                        const MPI_Comm communicator);
 
-/** Waits for @p requests and forgets them. */
+/** Waits for @p requests and clears the list. */
 void wait_for_all(std::vector<MPI_Request> &requests);
 
 /** Whether mpirun (of Open MPI, or one with PMI) started this process. */
 bool started_by_mpirun();
 
-/** Whether this is the first of its processes, or the only one; known before MPI_Init. */
+/** Whether this process has rank 0 or is the only process; works before MPI_Init. */
 bool is_first_process();
 
 /**
- * What a process without mpirun does not need of Open MPI is left out of its start; call
- * before MPI_Init. No daemon for ranks that are spawned: a quarter of the time to start,
- * and it outlives a run that is killed. No session folder: processes that start and end
- * side by side share one and remove it under each other (one start of 200 fails). No search for
- * networks between machines, which waits for 0.2 s.
+ * Switches off parts of Open MPI that a process without mpirun does not need; call it
+ * before MPI_Init. No daemon for spawned ranks: it takes a quarter of the start time and
+ * outlives a killed run. No session folder: concurrent processes share one and remove it
+ * from one another. No search for networks between machines: it waits for 0.2 s.
  */
 void prepare_mpi_of_one_process();
 

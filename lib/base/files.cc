@@ -19,7 +19,7 @@ std::string system_message()
 
 namespace
 {
-/** Whether the program in the name of the .prm @p maker writes files of that @p name. */
+/** Whether the program named in the .prm file @p maker writes a file called @p name. */
 bool makes(const std::string &maker, const std::string &name)
 {
   const auto is_of = [&](const char *program) {
@@ -30,8 +30,11 @@ bool makes(const std::string &maker, const std::string &name)
                                                 : is_of("contact_dynamics");
 }
 
-/** What to do where @p path is a result of another file of a chain, NAME/rve.h5 beside NAME.prm, or
- * the folder NAME of a run: it is made in the results folder of the chain. Else empty. */
+/**
+ * Hint if @p path is a result of another file of a chain (NAME/rve.h5 beside NAME.prm, or
+ * the folder NAME of a run): the result lies in the results folder of the chain.
+ * Otherwise empty.
+ */
 std::string hint_in_chain(const std::string &path)
 {
   namespace fs = std::filesystem;
@@ -71,7 +74,7 @@ void require_readable_file(const std::string &what,
     }
   if (fs::is_directory(status))
     throw UserError(what + path + " is a folder, but a file is needed" + after);
-  if (!fs::is_regular_file(status)) // to open a pipe waits for who writes it
+  if (!fs::is_regular_file(status)) // opening a pipe would wait for its writer
     throw UserError(what + path +
                     " is a pipe or a device, but a file is needed; save it as one");
   errno = 0;

@@ -11,16 +11,16 @@ void require_readable_file(const std::string &what,
                            const std::string &path,
                            const std::string &hint = "");
 
-/** @p path, or the file @p name in it where it is a folder. */
+/** Returns @p path, or the file @p name in it if @p path is a folder. */
 std::string file_or_in_folder(const std::string &path, const std::string &name);
 
 /** All bytes of a file. @throws UserError beginning with the path. */
 std::string read_file(const std::string &path);
 
 /**
- * Replaces a file in one go: writes `<path>.part`, then renames. With @p durable it waits
- * until bytes and name are on the disk, so that a crash of the machine at any moment
- * leaves the old or the new file. @throws UserError
+ * Replaces a file atomically: writes `<path>.part`, then renames it. With @p durable it
+ * waits until bytes and name are on the disk: after a crash of the machine there is
+ * either the old or the new file. @throws UserError
  */
 void write_file(const std::string &path,
                 const std::vector<std::string> &pieces,
@@ -29,7 +29,7 @@ void write_file(const std::string &path,
 /** Replaces a file by @p text, not durably. @throws UserError */
 void write_file(const std::string &path, const std::string &text);
 
-/** "No such file or directory" for the current errno. */
+/** Text of errno, such as "No such file or directory". */
 std::string system_message();
 } // namespace mesoslip
 

@@ -9,14 +9,14 @@
 namespace mesoslip
 {
 /**
- * Numbers below the range of single precision count as zero while this lives: what decays
- * along a line would otherwise spend hundreds of cycles an operation on being denormal.
- * On processors other than x86-64 and ARM it does nothing.
+ * Flushes subnormal numbers to zero during its lifetime. Values that decay along a line
+ * otherwise become subnormal, which costs hundreds of cycles per operation. Does nothing
+ * on processors other than x86-64 and ARM.
  */
 class FlushDenormals
 {
 public:
-  /** From now on. */
+  /** Sets the flags of this thread; the destructor restores them. */
   FlushDenormals()
   {
     std::fegetenv(&saved);

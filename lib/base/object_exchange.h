@@ -16,7 +16,7 @@
 namespace mesoslip
 {
 /**
- * What the serialize() of @p object saves, bit by bit, for the same program on the same
+ * Bytes that serialize() of @p object saves; readable by the same program on the same
  * kind of machine.
  */
 template <typename T>
@@ -32,9 +32,9 @@ std::string save_state(const T &object)
 }
 
 /**
- * Restores @p object from the bytes that save_state() gave; whoever stores them in a file
- * stores a checksum with them. More may follow them.
- * @throws UserError "<source>: ..." if they are no such state.
+ * Restores @p object from the bytes of save_state(). A caller that stores the bytes in a
+ * file adds a checksum. Further bytes may follow. @throws UserError "<source>: ..." if
+ * the bytes are not such a state.
  */
 template <typename T>
 void load_state(const std::string &bytes, T &object, const std::string &source)
@@ -52,8 +52,10 @@ void load_state(const std::string &bytes, T &object, const std::string &source)
     }
 }
 
-/** Gives each rank the object that @p make (its number) returns on rank 0, made one after the
- * other so that rank 0 never has all of them. */
+/**
+ * Sends to each rank r > 0 the object that @p make (r) returns on rank 0. Rank 0 makes
+ * the objects one after another, so that it never stores all of them.
+ */
 template <typename Make>
 auto scatter_objects(const MPI_Comm communicator, const Make &make)
 {
@@ -67,8 +69,8 @@ auto scatter_objects(const MPI_Comm communicator, const Make &make)
 }
 
 /**
- * Gives every rank the @p object of rank @p owner. Objects travel whole, so that no
- * member can be left behind: their serialize() is best made of serialize_members().
+ * Broadcasts the @p object of rank @p owner. Its serialize() best uses
+ * serialize_members(), which covers all members.
  */
 template <typename T>
 void broadcast_object(const MPI_Comm communicator, T &object, const int owner = 0)
@@ -86,7 +88,7 @@ void broadcast_object(const MPI_Comm communicator, T &object, const int owner = 
     }
 }
 
-/** Gives rank 0 the @p object of rank @p owner, whole; the other ranks keep theirs. */
+/** Gives rank 0 the @p object of rank @p owner; other ranks keep theirs. */
 template <typename T>
 void bring_object_to_root(const MPI_Comm communicator, T &object, const int owner)
 {

@@ -65,7 +65,7 @@ std::string trimmed(const std::string &text)
 
 namespace
 {
-/** Levenshtein's distance. */
+/** Levenshtein distance. */
 std::size_t edit_distance(const std::string &a, const std::string &b)
 {
   std::vector<std::size_t> row(b.size() + 1);

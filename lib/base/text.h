@@ -10,29 +10,33 @@ namespace mesoslip
  */
 bool parse_number(const std::string &text, double &value);
 
-/** As above for whole numbers that fit. */
+/** Parses all of @p text as an integer in the range of long, or returns false. */
 bool parse_number(const std::string &text, long &value);
 
-/** Whether @p value is 0 or from 1e-100 to 1e100 in size, so that squares and products with what
- * bodies have neither vanish nor overflow. */
+/**
+ * Whether @p value is 0 or its absolute value is from 1e-100 to 1e100; squares and
+ * products with properties of a body then neither vanish nor overflow.
+ */
 bool has_usable_size(const double value);
 
-/** How a sentence about another number goes on. */
+/** Second half of the message about any other number. */
 constexpr const char *usable_sizes = "numbers are 0, or from 1e-100 to 1e100 in size";
 
-/** Without the mark that some editors put in front of UTF-8, and with a line feed at the
- * end of each line, also where it was a carriage return or both. */
+/**
+ * Removes a UTF-8 byte order mark and ends each line with a line feed, also after CR or
+ * CR LF.
+ */
 std::string plain_lines(const std::string &text);
 
-/** Whether it can go on into JSON. */
+/** Whether @p text is valid UTF-8, which JSON requires. */
 bool is_utf8(const std::string &text);
 
-/** Without leading and trailing blanks. */
+/** Removes leading and trailing blanks. */
 std::string trimmed(const std::string &text);
 
 /**
- * The word of @p candidates that is nearest to @p word in edit distance (upper and lower
- * case alike); "" when none is near enough to be a slip.
+ * The word of @p candidates with the smallest edit distance to @p word, ignoring case; ""
+ * if none is close enough to be a typing error.
  */
 std::string nearest_word(const std::string &word,
                          const std::vector<std::string> &candidates);
@@ -40,13 +44,13 @@ std::string nearest_word(const std::string &word,
 /** The shortest decimal text that reads back as the same double. */
 std::string to_text(const double value);
 
-/** Numbers separated by commas, each as above: "0.1, 2". */
+/** Comma-separated numbers, each in its shortest form: "0.1, 2". */
 std::string to_text(const std::vector<double> &values);
 
-/** Words separated by commas: "a, b, c". */
+/** Comma-separated words: "a, b, c". */
 std::string to_text(const std::vector<std::string> &words);
 
-/** Items of a comma separated list, without surrounding blanks; none for "". */
+/** Items of a comma-separated list without surrounding blanks; no items for "". */
 std::vector<std::string> split_list(const std::string &text);
 } // namespace mesoslip
 

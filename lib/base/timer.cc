@@ -98,7 +98,7 @@ void Timer::print(std::ostream &out) const
           << time << std::setprecision(1) << std::setw(8)
           << (total > 0. ? 100. * time / total : 0.) << " %\n";
   };
-  // The rest follows what is inside.
+  // The rest follows the inner sections.
   const auto print = [&](const Section &section, const auto &self) -> void {
     row(section.name, section.depth,
         section.calls > 0 ? std::to_string(section.calls) : "", seconds(section, now));

@@ -11,8 +11,8 @@
 namespace mesoslip
 {
 /**
- * Wall-clock times of nested sections of one process. A section entered again adds to
- * its time. Entering costs some 50 ns: fit for each step, not for each cell.
+ * Wall-clock times of nested sections of one process. Times of a repeated section add up.
+ * Entering costs about 50 ns: use it once per step, not once per cell.
  */
 class Timer
 {
@@ -21,7 +21,7 @@ public:
   class Scope
   {
   public:
-    /** Moves the duty to stop the clock. */
+    /** Transfers the scope; @p other no longer stops the clock. */
     Scope(Scope &&other) noexcept;
     Scope(const Scope &) = delete;
     ~Scope();
@@ -35,19 +35,21 @@ public:
   Timer();
 
   /**
-   * Enters the section @p name inside the current one. Its time that is in no section
-   * inside is shown as @p rest.
+   * Enters the section @p name inside the current one. The time that no inner section
+   * covers is listed as @p rest.
    */
   [[nodiscard]] Scope scope(const char *name, const char *rest = "other");
 
   /** Seconds since construction. */
   double total() const;
 
-  /** Table of sections, calls, seconds, share. What is inside a section, with the rest,
-   *  sums to it. */
+  /**
+   * Table of sections with calls, seconds and share. Inner sections and the rest add up
+   * to the section.
+   */
   void print(std::ostream &out) const;
 
-  /** {"total": s, "Outer": s, "Outer/Inner": s, ...}; rests unless they are "other". */
+  /** {"total": s, "Outer": s, "Outer/Inner": s, ...}; without rests called "other". */
   nlohmann::json json() const;
 
 private:
@@ -65,7 +67,7 @@ private:
     std::list<Section> inside;
   };
 
-  // A table is of one moment: sections may still be open.
+  // All times of a table refer to the same instant: sections may still be open.
   static double seconds(const Section &section, const Clock::time_point now);
   static double rest_of(const Section &section, const Clock::time_point now);
 
@@ -73,7 +75,7 @@ private:
   Section *current = &all;
 };
 
-/** timer->scope(name, rest); nothing where there is no timer. */
+/** timer->scope(name, rest), or empty if there is no timer. */
 [[nodiscard]] std::optional<Timer::Scope>
 optional_scope(Timer *timer, const char *name, const char *rest = "other");
 } // namespace mesoslip

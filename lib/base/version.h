@@ -3,7 +3,7 @@
 
 namespace mesoslip
 {
-/** Version of the programs, as CMakeLists.txt has it. */
+/** Version of the programs, the same as in CMakeLists.txt. */
 constexpr const char *version = "0.2.0";
 } // namespace mesoslip
 

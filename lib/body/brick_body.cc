@@ -11,14 +11,14 @@ namespace
 {
 using BrickPlace = std::array<unsigned int, 3>;
 
-/** Numbers of points along the axes. */
+/** Number of points along each axis. */
 BrickPlace n_points(const BrickBox &box)
 {
   const BrickPlace &n = box.grid.cells;
   return {{n[0] + 1, n[1] + 1, n[2] + 1}};
 }
 
-/** Planes of points of a rank: its own and, beside other ranks, the next one. */
+/** Planes of points of a rank: its own and, except on the last rank, the next one. */
 unsigned int n_planes(const BrickBox &box, const voxel::VoxelGrid &grid)
 {
   return std::min(grid.n_nodes(2) + 1, box.grid.cells[2] + 1 - grid.below());
@@ -30,7 +30,7 @@ unsigned int n_nodes(const BrickBox &box, const voxel::VoxelGrid &grid)
   return n[0] * n[1] * n_planes(box, grid);
 }
 
-/** Of the cells of this rank's planes, which are read piece by piece. */
+/** Stiffness of the cells in the planes of this rank, read piece by piece. */
 std::unique_ptr<const voxel::Stiffness>
 read_stiffness(const BrickBox &box,
                const CellReader &materials,
@@ -135,7 +135,7 @@ NodeIndex GridBody<3>::node_at(const Place &at) const
   return {node_of[point_at({{at[0], at[1], at[2] - first_plane}})], 0};
 }
 
-// Divided fields begin with the nodes that a rank counts.
+// Distributed fields begin with the locally owned nodes.
 void GridBody<3>::number_points()
 {
   const Place n            = n_points(box);
@@ -175,7 +175,7 @@ void GridBody<3>::number_points()
         }
 }
 
-// Faces of cells give each of their corners a quarter.
+// Each face adds a quarter of its area to each of its corners.
 void GridBody<3>::set_sides()
 {
   const Place &n = box.grid.cells;

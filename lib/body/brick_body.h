@@ -16,46 +16,55 @@ template <int dim>
 class GridBody;
 
 /**
- * The body on a box of equal bricks: products by the kernels of voxels, solves by BrickSolver. Its
- * points are numbered with x fastest, those at the upper ends of periodic axes included. Fields are
- * divided among the ranks by planes across z, or whole; of fewer than two planes a rank they are
- * whole, and each rank solves alone.
+ * The body on a box of equal bricks: products by the voxel kernels, solves by
+ * BrickSolver. Points are numbered with x fastest, including the points at the upper ends
+ * of periodic axes. Fields are distributed over the ranks by planes across z, or
+ * replicated. With fewer than two planes per rank they are replicated and each rank
+ * solves alone.
  */
 template <>
 class GridBody<3> final : public PointBody<3>
 {
 public:
-  /** Cells have the numbers in @p phases that @p materials gives for them. With @p whole fields these
-   * are ordered as the points are. Collective over @p communicator. @throws UserError if cells cannot
-   * be read */
+  /**
+   * @p materials gives each cell its index into @p phases. With @p whole, fields are
+   * replicated and ordered like the points. Collective over @p communicator. @throws
+   * UserError if cells cannot be read
+   */
   GridBody(const BrickBox &box,
            const CellReader &materials,
            const std::vector<ElasticPhase<3>> &phases,
            const MPI_Comm communicator,
            const bool whole = false);
 
-  /** The planes of cells above the planes of points that are this rank's. */
+  /** Planes of cells directly above the planes of points of this rank. */
   PlaneRange cell_planes() const;
 
-  /** Copies the displacements or forces of own planes; ghosts are set. Collective. */
+  /**
+   * Copies displacements or forces of the planes of this rank; updates ghost values.
+   * Collective.
+   */
   void to_voxels(const NodalField<double> &field, voxel::VoxelField<double> &to) const;
 
-  /** Takes those of all its points from @p field, whose ghosts are set. */
+  /** Copies the values of all local points from @p field, whose ghost values are set. */
   void from_voxels(const voxel::VoxelField<double> &field, NodalField<double> &to) const;
 
-  /** Products in units of it. */
+  /** Stiffness of the voxel kernels, whose products are dimensionless. */
   const voxel::Stiffness &stiffness() const
   {
     return *K;
   }
 
-  /** N/m, of stiffness(). */
+  /** Unit of products by stiffness() (N/m). */
   double unit_stiffness() const
   {
     return K->modulus * K->length;
   }
 
-  /** Numbers in fields of voxels of a node along the axes, if its plane is this rank's. */
+  /**
+   * Indices along the axes of @p node in voxel fields; empty if its plane is not on this
+   * rank.
+   */
   std::optional<std::array<unsigned int, 3>> voxel_node(const NodeIndex &node) const;
 
   std::optional<NodeIndex> find(const unsigned int number) const override;
@@ -74,7 +83,7 @@ public:
   std::unique_ptr<ElasticBody<3>> make_periodic() const override;
 
 private:
-  using Place = std::array<unsigned int, 3>; ///< numbers along the axes
+  using Place = std::array<unsigned int, 3>; ///< indices along the axes
 
   GridBody(const BrickBox &box,
            const CellReader &materials,
@@ -94,13 +103,13 @@ private:
   const BrickBox box;
   const CellReader materials;
   const MPI_Comm ranks;
-  const bool is_whole; ///< fields are, as that was asked for or there are few planes
+  const bool is_whole; ///< whether fields are replicated: requested, or too few planes
   const std::unique_ptr<const voxel::Stiffness> K;
-  const unsigned int first_plane;    ///< of the points of this rank
-  std::vector<unsigned int> points;  ///< number in the box of the point of each node
-  std::vector<unsigned int> node_of; ///< node of each point from that plane on
-  mutable voxel::VoxelField<double> input, output; ///< fields that multiply() works with
-  mutable voxel::VoxelField<float> rounded; ///< the same, which kernels write as well
+  const unsigned int first_plane;    ///< first plane of points of this rank
+  std::vector<unsigned int> points;  ///< point number in the box of each node
+  std::vector<unsigned int> node_of; ///< node of each point from first_plane on
+  mutable voxel::VoxelField<double> input, output; ///< work fields of multiply()
+  mutable voxel::VoxelField<float> rounded;        ///< work field in single precision
 };
 } // namespace mesoslip
 

@@ -18,7 +18,7 @@ std::vector<BrickMatrix> brick_matrices_of(const voxel::Stiffness &stiffness)
   return result;
 }
 
-/** The stiffness between two corners. */
+/** Stiffness between two corners (3 x 3). */
 Eigen::Matrix3d
 corner_block(const BrickMatrix &matrix, const unsigned int row, const unsigned int column)
 {
@@ -47,7 +47,7 @@ void GridBody<3>::to_voxels(const NodalField<double> &field,
   const auto &n = to.n_nodes();
   for (unsigned int k = 0; k < n[2]; ++k)
     for (unsigned int j = 0; j < n[1]; ++j)
-      for (unsigned int c = 0; c < 3; ++c) // originals of a row lie together
+      for (unsigned int c = 0; c < 3; ++c) // periodic masters of a row are contiguous
         std::copy_n(field.row(c, 0) + node_at({{0, j, first_plane + k}}).i, n[0],
                     to.row(c, j + 1, k + 1) + 1);
   to.set_ghosts();
@@ -71,8 +71,10 @@ void GridBody<3>::copy_duplicates(NodalField<double> &field) const
   from_voxels(input, field);
 }
 
-/** Of the cell of which @p node, by its numbers in fields of voxels, is a corner; the number of phases
- * outside of the body. */
+/**
+ * Phase of the cell at @p corner of @p node (indices in voxel fields); the number of
+ * phases outside of the body.
+ */
 unsigned int GridBody<3>::phase_beside(const Place &node, const unsigned int corner) const
 {
   const voxel::VoxelGrid &grid = K->grid;
@@ -153,12 +155,12 @@ std::vector<MatrixEntry> GridBody<3>::stiffness_entries() const
   const auto matrices = brick_matrices_of(*K);
   const Place &n = K->grid.cells, nodes = output.n_nodes();
   std::vector<MatrixEntry> entries;
-  Place at; // of originals, row after row
+  Place at; // periodic masters, row after row
   for (at[2] = 0; at[2] < nodes[2]; ++at[2])
     for (at[1] = 0; at[1] < nodes[1]; ++at[1])
       for (at[0] = 0; at[0] < nodes[0]; ++at[0])
         {
-          std::array<Eigen::Matrix3d, 27> blocks; // of the nodes around, x fastest
+          std::array<Eigen::Matrix3d, 27> blocks; // blocks of neighbours, x fastest
           blocks.fill(Eigen::Matrix3d::Zero());
           for (unsigned int corner = 0; corner < 8; ++corner)
             if (const unsigned int phase =

@@ -12,11 +12,13 @@ namespace mesoslip
 {
 namespace
 {
-/** A share of the residual that single precision can be trusted with: displacements may grow over the
- * whole body, and the forces of cells cancel. */
+/**
+ * Factor by which single precision can reduce the residual reliably: displacements may
+ * grow over the whole body, and the forces of cells cancel.
+ */
 constexpr double trusted = 1e-2;
 
-/** Iterations in single precision; what takes more suffers from round-off. */
+/** Limit of iterations in single precision; slower convergence indicates round-off. */
 constexpr unsigned int most_in_single = 200;
 } // namespace
 
@@ -52,7 +54,10 @@ void BrickSolver::set_constrained_on_springs(const DofMask &mask,
   condense_motions();
 }
 
-/** Puts those of nodes of this rank into springs, and into @p fields, if any rank has some. */
+/**
+ * Stores the springs at nodes of this rank in springs and, if any rank has springs, in
+ * @p fields.
+ */
 void BrickSolver::take_springs(const std::vector<SpringEntry> &on, voxel::Springs &fields)
 {
   springs.clear();
@@ -75,7 +80,7 @@ void BrickSolver::take_springs(const std::vector<SpringEntry> &on, voxel::Spring
       }
 }
 
-/** Of coefficients of the rigid motions. */
+/** Motion for given coefficients of the rigid motions. */
 BrickSolver::Motion
 BrickSolver::motion_of(const RigidMotions<3>::Coefficients &coefficients) const
 {
@@ -91,7 +96,7 @@ BrickSolver::motion_of(const RigidMotions<3>::Coefficients &coefficients) const
   return motion;
 }
 
-/** Those that constraints and springs leave. */
+/** Finds the rigid motions that constraints and springs leave free. */
 void BrickSolver::find_motions(const DofMask &mask, const std::vector<SpringEntry> &on)
 {
   const auto put = [this](const Motion &motion) {
@@ -114,7 +119,7 @@ void BrickSolver::find_motions(const DofMask &mask, const std::vector<SpringEntr
     }
 }
 
-/** R.(K + S) R, if all of it is not round-off. */
+/** R.(K + S) R, unless all of it is round-off. */
 void BrickSolver::condense_motions()
 {
   const auto n      = static_cast<Eigen::Index>(rigid.size());
@@ -143,7 +148,7 @@ void BrickSolver::condense_motions()
     modes.eigenvectors() * inverse.asDiagonal() * modes.eigenvectors().transpose();
 }
 
-/** The displacement at the first node of a row, and by how much it grows from node to node. */
+/** Displacement at the first node of a row, and its increment from node to node. */
 std::array<double, 2> BrickSolver::along_row(const Motion &motion,
                                              const unsigned int c,
                                              const unsigned int j,
@@ -167,7 +172,7 @@ void BrickSolver::add_motion(const Motion &motion, voxel::VoxelField<Number> &fi
                });
 }
 
-/** Over the ranks. */
+/** Dot product over all ranks. */
 template <typename Number>
 double BrickSolver::dot(const Motion &motion,
                         const voxel::VoxelField<Number> &field) const
@@ -189,7 +194,7 @@ void BrickSolver::remove_motions(Field &field) const
     add_motion(-dot(motion, field) * motion, field);
 }
 
-/** Zero but for what is held. */
+/** Sets all unconstrained components to zero. */
 void BrickSolver::keep_held(Field &field) const
 {
   std::vector<double> values;
@@ -220,7 +225,7 @@ void BrickSolver::clear_held(Field &field) const
     field.data()[place] = 0.;
 }
 
-/** product = -(K + S) v, but zero where it is held. */
+/** product = -(K + S) v, zero at constrained components. */
 void BrickSolver::take_forces(Field &v, voxel::VoxelField<float> &rounded)
 {
   K.forces({}, v, rounded, product.data());
@@ -229,7 +234,10 @@ void BrickSolver::take_forces(Field &v, voxel::VoxelField<float> &rounded)
   clear_held(product);
 }
 
-/** product = load - (K + S) v, where the load is zero at what is held; the square of its norm. */
+/**
+ * product = load - (K + S) v; the load is zero at constrained components. Returns the
+ * square of its norm.
+ */
 double BrickSolver::unbalanced(Field &v, voxel::VoxelField<float> &rounded)
 {
   take_forces(v, rounded);
@@ -272,12 +280,12 @@ SolverReport BrickSolver::solve(NodalField<double> &u,
   remove_motions(load);
   clear_held(load);
 
-  // The scale is the residual of the prescribed values alone.
+  // Residuals are relative to the residual of the prescribed values alone.
   body.to_voxels(u, correction);
   keep_held(correction);
   const double reference = std::sqrt(unbalanced(correction, rounded));
   double norm            = reference;
-  if (!motions.empty() || reference == 0.) // a first guess would only be moved
+  if (!motions.empty() || reference == 0.) // it would only be shifted rigidly
     body.from_voxels(correction, u);
   else
     {

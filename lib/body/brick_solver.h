@@ -14,10 +14,11 @@
 namespace mesoslip
 {
 /**
- * Statics of a GridBody<3>: conjugate gradients with the multigrid of voxels, in which components of
- * any nodes may be held. Coarse grids do not know of holds at few nodes; what they leave of rigid
- * motions is solved for besides: with R, the motions where nothing is held, and the inverse of
- * R.(K + S) R. Where single precision does not do, directions in double precision follow.
+ * Static solver of a GridBody<3>: conjugate gradients with voxel multigrid; components of
+ * any nodes may be constrained. Coarse grids ignore constraints at few nodes. The
+ * remaining rigid motions are therefore solved for separately, with R, the rigid motions
+ * set to zero at constrained components, and the inverse of R.(K + S) R. If single
+ * precision does not suffice, iterations in double precision follow.
  */
 class BrickSolver : public StaticSolver
 {
@@ -39,9 +40,9 @@ public:
 
 private:
   using Field  = voxel::VoxelField<double>;
-  using Motion = Eigen::Matrix<double, 3, 4>; ///< of 1, x, y, z (m)
+  using Motion = Eigen::Matrix<double, 3, 4>; ///< coefficients of 1, x, y, z (m)
 
-  /** In the fields of voxels, in units of the stiffness. */
+  /** A spring between two entries of voxel fields, in units of the stiffness. */
   struct Spring
   {
     std::size_t row, column;
@@ -77,9 +78,9 @@ private:
   voxel::ConjugateGradients iteration;
   Field load, product, correction;
   std::vector<Spring> springs;
-  std::vector<Motion> motions;   ///< that nothing holds, orthonormal
-  std::vector<Motion> rigid;     ///< all, of which R is made
-  Eigen::MatrixXd inverse_rigid; ///< of R.(K + S) R; empty where that is zero
+  std::vector<Motion> motions;   ///< unconstrained rigid motions, orthonormal
+  std::vector<Motion> rigid;     ///< all rigid motions, the columns of R
+  Eigen::MatrixXd inverse_rigid; ///< inverse of R.(K + S) R; empty if the matrix is zero
 };
 } // namespace mesoslip
 

@@ -11,8 +11,10 @@ namespace
 constexpr unsigned int most_iterations = 5000;
 } // namespace
 
-/** Flexible conjugate gradients (Polak and Ribiere's beta) from where the correction is, with the same
- * preconditioner. */
+/**
+ * Flexible conjugate gradients (Polak-Ribiere beta) from the current correction on, with
+ * the same preconditioner.
+ */
 void BrickSolver::iterate_in_double(const voxel::ConjugateGradients::Problem &problem,
                                     SolverReport &report)
 {
@@ -55,7 +57,7 @@ void BrickSolver::iterate_in_double(const voxel::ConjugateGradients::Problem &pr
       multigrid->vmult(z, b);
       if (problem.improve)
         problem.improve(z, b);
-      // The product of the step before tells by how much the residual has changed.
+      // The product of the previous step gives the change of the residual.
       const double beta = alpha == 0. ? 0. : alpha * norm * dot_with_z(product) / rz;
       rz                = norm * dot_with_z(r);
       for_each([&](unsigned int c, unsigned int j, unsigned int k, unsigned int i) {

@@ -6,7 +6,7 @@
 
 namespace mesoslip
 {
-/** Of the values (component, node) at the nodes of side @p id. */
+/** Gathers value(component, node) at the nodes of side @p id on all ranks. */
 template <int dim>
 template <typename Value>
 std::vector<double> ElasticBody<dim>::gather(const unsigned int id,

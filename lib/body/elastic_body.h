@@ -15,75 +15,80 @@
 
 namespace mesoslip
 {
-/** A node, and the factor of its displacements in a sum. */
+/** A node and the factor of its displacements in a sum. */
 struct WeightedNode
 {
-  NodeIndex node;      ///< which one
+  NodeIndex node;      ///< the node
   double weight = 1.0; ///< the factor
 };
 
-/** The nodes of one side of a body. */
+/** Nodes of one side of a body. */
 template <int dim>
 struct SurfaceNodes
 {
-  /** Those that this rank has. In 2D in ascending order along the side. */
+  /** Nodes of the side on this rank; in 2D in ascending order along the side. */
   std::vector<NodeIndex> nodes;
 
-  /** In 2D on a body whose sides are periodic: the last node is the duplicate of the first.
-   * Meshes with Mesh::originals have no duplicates here. */
+  /** In 2D with periodic sides: the last node is the periodic copy of the first one.
+   * Meshes with Mesh::originals have no periodic copies here. */
   bool closed = false;
 
-  /** Of all nodes of the side, whatever rank has them: integral of the outward normal times
-   * the shape function of the node, its tributary length (2D, m) or area (3D, m^2) in the
-   * direction of the normal. */
+  /** Integral of the outward normal times the shape function of each node: its tributary
+   * length (2D, m) or area (3D, m^2) in the direction of the normal. For all nodes of
+   * the side, on all ranks. */
   std::vector<std::array<double, dim>> normal_area;
 
-  /** Of each of nodes its number among all nodes of the side; empty: nodes are all. */
+  /** Index of each of nodes among all nodes of the side; empty if nodes are all of them.
+   */
   std::vector<std::size_t> place_of_nodes;
 
-  /** Number of node @p k of nodes among all nodes of the side. */
+  /** Index of node @p k of nodes among all nodes of the side. */
   std::size_t place(const std::size_t k) const
   {
     return place_of_nodes.empty() ? k : place_of_nodes[k];
   }
 };
 
-/** A part of an entry of K; parts at the same place add up. Degree of freedom dim k + c is
- * component c of the node k = row of the field * n_columns() + column. */
+/** A contribution to an entry of K; contributions to the same entry add up. Degree of
+ * freedom dim k + c is component c of node k = row of the field * n_columns() + column.
+ */
 struct MatrixEntry
 {
   std::uint64_t row    = 0;  ///< degree of freedom of the force
-  std::uint64_t column = 0;  ///< of the displacement
+  std::uint64_t column = 0;  ///< degree of freedom of the displacement
   double value         = 0.; ///< N/m, in 2D N/m^2
 };
 
-/** What nodes stand on and carry besides the cells around them; of each rank what concerns the nodes that it
- * has, of duplicates that of the originals. */
+/** Springs, dashpots and masses at nodes, in addition to the cells. Each rank has the
+ * entries of its own nodes. Entries at periodic copies belong to their periodic masters.
+ */
 struct Foundation
 {
-  std::vector<SpringEntry> springs;                      ///< to places at rest
-  std::vector<SpringEntry> dashpots;                     ///< likewise, N s/m (in 2D Pa s)
-  std::vector<std::pair<NodeIndex, double>> masses = {}; ///< kg, in 2D kg/m
+  std::vector<SpringEntry> springs;                      ///< springs to fixed points
+  std::vector<SpringEntry> dashpots;                     ///< N s/m (in 2D Pa s)
+  std::vector<std::pair<NodeIndex, double>> masses = {}; ///< kg (in 2D kg/m)
 };
 
 /**
- * What statics, modes and load cases ask of a linear elastic body; GridBody and MeshBody
- * answer. Fields are NodalField with n_columns() x n_rows() nodes, whatever the body: on
- * a grid its rows and columns, on a mesh any layout. Where sides are periodic, fields
- * keep the duplicate nodes, which operators read and write equal to their originals.
+ * Interface of a linear elastic body for statics, modes and load cases; implemented by
+ * GridBody and MeshBody. Fields are NodalField objects with n_columns() x n_rows() nodes
+ * for every body: rows and columns of a grid, any layout of a mesh. With periodic sides,
+ * fields contain the periodic copies; operators read and write the same values at copies
+ * and masters.
  *
- * Fields are whole on every rank, or divided: then a rank has the nodes of its cells, and
- * nodes of several ranks have the same values on all of them. Sums over nodes go over those
- * that a rank counts and then over the ranks of communicator(), which are one where fields
- * are whole. On a distributed body products and solves are collective and give all ranks
- * the same bits, so that they take the same decisions.
+ * Fields are replicated on every rank, or distributed. A distributed field has the nodes
+ * of the cells of this rank; shared nodes have the same values on all their ranks. Sums
+ * over nodes run over locally owned nodes (is_counted()), then over the ranks of
+ * communicator(), a single rank for replicated fields. On a distributed body, products
+ * and solves are collective and return the same bits on all ranks, so that all ranks take
+ * the same decisions.
  */
 template <int dim>
 class ElasticBody
 {
 public:
   static constexpr unsigned int bottom = 2 * (dim - 1); ///< the contact side
-  static constexpr unsigned int top    = 2 * dim - 1;   ///< opposite to it
+  static constexpr unsigned int top    = 2 * dim - 1;   ///< the side opposite to it
 
   virtual ~ElasticBody() = default;
 
@@ -99,7 +104,7 @@ public:
     return rows;
   }
 
-  /** A field that is zero. */
+  /** A field of zeros. */
   NodalField<double> zero_field() const
   {
     return rows == 1 ? NodalField<double>::of_points(columns, dim)
@@ -112,7 +117,7 @@ public:
     return the_phases;
   }
 
-  /** Which opposite sides are one. */
+  /** Axes whose opposite sides are periodic. */
   Periodicity periodicity() const
   {
     return periodic;
@@ -125,53 +130,54 @@ public:
     return sides[id];
   }
 
-  /** Components of @p field at all nodes of side @p id, on all ranks; those of a node
-   * together. Collective. */
+  /** Components of @p field at all nodes of side @p id, node after node, on all ranks.
+   * Collective. */
   std::vector<double> surface_values(const unsigned int id,
                                      const NodalField<double> &field) const;
 
-  /** The same of a mask: 1 where a component is constrained, else 0. Collective. */
+  /** Values of @p mask at all nodes of side @p id: 1 for constrained components, else 0.
+   * Collective. */
   std::vector<double> surface_values(const unsigned int id, const DofMask &mask) const;
 
-  /** The ranks among which fields are divided; MPI_COMM_SELF where they are whole. */
+  /** Ranks over which fields are distributed; MPI_COMM_SELF for replicated fields. */
   MPI_Comm communicator() const
   {
     return sharing;
   }
 
-  /** Whether this rank counts @p node in sums: of a node of several ranks one does, of
-   * divided fields only that which duplicates follow. */
+  /** Whether @p node is locally owned, i.e. counted on this rank in sums over nodes. In
+   * distributed fields only periodic masters count. */
   bool is_counted(const NodeIndex &node) const
   {
     return index(node) < n_counted;
   }
 
-  /** Number of @p node in the whole body, the same for any number of ranks. */
+  /** Global number of @p node, independent of the number of ranks. */
   virtual std::uint64_t number(const NodeIndex &node) const
   {
     return index(node);
   }
 
-  /** Duplicate nodes and their originals, axis after axis: a corner is the duplicate of
-   * one that is itself the duplicate of another along the next axis. None where fields are
-   * divided. */
+  /** Pairs of periodic copy and periodic master, axis after axis: the master of a corner
+   * is itself the copy of another node along the next axis. Empty for distributed
+   * fields. */
   const std::vector<std::array<NodeIndex, 2>> &duplicate_nodes() const
   {
     return duplicates;
   }
 
-  /** For each node, row after row, whether this rank counts it and it duplicates no other. */
+  /** For each node, row after row: whether it is locally owned and no periodic copy. */
   std::vector<bool> counted_originals() const;
 
-  /** Adds up what duplicate nodes and their originals have, in both. */
+  /** Sums the values of periodic copies and masters, and stores the sum at both. */
   void add_duplicates(NodalField<double> &field) const;
 
-  /** Sets duplicate nodes, and those that other ranks count, to the value of their originals.
+  /** Updates periodic copies and ghost nodes with the values of their masters and owners.
    * Collective. */
   virtual void copy_duplicates(NodalField<double> &field) const;
 
-  /** Constrains duplicate nodes where their originals are constrained. Solvers of divided
-   * fields look at originals alone. */
+  /** Constrains periodic copies whose masters are constrained. Solvers of distributed
+   * fields read masters only. */
   void copy_duplicates(DofMask &mask) const;
 
   /** Length of the body's bounding box along axis @p d (m). */
@@ -186,7 +192,7 @@ public:
     return total_volume;
   }
 
-  /** Integral of the density (kg, in 2D kg/m). */
+  /** Mass, the integral of the density (kg, in 2D kg/m). */
   double total_mass() const
   {
     return mass;
@@ -204,70 +210,77 @@ public:
     return distributed;
   }
 
-  /** What node @p k of the contact meets of a second body in the place of the flat; nothing on a flat. */
+  /** Nodes of a second body that contact node @p k meets in place of the flat; empty on a
+   * flat. */
   virtual std::vector<WeightedNode> meets(const std::size_t /*k*/) const
   {
     return {};
   }
 
-  /** Makes of the @p force on nodes that on the displacements of fields; not the same where some of these are relative. */
+  /**
+   * Converts the @p force conjugate to nodal displacements to the force conjugate to the
+   * values of fields. The two differ if some of these values are relative displacements.
+   */
   virtual void act_on_displacements(NodalField<double> & /*force*/) const
   {
   }
 
-  /** Place of a node, from the lower corner of the bounding box (m). */
+  /** Position of a node, from the lower corner of the bounding box (m). */
   virtual std::array<double, dim> point(const NodeIndex &node) const = 0;
 
-  /** From now on the body has this besides its cells: products and solvers have the springs, masses those of
-   * nodes. Collective. */
+  /** Adds springs, dashpots and masses to the body: products and solvers include the
+   * springs, mass vectors the masses. Collective. */
   void stand_on(const Foundation &given);
 
-  /** What it stands on. */
+  /** Springs, dashpots and masses at nodes. */
   const Foundation &foundation() const
   {
     return under;
   }
 
-  /** Lumped mass (kg, in 2D kg/m) of the nodes, row after row; duplicates and their
-   * originals carry the mass of both. */
+  /** Lumped mass of the nodes, row after row (kg, in 2D kg/m); periodic copies and
+   * masters carry the sum of both. */
   std::vector<double> lumped_mass() const;
 
-  /** Cells are evaluated in groups of consecutive ones, on a grid its rows. */
+  /** Number of groups of consecutive cells for evaluate(); on a grid a group is a row. */
   virtual std::size_t n_cell_groups() const = 0;
 
-  /** Phase, mean strain and relative volume of the cells of one group. */
+  /** Phase, mean strain and relative volume of the cells of a group. */
   struct Cells
   {
-    std::vector<unsigned int> phase;      ///< index into phases()
+    std::vector<unsigned int> phase;      ///< indices into phases()
     std::vector<VoigtVector<dim>> strain; ///< mean over the cell, engineering shear
     std::vector<double> volume;           ///< in mean cell volumes: 1 on a grid
   };
 
-  /** Evaluates the displacement @p u in the cells of @p group, where fields are divided of
-   * those of this rank. Not collective. */
+  /** Evaluates the displacement @p u in the cells of @p group; for distributed fields in
+   * the cells of this rank. Not collective. */
   virtual void
   evaluate(const NodalField<double> &u, const std::size_t group, Cells &cells) const = 0;
 
-  /** Ku = K u without constraints (N, in 2D N/m), with the springs of the foundation. Collective. */
+  /** Ku = K u without constraints (N, in 2D N/m), including the springs of the
+   * foundation. Collective. */
   void vmult(NodalField<double> &Ku, const NodalField<double> &u) const;
 
-  /**
-   * K of the cells as a matrix: of this rank's cells or rows, all together without repetition.
-   * Duplicate nodes are apart from their originals or empty. Not collective; for whole
-   * fields.
-   */
+  /** Entries of K from the cells: contributions of the cells or rows of this rank, all
+   * ranks together without repetition. Periodic copies are separate from their masters
+   * or have no entries. Not collective; for replicated fields. */
   virtual std::vector<MatrixEntry> stiffness_entries() const = 0;
 
-  /** A solver for K u = f, without constraints at first. The body must outlive it. That of a plane grid knows
-   * no springs, those of other bodies have the ones of the foundation; solves then begin with u = 0. */
+  /** A solver for K u = f, initially without constraints. The body must outlive it.
+   * Solvers of plane grids ignore springs; other solvers include the springs of the
+   * foundation and then start from u = 0. */
   virtual std::unique_ptr<StaticSolver> make_solver() const = 0;
 
-  /** The same body, periodic along all axes. @throws std::invalid_argument if nodes of
-   * opposite sides do not match. */
+  /**
+   * Returns this body, periodic along all axes. @throws std::invalid_argument if nodes of
+   * opposite sides do not match.
+   */
   virtual std::unique_ptr<ElasticBody> make_periodic() const = 0;
 
 protected:
-  /** Of fields with @p n_columns x @p n_rows nodes; derived classes set the rest. */
+  /** Sets the layout of fields with @p n_columns x @p n_rows nodes; derived classes set
+   * the rest. */
   ElasticBody(const unsigned int n_columns,
               const unsigned int n_rows,
               const std::vector<ElasticPhase<dim>> &phases,
@@ -280,13 +293,13 @@ protected:
   {
   }
 
-  /** Ku = K u of the cells. */
+  /** Ku = K u, cells only. */
   virtual void multiply(NodalField<double> &Ku, const NodalField<double> &u) const = 0;
 
-  /** lumped_mass() of the cells. */
+  /** lumped_mass() of the cells only. */
   virtual std::vector<double> mass_of_cells() const = 0;
 
-  /** Of a node among those of a field, row after row. */
+  /** Index of a node in a field, row after row. */
   std::size_t index(const NodeIndex &node) const
   {
     return static_cast<std::size_t>(node.j) * columns + node.i;
@@ -298,7 +311,7 @@ protected:
   std::size_t number_of_cells     = 0;              ///< see n_cells()
   bool distributed                = false;          ///< see is_distributed()
   MPI_Comm sharing                = MPI_COMM_SELF;  ///< see communicator()
-  std::size_t n_counted;                            ///< the first nodes of a field
+  std::size_t n_counted;                            ///< locally owned, come first
   std::array<SurfaceNodes<dim>, 2UL * dim> sides;   ///< see surface()
   std::vector<std::array<NodeIndex, 2>> duplicates; ///< see duplicate_nodes()
 
@@ -308,13 +321,13 @@ private:
 
   const unsigned int columns, rows;
   Foundation under;
-  bool is_on_springs = false; ///< on any rank
-  std::vector<double> extra;  ///< masses of the nodes; empty: none
+  bool is_on_springs = false; ///< whether any rank has springs
+  std::vector<double> extra;  ///< point masses of the nodes; empty if there are none
   const std::vector<ElasticPhase<dim>> the_phases;
   const Periodicity periodic;
 };
 
-/** The springs of both. */
+/** Springs of @p foundation and @p springs together. */
 std::vector<SpringEntry> with_foundation(const Foundation &foundation,
                                          const std::vector<SpringEntry> &springs);
 
@@ -322,10 +335,8 @@ std::vector<SpringEntry> with_foundation(const Foundation &foundation,
 template <int dim>
 std::vector<double> phase_volumes(const ElasticBody<dim> &body);
 
-/**
- * The body that @p solver works on: a GridBody, or for StaticSolverKind::ml a MeshBody
- * with the same cells, distributed over @p communicator. @p material must outlive it.
- */
+/** The body for @p solver: a GridBody, or for StaticSolverKind::ml a MeshBody with the
+ * same cells, distributed over @p communicator. @p material must outlive it. */
 std::unique_ptr<ElasticBody<2>> make_body(const UniformMaterial &material,
                                           const StaticSolverKind solver,
                                           const MPI_Comm communicator);

@@ -11,8 +11,8 @@ template <int dim>
 class GridBody;
 
 /**
- * The body on a uniform grid: UniformGridOperator for products and GridSolver for
- * solves. All of it is on every rank.
+ * The body on a uniform grid: products by UniformGridOperator, solves by GridSolver.
+ * Replicated on every rank.
  */
 template <>
 class GridBody<2> : public ElasticBody<2>
@@ -26,7 +26,7 @@ public:
   {
   }
 
-  /** The body keeps the @p given material. */
+  /** The body shares ownership of the @p given material. */
   GridBody(const std::shared_ptr<const UniformMaterial> &given,
            const StaticSolverKind solver)
     : ElasticBody<2>(
@@ -46,7 +46,7 @@ public:
     sides[2].closed = sides[3].closed = periodicity().x;
 
     const std::array<unsigned int, 2> last = grid.cells;
-    // Ends stand for half a cell.
+    // End nodes have half the length of a cell.
     const auto add = [&](const unsigned int id, const NodeIndex &node,
                          const unsigned int along, const unsigned int k) {
       const double length = grid.spacing[along] * (k == 0 || k == last[along] ? 0.5 : 1.);
@@ -125,7 +125,7 @@ public:
   }
 
 private:
-  const std::shared_ptr<const UniformMaterial> owner; ///< empty for a material of others
+  const std::shared_ptr<const UniformMaterial> owner; ///< empty: the caller owns it
   const UniformMaterial &material;
   const StaticSolverKind solver;
   const UniformGridOperator stiffness;

@@ -8,27 +8,33 @@
 
 namespace mesoslip
 {
-/** A body in whose files and descriptions nodes are numbered points: of a mesh, or of a box with x
- * fastest. Fields have them in one row. */
+/**
+ * A body whose nodes are numbered points in files and descriptions: points of a mesh, or
+ * of a box with x fastest. Fields have a single row.
+ */
 template <int dim>
 class PointBody : public ElasticBody<dim>
 {
 public:
-  /** The node of point @p number, on the ranks that have it. */
+  /** The node of point @p number; empty if this rank does not have it. */
   virtual std::optional<NodeIndex> find(const unsigned int number) const = 0;
 
-  /** Numbers of the points that are the first nodes of divided fields: each point is such a node on
-   * one rank. */
+  /**
+   * Numbers of the locally owned points, the first nodes of distributed fields. Each
+   * point is owned by one rank.
+   */
   std::vector<std::uint64_t> owned_points() const;
 
-  /** Numbers of the points of all nodes of the contact side, in the order of surface(). */
+  /** Numbers of the points of all contact nodes, in the order of surface(). */
   const std::vector<unsigned int> &contact_points() const
   {
     return of_contact;
   }
 
-  /** Components of @p field at the points with these @p numbers, on all ranks; those of a point
-   * together. Collective. */
+  /**
+   * Components of @p field at the points @p numbers, point after point, on all ranks.
+   * Collective.
+   */
   std::vector<double> values_at(const std::vector<unsigned int> &numbers,
                                 const NodalField<double> &field) const;
 

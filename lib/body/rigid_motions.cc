@@ -16,7 +16,7 @@ RigidMotions<dim>::at(const std::array<double, dim> &point) const
   motions.template leftCols<dim>().setIdentity();
   if constexpr (dim == 2)
     {
-      // Lengths are measured from the middle in widths of the body.
+      // Lengths are relative to the width of the body, from its centre.
       const double width = body.extent(0);
       motions(0, 2)      = -(point[1] - 0.5 * body.extent(1)) / width;
       motions(1, 2)      = point[0] / width - 0.5;
@@ -40,7 +40,7 @@ RigidMotions<dim>::hold_of(const DofMask &mask,
                            const std::vector<NodesAsOne> &as_one) const
 {
   Hold own = Hold::Zero();
-  // A rotation about the axis along which sides are one is the same on both.
+  // A rotation about a periodic axis is compatible with periodic sides.
   const Periodicity periodic = body.periodicity();
   for (int d = 0; d < n - dim && mpi::this_mpi_process(body.communicator()) == 0; ++d)
     if ((periodic.x && (dim == 2 || d != 0)) || (periodic.y && (dim == 2 || d != 1)))

@@ -9,22 +9,24 @@
 
 namespace mesoslip
 {
-/** Nodes of which a component moves as one. */
+/** Nodes of which one component moves as a rigid unit. */
 struct NodesAsOne
 {
-  unsigned int component = 0;   ///< 0: x
-  std::vector<NodeIndex> nodes; ///< that this rank has
+  unsigned int component = 0;   ///< index of the component, 0: x
+  std::vector<NodeIndex> nodes; ///< nodes of the group on this rank
 };
 
-/** The rigid motions of a body about the middle of its bounding box: translations, then
- * rotations by one over a length of the body. */
+/**
+ * Rigid motions of a body about the centre of its bounding box: translations, then
+ * rotations by one over a length of the body.
+ */
 template <int dim>
 class RigidMotions
 {
 public:
-  static constexpr int n = dim * (dim + 1) / 2;           ///< their number
-  using Displacements    = Eigen::Matrix<double, dim, n>; ///< a motion in a column
-  using Coefficients     = Eigen::Matrix<double, n, 1>;   ///< of the motions
+  static constexpr int n = dim * (dim + 1) / 2;           ///< number of rigid motions
+  using Displacements    = Eigen::Matrix<double, dim, n>; ///< a motion in each column
+  using Coefficients     = Eigen::Matrix<double, n, 1>;   ///< coefficients of the motions
   using Hold             = Eigen::Matrix<double, n, n>;   ///< see hold_of()
 
   /** @p body must outlive it. */
@@ -33,20 +35,21 @@ public:
   {
   }
 
-  /** Displacements of a point by each of them. */
+  /** Displacements of a point by each of the motions. */
   Displacements at(const std::array<double, dim> &point) const;
 
   /**
-   * What the constraints @p mask, periodic sides, springs and nodes that move @p as_one
-   * hold: the sum of m^T m over all constrained components, m being their row of at(), of
-   * m_c^T k_cd m_d over the springs, k being a share of the stiffest, and of m^T m over nodes that move as one, less
-   * their mean m. Collective.
+   * Gram matrix of the rigid motions at everything that resists them: constraints of
+   * @p mask, periodic sides, springs and nodes that move @p as_one. It is the sum of m^T
+   * m over constrained components (m: their row of at()), of m_c^T k_cd m_d over springs
+   * (k relative to the stiffest one), and of m^T m over nodes that move as one, with m
+   * less its mean. Collective.
    */
   Hold hold_of(const DofMask &mask,
                const std::vector<SpringEntry> &springs = {},
                const std::vector<NodesAsOne> &as_one   = {}) const;
 
-  /** The motions that these leave: eigenvectors for the eigenvalue zero. */
+  /** Unconstrained motions: eigenvectors of @p hold with eigenvalue zero. */
   static std::vector<Coefficients> left_by(const Hold &hold);
 
 private:
@@ -56,9 +59,8 @@ private:
 };
 
 /**
- * The displacement fields of the rigid motions that the constraints @p mask, periodic
- * sides, springs and nodes that move @p as_one leave; linearly independent.
- * Collective.
+ * Displacement fields of the rigid motions that constraints @p mask, periodic sides,
+ * springs and nodes that move @p as_one leave free; linearly independent. Collective.
  */
 template <int dim>
 std::vector<NodalField<double>>
@@ -67,7 +69,10 @@ free_rigid_motions(const ElasticBody<dim> &body,
                    const std::vector<SpringEntry> &springs = {},
                    const std::vector<NodesAsOne> &as_one   = {});
 
-/** Whether the constraints @p mask, periodic sides and springs leave a rigid motion. Collective. */
+/**
+ * Whether constraints @p mask, periodic sides and springs leave a rigid motion free.
+ * Collective.
+ */
 template <int dim>
 bool can_move(const ElasticBody<dim> &body,
               const DofMask &mask,

@@ -14,12 +14,12 @@
 
 namespace mesoslip
 {
-/** The iteration of solve_static_contact() and its state. */
+/** Iteration of solve_static_contact() and its state. */
 template <int dim>
 class ActiveSetIteration
 {
 public:
-  /** Of @p given; @p body and @p options must outlive it. */
+  /** Sets up the iteration for @p given; @p body and @p options must outlive it. */
   ActiveSetIteration(const ElasticBody<dim> &body,
                      StaticContactProblem &&given,
                      const StaticContactOptions &options)
@@ -53,10 +53,10 @@ public:
           friction[index(i, c)] = problem.friction[index(i, c)];
   }
 
-  /** The solution; once. @throws NotConverged */
+  /** Returns the solution; call it once. @throws NotConverged */
   StaticContactSolution run();
 
-  /** What run() has done, also when it ends with an exception. */
+  /** Result of run() so far, also after an exception. */
   const StaticContactSolution &so_far() const
   {
     return solution;
@@ -64,20 +64,22 @@ public:
 
 private:
   static constexpr unsigned int n_tangents  = dim - 1; ///< components of friction
-  static constexpr unsigned int normal_axis = dim - 1; ///< of the flat
+  static constexpr unsigned int normal_axis = dim - 1; ///< axis of the flat's normal
 
-  /** Of the scale in the direction of friction, which in 3D turns: nodes that slip together
-   * are softer than one, and with 1 friction turns too far. Between 0.03 and 0.3 a pressed
-   * cylinder needs 30 to 140 iterations without springs(), with 0.1 at most 56, with 3 there is no
-   * end. */
+  /**
+   * Factor of the stiffness scale for friction. In 3D the direction of friction turns:
+   * nodes that slip together are softer than a single node, and with factor 1 friction
+   * turns too far. Between 0.03 and 0.3 a pressed cylinder needs 30 to 140 iterations
+   * without springs(), with 0.1 at most 56; with 3 the iteration does not end.
+   */
   static constexpr double turning = dim == 3 ? 0.1 : 1.;
   static constexpr unsigned int hasty_changes =
-    10; ///< of states, before friction is exact
+    10; ///< changes of states with inexact friction
   static constexpr unsigned int most_returns =
-    2; ///< of states that were there, before they cycle
+    2; ///< returns to former states until states count as cycling
   using Friction = IncrementalFriction<dim>;
 
-  /** Of friction on all nodes; zero on a flat at rest. */
+  /** Direction of friction on all nodes; zero on a flat at rest. */
   typename Friction::Direction of_sliding_flat() const
   {
     typename Friction::Direction direction;
@@ -86,7 +88,10 @@ private:
     return direction;
   }
 
-  /** Whether friction that changes by @p change, and the equilibrium, are as wanted. */
+  /**
+   * Whether friction, which changed by @p change, and equilibrium are within the
+   * tolerance.
+   */
   bool is_solved(const double change) const
   {
     return change <= options.tolerance && solution.residual <= options.tolerance;
@@ -102,19 +107,21 @@ private:
     return problem.gap.empty() ? 0. : problem.gap[i];
   }
 
-  /** Whether node @p i stands on a spring. */
+  /** Whether a spring is between node @p i and the flat. */
   bool is_compliant(const unsigned int i) const
   {
     return !problem.stiffness.empty() && held[dim * i + normal_axis] == 0.;
   }
 
-  /** Whether friction does not turn, so that states and directions tell what follows. */
+  /**
+   * Whether the direction of friction is fixed, so that states determine the solution.
+   */
   bool is_linear() const
   {
     return dim == 2 || problem.sliding != 0;
   }
 
-  /** Of a node that touches the flat and has not moved. */
+  /** State of a node that touches the flat and has not moved. */
   ContactState at_rest(const unsigned int i) const
   {
     return problem.sliding == 0 && problem.friction_coefficient[i] > 0.
@@ -128,13 +135,16 @@ private:
            solution.state[i] == ContactState::slip;
   }
 
-  /** Whether a side does, so that a flat at rest has nothing to add. */
+  /**
+   * Whether a side constrains component @p c of node @p i, so that a flat at rest adds no
+   * friction.
+   */
   bool side_carries(const unsigned int i, const unsigned int c) const
   {
     return problem.sliding == 0 && held[dim * i + c] != 0.;
   }
 
-  /** Collective. */
+  /** Sum of @p force along the flat. Collective. */
   static typename Friction::Direction sum_along_flat(const ElasticBody<dim> &body,
                                                      const NodalField<double> &force)
   {
@@ -148,7 +158,7 @@ private:
     return sum;
   }
 
-  /** Calls action(node, number of the node) with the contact nodes that this rank has. */
+  /** Calls action(node, index) for the contact nodes on this rank. */
   template <typename Action>
   void for_each_node(const Action &action) const
   {
@@ -157,38 +167,52 @@ private:
         action(bottom.nodes[k], static_cast<unsigned int>(bottom.place(k)));
   }
 
-  /** Holds what touches and sticks, and adds springs; a body that could slide as a whole sticks with
-   * one node more. */
+  /**
+   * Constrains nodes that touch and stick, and adds springs. If the body could slide as a
+   * whole, one more node sticks.
+   */
   void hold_contact();
 
-  /** The given constraints and those of nodes that touch or stick, where the displacements take their values. */
+  /**
+   * The given constraints and the constraints of touching or sticking nodes; sets the
+   * displacements of the latter.
+   */
   DofMask constrain_contact();
 
   /**
-   * Newton's method for friction g n that turns (g: its size, n its direction, that of the trial f - c v):
-   * it then is g n - D v, D = g c / (|f - c v| - g) (1 - n n^T), of a spring across n. Nodes near sticking
-   * have stiff springs, up to 10 c. None in 2D, on a sliding flat and before the first solution. Nodes
-   * on the flat's own springs have those, always.
+   * Springs of Newton's method for friction g n with varying direction (g: its size, n
+   * its direction, the direction of the trial f - c v): it then is g n - D v, D = g c /
+   * (|f - c v| - g) (1 - n n^T), a spring across n. Nodes near sticking have stiff
+   * springs, up to 10 c. None in 2D, on a sliding flat and before the first solution. The
+   * springs between nodes and flat are always included.
    */
   std::vector<SpringEntry> springs(bool of_friction) const;
 
-  /** Of the nodes that slip, the one that the body brings first to where it sticks if it slides as
-   * its friction and the given forces push it; n_nodes: none. */
+  /**
+   * The slipping node that would be the first to stick if the body slides in the
+   * direction in which its friction and the given forces push it; n_nodes if there is
+   * none.
+   */
   unsigned int next_to_stick() const;
 
-  /** The given forces with friction. */
+  /** Sets the nodal forces: given forces and friction. */
   void set_forces();
 
-  /** Displacements under these; the residual that is left. @throws NotConverged */
+  /**
+   * Solves for the displacements under these forces; returns the residual. @throws
+   * NotConverged
+   */
   double solve(double tolerance);
 
-  /** Of the last solution: displaced, normal and tangential. */
+  /** Computes displaced, normal and tangential from the last solution. */
   void evaluate_reactions();
 
-  /** What the last solution makes of node @p i; turns its friction. */
+  /**
+   * State of node @p i after the last solution; updates the direction of its friction.
+   */
   ContactState next_state(const unsigned int i);
 
-  /** In 3D friction turns without a change of states. */
+  /** Updates the direction of friction in 3D without a change of states. */
   void turn_friction()
   {
     for (unsigned int i = 0; i < n_nodes && dim == 3 && problem.sliding == 0; ++i)
@@ -196,10 +220,12 @@ private:
         tangential.turn(displaced, i);
   }
 
-  /** Whether a state has changed. */
+  /** Updates the states; returns whether one has changed. */
   bool update_states();
 
-  /** Of nodes that slip, in their direction; else 0. */
+  /**
+   * Friction of slipping nodes from their normal forces, in their direction; otherwise 0.
+   */
   Eigen::VectorXd friction_of_pressure() const
   {
     Eigen::VectorXd result = Eigen::VectorXd::Zero(friction.size());
@@ -211,7 +237,7 @@ private:
     return result;
   }
 
-  /** As a share of the normal force. */
+  /** Change of friction relative to the normal force. */
   double friction_change() const
   {
     const double pressed = normal.lpNorm<1>();
@@ -227,38 +253,45 @@ private:
                                   solution.iterations, ")"));
   }
 
-  /** @throws NotConverged unless the forces are finite and, if @p enough, enough nodes touch the flat */
+  /**
+   * Checks the reactions. @throws NotConverged unless the forces are finite and, if
+   * @p enough, enough nodes touch the flat
+   */
   void require_contact(bool enough) const;
 
   const ElasticBody<dim> &body;
   StaticContactProblem problem;
   const StaticContactOptions &options;
   EquilibriumSolver<dim> solver;
-  const SurfaceNodes<dim>
-    &bottom;                  ///< whose nodes all ranks know; the duplicate at the end
-  const unsigned int n_nodes; ///< distinct ones of the bottom
-  const double scale;         ///< see stiffness_scale()
-  const bool is_held; ///< without the contact, so that it may be lost and come again
+  const SurfaceNodes<dim> &bottom; ///< contact side; the periodic copy is the last node
+  const unsigned int n_nodes;      ///< distinct contact nodes
+  const double scale;              ///< see stiffness_scale()
+  const bool is_held;              ///< whether the body is fixed without contact
 
-  /** At the nodes of the bottom, their dim components together: problem.force, whether
-   * problem.constrained holds them, the displacement. */
+  /**
+   * Values at the contact nodes, dim components per node: problem.force,
+   * problem.constrained and the displacement.
+   */
   const std::vector<double> given_force, held;
   std::vector<double> displaced;
 
-  const typename Friction::Direction pushed; ///< by all given forces (N, in 2D N/m)
+  const typename Friction::Direction pushed; ///< sum of all given forces (N, in 2D N/m)
 
-  /** Whether friction turns by Newton's method, which takes a body that cannot move as a whole. */
+  /**
+   * Whether friction turns by Newton's method, which requires a body that cannot move as
+   * a whole.
+   */
   bool turns_on_springs = false;
 
   NodalField<double> force;
   Eigen::VectorXd friction, normal;
-  Friction tangential; ///< of the last solution
+  Friction tangential; ///< friction of the last solution
   AndersonAcceleration acceleration;
   StaticContactSolution solution;
   std::map<
     std::pair<std::vector<ContactState>, std::vector<typename Friction::Direction>>,
     unsigned int>
-    seen; ///< how often, each time that states change
+    seen; ///< how often each set of states has occurred
 };
 } // namespace mesoslip
 

@@ -9,13 +9,13 @@ namespace mesoslip
 {
 /**
  * Anderson's acceleration of a fixed-point iteration x = g(x) (D. G. Anderson, J. ACM 12,
- * 1965): the next x combines the last few g(x) so that their residuals, combined alike,
- * are least. On a linear g it is as good as GMRES.
+ * 1965): the next x is the combination of the last few g(x) for which the same
+ * combination of residuals is smallest. For a linear g it is equivalent to GMRES.
  */
 class AndersonAcceleration
 {
 public:
-  /** Forgets everything, because g is another function now. */
+  /** Clears the history; call it after g has changed. */
   void reset()
   {
     residuals.clear();
@@ -41,14 +41,14 @@ public:
         dr.col(k) = residuals[k + 1] - residuals[k];
         dg.col(k) = images[k + 1] - images[k];
       }
-    // Of a matrix of zeros the decomposition makes no numbers.
+    // The decomposition of a zero matrix yields NaN.
     if (dr.isZero(0.))
       return g;
     return g - dg * dr.colPivHouseholderQr().solve(residuals.back());
   }
 
 private:
-  static constexpr std::size_t depth = 10; ///< former iterates that are kept
+  static constexpr std::size_t depth = 10; ///< number of former iterates
   std::deque<Eigen::VectorXd> residuals, images;
 };
 } // namespace mesoslip

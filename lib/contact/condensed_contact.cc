@@ -231,7 +231,7 @@ std::optional<StaticContactSolution> CondensedContact<dim>::equilibrium(
   Eigen::FullPivLU<Eigen::MatrixXd> moves;
   Eigen::VectorXd f;
   double pressed = 0., left = 1.;
-  // More than once where S is not exact enough.
+  // Repeated if S is not exact enough.
   for (unsigned int n = 0; n < 5; ++n)
     {
       const Eigen::VectorXd pressed_in = softness.cwiseProduct(F + S * d);
@@ -267,9 +267,9 @@ std::optional<StaticContactSolution> CondensedContact<dim>::equilibrium(
         holds && normal >= -negligible && (at < 0 || touches || d[at] >= -short_way);
       found.state.push_back(state);
       found.normal_force.push_back(normal);
-      double size    = 0.; // of the friction
-      double way     = 0.; // of the slip
-      double against = 0.; // how far the slip is from being opposite to the friction
+      double size    = 0.; // norm of the friction
+      double way     = 0.; // norm of the slip
+      double against = 0.; // slip not opposite to friction
       for (unsigned int c = 0; c + 1 < dim; ++c)
         way = number(i, c) < 0 ? way : std::hypot(way, d[number(i, c)]);
       for (unsigned int c = 0; c + 1 < dim; ++c)

@@ -11,7 +11,7 @@ typename CondensedContact<dim>::Problem CondensedContact<dim>::of_sliding_flat()
       normal.push_back(k);
     else
       along.push_back(k);
-  // Forces along the flat less friction.
+  // Tangential forces minus friction.
   Eigen::MatrixXd excess(static_cast<Eigen::Index>(along.size()), F.size());
   Eigen::VectorXd at_start(excess.rows());
   for (Eigen::Index k = 0; k < excess.rows(); ++k)

@@ -11,13 +11,13 @@ namespace mesoslip
 {
 namespace
 {
-/** What is zero at a solution, and its derivative. */
+/** Residual that vanishes at a solution, and its derivative. */
 struct Residual
 {
   Eigen::VectorXd value;
   Eigen::MatrixXd derivative;
 
-  /** Component @p k is to be c d_k = 0. */
+  /** Sets the equation of component @p k to c d_k = 0. */
   void hold(const Eigen::Index k, const double c, const double d)
   {
     value[k] = c * d;
@@ -26,7 +26,9 @@ struct Residual
   }
 };
 
-/** Of a node that slips: its friction is of size @p limit along the augmented force. */
+/**
+ * Adds the friction of a slipping node: norm @p limit, direction of the augmented force.
+ */
 void add_friction(Residual &of,
                   const ConeProblem &problem,
                   const ConeProblem::Node &node,
@@ -54,7 +56,7 @@ void add_friction(Residual &of,
     }
 }
 
-/** With the @p share of friction. */
+/** Residual at @p d with coefficients of friction multiplied by @p share. */
 Residual
 residual_at(const ConeProblem &problem, const Eigen::VectorXd &d, const double share)
 {
@@ -81,7 +83,7 @@ residual_at(const ConeProblem &problem, const Eigen::VectorXd &d, const double s
   return of;
 }
 
-/** The shortest one where the body can slide as a whole. */
+/** Newton step; the shortest one if the body can slide as a whole. */
 Eigen::VectorXd newton_step(const Residual &now)
 {
   const Eigen::PartialPivLU<Eigen::MatrixXd> lu(now.derivative);

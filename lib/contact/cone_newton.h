@@ -7,30 +7,33 @@
 
 namespace mesoslip
 {
-/** Nodes on a flat at rest: the forces of the flat on them are F + S d, d being their displacements from
- * where they touch and stick. */
+/**
+ * Nodes on a flat at rest: forces of the flat on the nodes are F + S d, with
+ * displacements d from the state in which all nodes touch and stick.
+ */
 struct ConeProblem
 {
-  /** A node of the contact: where its components are in d. */
+  /** A contact node: indices of its components in d. */
   struct Node
   {
-    Eigen::Index normal = 0;         ///< that along the normal
-    std::vector<Eigen::Index> along; ///< those that are free, one or two
+    Eigen::Index normal = 0;         ///< index of the normal component
+    std::vector<Eigen::Index> along; ///< indices of the free tangential components
     double mu = 0.;                  ///< coefficient of friction
   };
 
   Eigen::MatrixXd S;       ///< N/m
   Eigen::VectorXd F;       ///< N
-  std::vector<Node> nodes; ///< those that a side does not hold
+  std::vector<Node> nodes; ///< nodes that no side constrains
 
-  /** Of the forces that pull a displaced node back in the augmented forces f - c d (N/m). */
+  /** Stiffness of the augmentation in the augmented forces f - c d (N/m). */
   double c = 0.;
 };
 
 /**
- * Displacements with which each node touches, and sticks or has all its friction against its displacement, or
- * is free: a semismooth Newton method on the augmented forces (Alart and Curnier 1991), damped, with the coefficients of
- * friction grown from 0 in ten steps. It need not have come to its end: whoever asks checks what he gets.
+ * Displacements for which each node touches, and sticks or slips with full friction
+ * against its displacement, or is separated. Damped semismooth Newton method for the
+ * augmented forces (Alart and Curnier 1991); the coefficients of friction grow from 0 in
+ * ten steps. Convergence is not guaranteed: the caller must check the result.
  */
 Eigen::VectorXd cone_newton(const ConeProblem &problem);
 } // namespace mesoslip

@@ -1,6 +1,6 @@
 // The contact kernel of one instruction set. Compiled once for each set, see
-// elasticity/kernel_variants.h. No branches by node: comparisons give masks, ?: selects lane
-// by lane.
+// elasticity/kernel_variants.h. No branches per node: comparisons give masks, ?: selects
+// lane by lane.
 #include "contact/contact_kernel.h"
 
 #include "contact/laws/flat_spring_impl.h"
@@ -16,11 +16,11 @@ namespace mesoslip::contact_kernels::MESOSLIP_VARIANT
 {
 #include "elasticity/simd.h"
 
-// Held nodes have no compliance; dividing by the smallest normal number keeps the
-// arithmetic free of 0/0.
+// Constrained nodes have no compliance; dividing by at least the smallest normal number
+// avoids 0/0.
 constexpr double smallest = 2.2250738585072014e-308;
 
-/** Sums over the nodes of one vector's lanes. */
+/** Sums over the nodes in each lane of a vector. */
 struct LaneSums
 {
   vdouble normal, tangential, sticking, touching, friction_energy, impact_energy,
@@ -43,7 +43,7 @@ MESOSLIP_INLINE vdouble length_of(const vdouble x, const vdouble y)
   return square_root(x * x + y * y);
 }
 
-/** Of the spring at a node at @p height over the flat (m). */
+/** Compression of the spring of a node at @p height over the flat (m). */
 MESOSLIP_INLINE vdouble compression(const vdouble height)
 {
   return height < vdouble{} ? -height : vdouble{};
@@ -60,7 +60,10 @@ MESOSLIP_INLINE bool any(const vint64 mask)
 #include "contact/laws/friction_impl.h"
 #include "contact/laws/stretch_impl.h"
 
-/** The nodes i, i + 1, ... of one vector; in @p full with a profile of the flat and springs along it. Of a @p trial forces are all. */
+/**
+ * Advances the nodes i, i + 1, ... of one vector; with @p full it supports profiles and
+ * tangential springs. With @p trial it only computes the forces.
+ */
 template <int dim, bool full, bool trial>
 MESOSLIP_INLINE void advance_vector(const ContactArrays &a,
                                     const ContactStep &step,
@@ -75,7 +78,7 @@ MESOSLIP_INLINE void advance_vector(const ContactArrays &a,
   const double c     = (0.5 + step.beta2) * dt * dt; // du = dt w + c a
   const double d     = (step.beta2 - 0.5) * dt * dt;
 
-  // Without contact.
+  // Motion without contact.
   vdouble minv[dim], w[dim], a_free[dim];
   for (int k = 0; k < dim; ++k)
     {
@@ -83,7 +86,7 @@ MESOSLIP_INLINE void advance_vector(const ContactArrays &a,
       w[k]      = load(a.w[k] + i);
       a_free[k] = -load(a.force[k] + i) * minv[k];
     }
-  // Over the flat as it is after the step, now, and was a step ago.
+  // Heights over the flat after the step, now, and in the previous step.
   const vdouble ahead = load(at(Arrays::gap)) + load(a.u[1] + i),
                 gap   = ahead + dt * w[1] + c * a_free[1];
   vdouble height = ahead, height_before = height, lifted = zero;
@@ -212,7 +215,7 @@ template <int dim, bool full, bool trial>
 static void
 step_nodes(const ContactArrays &arrays, const ContactStep &step, ContactSums &sums)
 {
-  // Eight partial sums whatever the vectors: the same order everywhere.
+  // Eight partial sums for any vector length: the same order on all processors.
   constexpr std::size_t length = Simd<double>::length;
   constexpr std::size_t n      = contact_lanes / length;
   LaneSums parts[n]            = {};

@@ -10,7 +10,7 @@
 
 namespace mesoslip
 {
-/** What a map of the contact has of each node. */
+/** Quantities that a map of the contact may store for each node. */
 enum class MapQuantity : unsigned int
 {
   pressure,
@@ -23,27 +23,27 @@ enum class MapQuantity : unsigned int
   gap
 };
 
-/** What a user calls them, in their order. */
+/** Names of the quantities in parameter files, in the order of MapQuantity. */
 std::vector<std::string> map_field_names();
 
-/** A field of the map as it stands in the file. */
+/** A field of the map, as stored in the file. */
 struct MapField
 {
-  MapQuantity quantity;    ///< what it is
-  std::string name;        ///< of the dataset
-  std::string unit;        ///< after division by the area where over_area
+  MapQuantity quantity;    ///< quantity of the field
+  std::string name;        ///< name of the dataset
+  std::string unit;        ///< unit, after division by the area if over_area
   unsigned int components; ///< 2 for vectors in 3D
   bool over_area;          ///< whether samples are divided by the tributary area
 };
 
-/** Which steps and what of them. */
+/** Sampled steps and quantities of a map. */
 struct ContactMapSetup
 {
   std::uint64_t first    = 0;          ///< step of the first sample
-  std::uint64_t end      = 0;          ///< steps from there on have none
+  std::uint64_t end      = 0;          ///< steps from this one on have no sample
   std::uint64_t interval = 0;          ///< steps between two samples; 0: no map
   std::vector<MapQuantity> quantities; ///< in the order of MapQuantity
-  StateVariable law_state;             ///< of the law of the coefficient, if it has one
+  StateVariable law_state;             ///< state variable of the coefficient law, if any
 
   /** Whether step @p n has a sample. */
   bool has(const std::uint64_t n) const
@@ -58,27 +58,31 @@ struct ContactMapSetup
     return interval == 0 || last <= first ? 0 : (last - first - 1) / interval + 1;
   }
 
-  /** Whether it has @p quantity. */
+  /** Whether the map has @p quantity. */
   bool has(const MapQuantity quantity) const;
 
-  /** The fields of a contact in @p dim dimensions. */
+  /** Fields for a contact in @p dim dimensions. */
   std::vector<MapField> fields(const unsigned int dim) const;
 
-  /** Bytes in the file of a sample of a node. */
+  /** Bytes in the file per sample and node. */
   double bytes_per_node(const unsigned int dim) const;
 };
 
 /**
- * Samples of all nodes of this rank: forces of the step (N, in 2D N/m) and energies (J, in
- * 2D J/m) that are not divided by the areas yet, the centred slip velocity of NodeSlip
- * (m/s), and states: 0 separated, 1 stick, 2 slip. State of the law and remembered normal force
- * are those of which the friction of the step is made. Gaps (m) are at the instant of the forces.
+ * Samples of all nodes of this rank: forces of the step (N, in 2D N/m) and energies (J,
+ * in 2D J/m), not yet divided by areas; centred slip velocity of NodeSlip (m/s); states 0
+ * separated, 1 stick, 2 slip. State of the law and remembered normal force are the values
+ * from which the friction of the step was computed. Gaps (m) are at the instant of the
+ * forces.
  */
 template <int dim>
 class ContactMapSampler : public ContactObserver<dim>
 {
 public:
-  /** Of @p contact; @p loads are wanted for the friction work. Both must outlive it. */
+  /**
+   * Samples @p contact; @p loads is needed for the friction work. Both must outlive this
+   * object.
+   */
   ContactMapSampler(const ContactMapSetup &setup,
                     const ContactSurface<dim> &contact,
                     const NodeLoadObserver<dim> &loads)
@@ -99,8 +103,10 @@ public:
   }
   void after(const SurfaceView<dim> &surface, ContactSurface<dim> &contact) override;
 
-  /** Takes out the samples since the last call: for each field [samples][nodes], or
-   * [samples][nodes][components]. */
+  /**
+   * Returns and clears the samples since the last call: for each field [samples][nodes],
+   * or [samples][nodes][components].
+   */
   std::vector<std::vector<double>> take();
 
 private:

@@ -9,14 +9,14 @@
 
 namespace mesoslip
 {
-/** In 3D: motion and force of a contact node along y. */
+/** In 3D: motion and force of a contact node along y, one value per sample. */
 struct LateralMotion
 {
   std::vector<double> u;     ///< displacement (m)
   std::vector<double> v;     ///< velocity (m/s)
-  std::vector<double> force; ///< on the body (N)
+  std::vector<double> force; ///< force on the body (N)
 
-  /** Of boost::serialization. */
+  /** Saves or restores all members (Boost.Serialization). */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
@@ -24,8 +24,10 @@ struct LateralMotion
   }
 };
 
-/** Motion and forces of one contact node, a value each sample; y is the normal of the flat
- * also in 3D; forces in 2D per unit thickness. */
+/**
+ * Motion and forces of one contact node, one value per sample. y is the normal of the
+ * flat, also in 3D; forces in 2D are per unit thickness.
+ */
 struct MonitoredNode
 {
   std::vector<double> ux;               ///< displacement (m)
@@ -36,7 +38,7 @@ struct MonitoredNode
   std::vector<double> tangential_force; ///< N/m, on the body, along x
   LateralMotion across;                 ///< empty in 2D
 
-  /** Of boost::serialization. */
+  /** Saves or restores all members (Boost.Serialization). */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
@@ -44,8 +46,7 @@ struct MonitoredNode
   }
 };
 
-/** Sampled resultants; energies are those dissipated from the start to the end of the
- * step. */
+/** Sampled resultants; energies are dissipated from the start to the end of the step. */
 struct ContactHistory
 {
   std::vector<std::uint64_t> step;      ///< number of the sampled step
@@ -54,13 +55,13 @@ struct ContactHistory
   std::vector<double> tangential_force; ///< N/m, on the body, along the flat's motion
   std::vector<double> sticking;         ///< number of nodes that stick
   std::vector<double> slipping;         ///< number of nodes that slip
-  std::vector<double> separated;        ///< numbers of nodes
-  std::vector<double> friction_energy;  ///< J/m
-  std::vector<double> impact_energy;    ///< J/m
+  std::vector<double> separated;        ///< number of separated nodes
+  std::vector<double> friction_energy;  ///< dissipated by friction (J/m)
+  std::vector<double> impact_energy;    ///< dissipated by normal forces (J/m)
   std::vector<double> load_work;        ///< integral of F_N |V| since the start (J/m)
-  std::vector<MonitoredNode> nodes;     ///< those that are monitored
+  std::vector<MonitoredNode> nodes;     ///< monitored nodes
 
-  /** Of boost::serialization. */
+  /** Saves or restores all members (Boost.Serialization). */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
@@ -70,22 +71,26 @@ struct ContactHistory
 };
 
 /**
- * Makes samples of the nodes of each rank those of all nodes: every rank gets the sums.
- * Collective.
+ * Replaces the samples of each rank by their sums over the ranks, the samples of all
+ * nodes. Collective.
  */
 void sum_over_ranks(ContactHistory &samples, const MPI_Comm communicator);
 
-/** Turns motion and forces of the nodes: x becomes @p direction, of length one, along which
- * the flat moves, and what was along y is what is across. */
+/**
+ * Rotates motion and forces of the nodes: x becomes the unit vector @p direction of the
+ * flat's motion, y the direction across it.
+ */
 void turn_along_flat(ContactHistory &samples, const std::array<double, 2> &direction);
 
-/** Histories of the contact: resultants, and motion and forces of some nodes. */
+/** Histories of the contact: resultants, and motion and forces of selected nodes. */
 template <int dim>
 class ContactRecorder : public ContactObserver<dim>
 {
 public:
-  /** A sample every @p interval steps (0: none), with those of the given nodes, zero for
-   * SharedNodes::none. */
+  /**
+   * Samples every @p interval steps (0: never), including the given @p nodes;
+   * SharedNodes::none gives zeros.
+   */
   ContactRecorder(const unsigned int interval,
                   const std::vector<unsigned int> &nodes,
                   const StepParameters &step);
@@ -97,13 +102,13 @@ public:
   void before(const SurfaceView<dim> &surface) override;
   void after(const SurfaceView<dim> &surface, ContactSurface<dim> &contact) override;
 
-  /** What was sampled so far, or since take(). */
+  /** Samples since the start or the last take(). */
   const ContactHistory &history() const
   {
     return samples;
   }
 
-  /** Takes out what was sampled since the last call. */
+  /** Returns and clears the samples since the last call. */
   ContactHistory take();
 
   /** Saves or restores the state between two steps (Boost.Serialization). */
@@ -128,9 +133,9 @@ private:
 };
 
 /**
- * Of counts of the nodes of each rank those of the whole contact of @p n_nodes on rank 0;
- * the first nodes of the counts are number @p places there. @p with_loads: as the blocks of
- * all ranks have them. Collective.
+ * Gathers the counts of all ranks on rank 0 as counts of the whole contact with
+ * @p n_nodes nodes; @p places are the indices there of the first nodes of the counts.
+ * @p with_loads: blocks contain loads, the same on all ranks. Collective.
  */
 std::vector<NodeCounts> gather_nodes(const std::vector<NodeCounts> &blocks,
                                      const std::vector<unsigned int> &places,
@@ -138,8 +143,10 @@ std::vector<NodeCounts> gather_nodes(const std::vector<NodeCounts> &blocks,
                                      const bool with_loads,
                                      const MPI_Comm communicator);
 
-/** States of the nodes, counted in blocks of steps, and what @p node_loads counts to the end of
- * each block. */
+/**
+ * Counts states of the nodes in blocks of steps, and stores the loads of @p node_loads at
+ * the end of each block.
+ */
 template <int dim>
 class NodeStatistics : public ContactObserver<dim>
 {
@@ -161,17 +168,19 @@ public:
   }
   void after(const SurfaceView<dim> &surface, ContactSurface<dim> &contact) override;
 
-  /** Closes the running block. */
+  /** Closes the current block. */
   void finish(ContactSurface<dim> &contact);
 
-  /** Complete blocks and, after finish(), the last, shorter one. */
+  /** Complete blocks and, after finish(), the last block, which may be shorter. */
   const std::vector<NodeCounts> &blocks() const
   {
     return complete_blocks;
   }
 
-  /** Saves or restores the state between two steps (Boost.Serialization). A run that is
-   * continued with another length of blocks keeps its own. */
+  /**
+   * Saves or restores the state between two steps (Boost.Serialization). A continued run
+   * keeps the saved length of blocks.
+   */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
@@ -181,7 +190,7 @@ public:
 private:
   const NodeLoadObserver<dim> *const node_loads;
   std::uint64_t steps_per_block;
-  std::uint64_t n_steps = 0; ///< counted in the running block
+  std::uint64_t n_steps = 0; ///< steps in the current block
   std::vector<NodeCounts> complete_blocks;
 };
 } // namespace mesoslip

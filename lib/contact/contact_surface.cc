@@ -46,7 +46,7 @@ ContactSurface<dim>::ContactSurface(const ContactSetup &setup, const StepParamet
     }
   std::fill_n(column(Column::pressing), n_padded, -1.);
   std::fill_n(column(Column::decided), n_padded, -1.);
-  constexpr double softest = 1e100; // of nodes without area
+  constexpr double softest = 1e100; // nodes without area
   if (setup.is_compliant() && !setup.normal_spring.is_linear())
     springs = std::make_unique<PowerSprings<dim>>(setup.normal_spring, setup.area,
                                                   setup.n_owned.value_or(n_nodes), step);
@@ -100,7 +100,7 @@ ContactStep ContactSurface<dim>::constants(const FlatVelocity &flat) const
           {along[0], along[1]}};
 }
 
-// What copies of nodes of other ranks contribute is counted there.
+// Contributions of ghost nodes are counted by their owners.
 template <int dim>
 void ContactSurface<dim>::advance_all(const SurfaceView<dim> &surface,
                                       const FlatVelocity &flat)
@@ -128,7 +128,8 @@ void ContactSurface<dim>::begin(const SurfaceView<dim> &surface)
     count_stretched_springs();
 }
 
-// What springs and laws make of the step; the same again if it is asked for again, but for what laws remember.
+// Updates springs and laws for the step. A repeated call gives the same result, except
+// for the memory of laws.
 template <int dim>
 void ContactSurface<dim>::prepare(const SurfaceView<dim> &surface,
                                   const FlatVelocity &flat)
@@ -183,7 +184,7 @@ void ContactSurface<dim>::ride(const double *rise,
      Column::increment_y}};
   for (unsigned int i = 0; i < n_nodes; ++i)
     {
-      // The heights of the step before stay, whatever is said to have moved.
+      // Heights of the previous step stay unchanged, whatever @p moved says.
       column(Column::rise_before)[i] = column(Column::rise)[i] + moved[dim - 1][i];
       column(Column::rise)[i]        = rise[i];
       for (unsigned int c = 0; c < dim; ++c)
@@ -224,7 +225,7 @@ void ContactSurface<dim>::advance(const SurfaceView<dim> &surface)
       observer->after(surface, *this);
 }
 
-// The work of the first step needs the increment before it.
+// The work of the first step needs the previous increment.
 template <int dim>
 void ContactSurface<dim>::initialize_increments(const SurfaceView<dim> &surface)
 {
@@ -251,8 +252,9 @@ void ContactSurface<dim>::initialize_increments(const SurfaceView<dim> &surface)
   started = true;
 }
 
-// What touches from the start on, so that its spring was stretched a step before; a stiff one, which no node would have
-// followed, or one at a node that is held, was not.
+// Nodes that touch from the start: their tangential springs were stretched one step
+// before. Stiff springs, which the node could not have followed, and springs of
+// constrained nodes were not.
 template <int dim>
 void ContactSurface<dim>::relax_along_flat(const SurfaceView<dim> &surface)
 {
@@ -276,7 +278,7 @@ void ContactSurface<dim>::relax_along_flat(const SurfaceView<dim> &surface)
     }
 }
 
-/** What the springs along the flat of another run, which this one continues, have in them. */
+/** Counts the energy in tangential springs taken over from a previous run. */
 template <int dim>
 void ContactSurface<dim>::count_stretched_springs()
 {

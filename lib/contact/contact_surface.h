@@ -27,13 +27,16 @@
 
 namespace mesoslip
 {
-/** The step of the contact nodes compiled for an instruction set, all of which give the same bits; in @p full with a
- *  profile of the flat and springs along it. Throws std::runtime_error if the processor lacks it. */
+/**
+ * Contact step compiled for an instruction set; all variants give the same bits. With
+ * @p full it supports profiles and tangential springs. Throws std::runtime_error if the
+ * processor lacks the instruction set.
+ */
 template <int dim>
 ContactFunction contact_function(const InstructionSet isa = InstructionSet::automatic,
                                  const bool full          = false);
 
-/** Width (m) of the bottom of @p grid that belongs to a node; half a cell at the ends. */
+/** Tributary width of a node at the bottom of @p grid (m); half a cell at the ends. */
 inline double
 tributary_width(const UniformGrid<2> &grid, const unsigned int node, const bool periodic)
 {
@@ -44,84 +47,98 @@ tributary_width(const UniformGrid<2> &grid, const unsigned int node, const bool 
 template <int dim>
 class ContactSurface;
 
-/** Looks at the contact within the steps that it wants, see ContactSurface::observe(). */
+/** Observer of the contact during time steps, see ContactSurface::observe(). */
 template <int dim>
 struct ContactObserver
 {
   virtual ~ContactObserver() = default;
 
-  /** Whether before() and after() are to be called in this step. */
+  /** Whether before() and after() are called in step @p step. */
   virtual bool wants(const std::uint64_t step) const = 0;
 
-  /** The surface with u_n and w_n. */
+  /** Called before the step, with u_n and w_n. */
   virtual void before(const SurfaceView<dim> &surface) = 0;
 
-  /** The same with u_(n+1) and w_(n+1), and the contact forces of the step. */
+  /** Called after the step, with u_(n+1), w_(n+1) and the contact forces of the step. */
   virtual void after(const SurfaceView<dim> &surface, ContactSurface<dim> &contact) = 0;
 };
 
 /**
- * The law of contact with a rigid flat that moves along itself: forward increment Lagrange
+ * Contact with a rigid flat that moves along itself: forward-increment Lagrange
  * multipliers and regularized Coulomb friction (eqs 2, 4, 7).
  */
 template <int dim>
 class ContactSurface : public SurfaceCondition<dim>
 {
 public:
-  /** As many nodes as @p setup has friction coefficients, none of them touching. */
+  /**
+   * The number of nodes is the number of friction coefficients in @p setup; no node
+   * touches initially.
+   */
   ContactSurface(const ContactSetup &setup, const StepParameters &step);
 
-  /** @p observer is called from now on and has to outlive the last step. */
+  /** Registers @p observer for all following steps; it must outlive the last step. */
   void observe(ContactObserver<dim> &observer)
   {
     observers.push_back(&observer);
   }
 
-  /** Contact forces by forward increment Lagrange multipliers, then the step. */
+  /** Computes the contact forces, then advances the nodes by one step. */
   void advance(const SurfaceView<dim> &surface) override;
 
-  /** What the forces of that step would be (N, in 2D N/m): into rows of @p trial, padded to whole vectors, in the order of the axes.
-   * The @p first trial decides which nodes stick in the step. For ContactSetup::is_coupled, without a profile. */
+  /**
+   * Computes the forces of that step without executing it (N, in 2D N/m), in rows of
+   * @p trial, padded to whole vectors, in the order of the axes. The @p first trial
+   * decides which nodes stick in the step. For ContactSetup::is_coupled, without a
+   * profile.
+   */
   void try_forces(const SurfaceView<dim> &surface,
                   const std::array<double *, dim> &trial,
                   const bool first);
 
-  /** Before the step in which the surface below rises by @p rise (m) under each node as it slides, and with it what nodes @p moved
-   * relative to it in the step before changes (m, a row for each axis); for ContactSetup::is_coupled. */
+  /**
+   * Call before a step in which the sliding surface below rises by @p rise (m) at each
+   * node. @p moved (m, one row per axis) replaces the increments of the nodes relative to
+   * it in the previous step. For ContactSetup::is_coupled.
+   */
   void ride(const double *rise, const std::array<const double *, dim> &moved);
 
-  /** Energies since the start, and that in the springs, of the nodes of this rank; external is the
-   * work of the moving flat. */
+  /**
+   * Energies since the start and energy in the springs, for the nodes of this rank;
+   * external is the work of the moving flat.
+   */
   const BoundaryWork &work() const
   {
     return total;
   }
 
-  /** Resultants of the last step, of the nodes of this rank. */
+  /** Resultants of the last step, for the nodes of this rank. */
   const ContactSums &sums() const
   {
     return last;
   }
 
-  /** Number of nodes of this rank, a periodic one counted once. */
+  /** Number of nodes of this rank without periodic copies. */
   unsigned int n_distinct_nodes() const
   {
     return n_distinct;
   }
 
-  /** Normal forces of the last step (N/m), one value a node. */
+  /** Normal forces of the last step (N/m), one value per node. */
   const double *normal_force() const
   {
     return column(Column::normal_force);
   }
 
-  /** Tangential forces of the last step on the body (N/m) along x, one value a node. */
+  /** Tangential forces on the body along x in the last step (N/m), one value per node. */
   const double *tangential_force() const
   {
     return column(Column::tangential_force);
   }
 
-  /** In 3D: the same along y. */
+  /**
+   * In 3D: tangential forces on the body along y in the last step, one value per node.
+   */
   const double *lateral_force() const
   {
     return column(Column::lateral_force);
@@ -139,15 +156,19 @@ public:
     return column(Column::sticking);
   }
 
-  /** By what the nodes moved in the last step along x (@p component 0) or, in 3D, y (1)
-   * (m). */
+  /**
+   * Displacement increments of the nodes in the last step along x (@p component 0) or, in
+   * 3D, y (1) (m).
+   */
   const double *increment(const unsigned int component) const
   {
     return column(component == 0 ? Column::increment_x : Column::lateral_increment);
   }
 
-  /** Distance (m) of node @p i of @p surface from the flat before the last step, at the instant of its forces; what
-   * a spring is pressed in by counts less than 0. */
+  /**
+   * Gap (m) of node @p i of @p surface before the last step, at the instant of its
+   * forces; negative while a spring is compressed.
+   */
   double gap_before(const SurfaceView<dim> &surface, const unsigned int i) const
   {
     return column(Column::gap)[i] + column(Column::rise)[i] + surface.u[dim - 1][i] -
@@ -160,21 +181,23 @@ public:
     return step.dt;
   }
 
-  /** By what the flat moves along x and y in the step that begins at @p time (m). */
+  /** Increment of the flat along x and y in the step that begins at @p time (m). */
   std::array<double, 2> flat_increment(const double time) const
   {
     return flat_increment_at(setup.flat_velocity(time));
   }
 
-  /** The mean of that and the one before: the central increment (m). */
+  /** Central increment of the flat: the mean of this step and the previous one (m). */
   std::array<double, 2> central_flat_increment(const double time) const
   {
     return flat_increment_at(0.5 * (setup.flat_velocity(std::max(0., time - step.dt)) +
                                     setup.flat_velocity(time)));
   }
 
-  /** Whether node @p i stays on the flat if the body's @p acceleration along the normal is all that
-   * acts at the start; on a spring it does not. */
+  /**
+   * Whether node @p i stays on the flat at the start, when only @p acceleration of the
+   * body along the normal acts; never on a spring.
+   */
   bool rests(const unsigned int i, const double acceleration) const
   {
     const unsigned int original = setup.periodic && i == n_distinct ? 0 : i;
@@ -182,20 +205,22 @@ public:
            !setup.is_compliant();
   }
 
-  /** What makes the coefficients of friction vary; null when they are constant. */
+  /** Model of variable friction coefficients; null if they are constant. */
   const VariableFriction<dim> *variable_friction() const
   {
     return variable.get();
   }
 
-  /** The state of the friction law, one value a node; null if it has none.
-   * FrictionLaw::slip_law has its name and unit. */
+  /**
+   * State variable of the friction law, one value per node; null if it has none.
+   * FrictionLaw::slip_law has its name and unit.
+   */
   const double *law_state() const
   {
     return variable ? variable->state() : nullptr;
   }
 
-  /** The node counts since the last call; steps are left at 0. */
+  /** Node counts since the last call; the step numbers are 0. */
   NodeCounts take_counts();
 
   /** Saves or restores the state between two steps (Boost.Serialization). */
@@ -210,8 +235,11 @@ public:
       archive &*profile;
   }
 
-  /** Saves or restores what a run leaves for another one that starts from its end (Boost.Serialization): forces and
-   * states of the nodes, and what the law of friction remembers. */
+  /**
+   * Saves or restores the memory that a run passes on to a subsequent run
+   * (Boost.Serialization): forces and states of the nodes, and the state of the friction
+   * law.
+   */
   template <class Archive>
   void serialize_memory(Archive &archive)
   {
@@ -250,8 +278,8 @@ private:
   /** Velocity of the flat along its direction (m/s). */
   struct FlatVelocity
   {
-    double before; ///< in the step that ends
-    double now;    ///< in that which begins
+    double before; ///< in the previous step
+    double now;    ///< in the step that begins
   };
 
   FlatVelocity flat_at(const double time) const
@@ -280,12 +308,12 @@ private:
   const unsigned int n_nodes;
   const unsigned int n_distinct;
 
-  NodalField<double> values; ///< one row, a component for each Column
+  NodalField<double> values; ///< one row, one component per Column
   std::unique_ptr<VariableFriction<dim>> variable;
   std::unique_ptr<MovingProfile<dim>> profile; ///< null: the flat is even
-  std::unique_ptr<PowerSprings<dim>> springs;  ///< null: they are linear, or none
+  std::unique_ptr<PowerSprings<dim>> springs;  ///< null: linear springs or none
   bool started   = false;
-  bool continues = false; ///< whether it began with the memory of another run
+  bool continues = false; ///< whether it started with the memory of another run
   BoundaryWork total;
   ContactSums last;
   std::vector<ContactObserver<dim> *> observers;

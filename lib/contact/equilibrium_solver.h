@@ -11,8 +11,10 @@
 
 namespace mesoslip
 {
-/** What compares displacements with nodal forces: the largest stiffness along the normal,
- * in 3D times the mean distance of contact nodes (N/m, in 2D Pa). */
+/**
+ * Stiffness that relates displacements to nodal forces: largest normal stiffness, in 3D
+ * times the mean distance of contact nodes (N/m, in 2D Pa).
+ */
 template <int dim>
 double stiffness_scale(const ElasticBody<dim> &body)
 {
@@ -29,8 +31,9 @@ double stiffness_scale(const ElasticBody<dim> &body)
 }
 
 /**
- * Displacements of a body whose constraints and forces change: it solves for corrections,
- * so that a good guess is worth something whatever the solver measures its tolerance by.
+ * Solver for the displacements of a body whose constraints and forces change. It solves
+ * for corrections, so that a good initial guess helps with any tolerance criterion of the
+ * linear solver.
  */
 template <int dim>
 class EquilibriumSolver
@@ -47,8 +50,10 @@ public:
   {
   }
 
-  /** From now on @p mask is held at the values that the displacements have there, and the body stands
-   * on springs, on all ranks that have their nodes. */
+  /**
+   * Constrains the degrees of freedom in @p mask to their values in the displacements,
+   * and adds the springs @p on, which exist on all ranks that have their nodes.
+   */
   void set_constrained(const DofMask &mask, const std::vector<SpringEntry> &on = {})
   {
     constrained = mask;
@@ -58,9 +63,9 @@ public:
   }
 
   /**
-   * Improves @p u until the forces on free degrees of freedom that @p force and springs leave are a
-   * share of @p tolerance of all internal nodal forces, or hardly improve any more. The
-   * share that is reached. Collective on a distributed body.
+   * Improves @p u until the unbalanced forces on free degrees of freedom are at most
+   * @p tolerance relative to all internal nodal forces, or no longer decrease. Returns
+   * the relative residual. Collective on a distributed body.
    */
   double
   solve(NodalField<double> &u, const NodalField<double> &force, const double tolerance)
@@ -80,7 +85,9 @@ public:
       }
   }
 
-  /** Whether constraints and springs leave the body a motion as a whole. Collective. */
+  /**
+   * Whether constraints and springs leave a rigid motion of the body free. Collective.
+   */
   bool can_move() const
   {
     return mesoslip::can_move(body, constrained,
@@ -93,14 +100,14 @@ public:
     return Ku;
   }
 
-  /** Iterations of all linear solves. */
+  /** Number of iterations of all linear solves. */
   unsigned int iterations() const
   {
     return n_iterations;
   }
 
 private:
-  /** @p force without what stretches the springs. Collective, as springs may be of one rank only. */
+  /** @p force minus the spring forces. Collective, as some ranks may have no springs. */
   const NodalField<double> &with_springs(const NodalField<double> &force,
                                          const NodalField<double> &u)
   {

@@ -11,7 +11,7 @@ namespace mesoslip
 {
 class SlipLaw;
 
-/** The motion of the contact nodes just before a step. */
+/** Motion of the contact nodes just before a step. */
 struct SlidingNodes
 {
   unsigned int n         = 0;       ///< number of nodes
@@ -22,14 +22,14 @@ struct SlidingNodes
   double lateral_flat_velocity   = 0.;      ///< in 3D: along y (m/s)
 };
 
-/** What a NodeLaw may change: one value a node. */
+/** Data that a NodeLaw may change, one value per node. */
 struct NodeFriction
 {
-  double *coefficient; ///< Coulomb's
-  double *decay;       ///< of Relaxation
-  double *lag;         ///< of Relaxation
+  double *coefficient; ///< Coulomb coefficient
+  double *decay;       ///< decay of Relaxation
+  double *lag;         ///< lag of Relaxation
 
-  /** Regularizes node @p i like this during the next step. */
+  /** Sets the regularization of node @p i for the next step. */
   void set(const unsigned int i, const Relaxation &relaxation) const
   {
     decay[i] = relaxation.decay;
@@ -38,8 +38,8 @@ struct NodeFriction
 };
 
 /**
- * A friction law whose numbers change with the motion of each node. It keeps no state of
- * its own: the memory of the contact is the tangential traction and its target, so that a
+ * A friction law whose parameters change with the motion of each node. It has no state:
+ * the memory of the contact consists of the tangential traction and its target, so that a
  * run can be continued from a checkpoint.
  */
 class NodeLaw
@@ -48,14 +48,14 @@ public:
   virtual ~NodeLaw() = default;
 
   /**
-   * Called before each step of length @p dt (s): sets Coulomb's coefficient and the
-   * regularization of each node. What it leaves alone keeps its value.
+   * Called before each step of length @p dt (s): sets Coulomb coefficient and
+   * regularization of each node. Values that it does not set are kept.
    */
   virtual void
   update(const SlidingNodes &nodes, double dt, const NodeFriction &friction) const = 0;
 };
 
-/** delta = L / (|V_rel| + V_ref): the traction relaxes over a slip length. */
+/** Regularization over a slip length: delta = L / (|V_rel| + V_ref). */
 class SlipRateRegularization : public NodeLaw
 {
 public:
@@ -95,21 +95,22 @@ struct FrictionLaw
   /** delta (s); 0: plain Coulomb. */
   double time = 1.5e-6;
 
-  /** Changes mu or delta with the motion; null: both are constant, which costs nothing.
-   */
+  /** Changes mu or delta with the motion; null: both are constant. */
   std::shared_ptr<const NodeLaw> node_law;
 
-  /** mu of rate, state, pressure, place and time, times the node's own coefficient over
-   * reference; null: constant, which costs nothing. */
+  /**
+   * Law mu(rate, state, pressure, position, time), multiplied by the coefficient of the
+   * node over reference; null: constant.
+   */
   std::shared_ptr<const SlipLaw> slip_law;
 
-  /** The coefficient of the nodes for which slip_law is written. */
+  /** Coefficient of friction for which slip_law is written. */
   double reference = 1.;
 
-  /** How the limit of friction follows the normal stress; not given: at once. */
+  /** Memory of the normal stress in the friction limit; by default none. */
   NormalStressMemory normal_stress;
 
-  /** Whether a limit of friction is not the constant mu times the normal force. */
+  /** Whether the friction limit is other than a constant mu times the normal force. */
   bool is_variable() const
   {
     return slip_law || normal_stress.is_given();

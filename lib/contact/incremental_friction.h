@@ -11,21 +11,21 @@
 namespace mesoslip
 {
 /**
- * Coulomb friction of contact nodes on a flat at rest, for one increment of the load: it
- * opposes their displacement along the flat from where they stick.
+ * Coulomb friction of contact nodes on a flat at rest, for one load increment: it opposes
+ * the tangential displacement from the sticking position.
  */
 template <int dim>
 class IncrementalFriction
 {
 public:
-  static constexpr unsigned int n_tangents = dim - 1; ///< its components
-  using Direction = std::array<double, n_tangents>;   ///< along the flat
+  static constexpr unsigned int n_tangents = dim - 1; ///< number of tangential components
+  using Direction = std::array<double, n_tangents>;   ///< vector along the flat
 
   /**
-   * Of @p n_nodes nodes. @p reference: displacement (m) at which each of them sticks, its
-   * components together; empty: zero. @p stiffness: of springs through which they stick (N/m, in 2D Pa); empty: there
-   * are none. @p scale compares displacements with forces, see
-   * stiffness_scale(). @p initial: direction of all.
+   * Friction of @p n_nodes nodes. @p reference: displacement (m) at which each node
+   * sticks, components together; empty: zero. @p stiffness: tangential springs (N/m, in
+   * 2D Pa); empty: none. @p scale relates displacements to forces, see stiffness_scale().
+   * @p initial: initial direction of all nodes.
    */
   IncrementalFriction(const std::vector<double> &reference,
                       const std::vector<double> &stiffness,
@@ -40,7 +40,7 @@ public:
   {
   }
 
-  /** Of component @p c of node @p i. */
+  /** Index of component @p c of node @p i. */
   static Eigen::Index index(const unsigned int i, const unsigned int c)
   {
     return static_cast<Eigen::Index>(i) * n_tangents + c;
@@ -52,28 +52,30 @@ public:
     return reference.empty() ? 0. : reference[index(i, c)];
   }
 
-  /** What a unit force moves node @p i by before it slips (m/N, in 2D m^2/N). */
+  /** Tangential compliance of node @p i before it slips (m/N, in 2D m^2/N). */
   double softness(const unsigned int i) const
   {
     return stiffness.empty() ? 0. : 1. / stiffness[i];
   }
 
-  /** Component @p c of the slip of node @p i (m), without what stretches its spring; @p u: dim components of the
-   * displacement (m) of each contact node. */
+  /**
+   * Component @p c of the slip of node @p i (m), without the stretch of its spring; @p u:
+   * dim displacement components of each contact node.
+   */
   double
   slip(const std::vector<double> &u, const unsigned int i, const unsigned int c) const
   {
     return u[dim * i + c] - sticks_at(i, c) + softness(i) * force[index(i, c)];
   }
 
-  /** Whether @p now points against @p before. */
+  /** Whether @p now is opposed to @p before. */
   static bool reversed(const Direction &before, const Direction &now)
   {
     return now != before &&
            !(std::inner_product(now.begin(), now.end(), before.begin(), 0.) > 0.);
   }
 
-  /** Size of what friction of node @p i tends to (N). @p u: see slip(). */
+  /** Norm of the trial friction force of node @p i (N). @p u: see slip(). */
   double size_of_trial(const std::vector<double> &u, const unsigned int i) const
   {
     double squares = 0.;
@@ -82,7 +84,7 @@ public:
     return std::sqrt(squares);
   }
 
-  /** The square of slip() (m^2) of node @p i. */
+  /** Squared norm of the slip() of node @p i (m^2). */
   double squared_slip(const std::vector<double> &u, const unsigned int i) const
   {
     double squares = 0.;
@@ -99,7 +101,10 @@ public:
       direction[i][c] = trial(u, i, c) / size;
   }
 
-  /** Whether node @p i moves with its friction, which is at most @p limit (N). */
+  /**
+   * Whether node @p i moves in the direction of its friction, which is at most @p limit
+   * (N).
+   */
   bool
   is_pushed(const std::vector<double> &u, const unsigned int i, const double limit) const
   {
@@ -110,13 +115,13 @@ public:
         friction_squares += f * f;
         along += f * slip(u, i, c);
       }
-    // What hardly has friction, as a node that has just come down, moves by round-off.
+    // With little friction, as just after landing, motion is dominated by round-off.
     const double friction = std::sqrt(friction_squares);
     return along > 0. && friction > 1e-3 * limit && friction <= (1. + 1e-6) * limit;
   }
 
-  Eigen::VectorXd force;            ///< on the body (N, in 2D N/m), see index()
-  std::vector<Direction> direction; ///< of friction at nodes that slip
+  Eigen::VectorXd force;            ///< friction on the body (N, in 2D N/m), see index()
+  std::vector<Direction> direction; ///< direction of friction at slipping nodes
 
 private:
   double

@@ -11,7 +11,7 @@ namespace mesoslip
 namespace
 {
 
-constexpr double negligible = 1e-11; // of pivots, with entries of the size of one
+constexpr double negligible = 1e-11; // negligible pivots, with entries of order one
 
 /** w - M z - cover z_0 = q: columns w (0 to n - 1), z (n to 2 n - 1), z_0 (2 n) and q. */
 class Tableau
@@ -28,7 +28,7 @@ public:
     std::iota(basis.begin(), basis.end(), Eigen::Index(0));
   }
 
-  /** The row that leaves when @p column grows: the least ratio; -1 on a ray. */
+  /** Row that leaves the basis when @p column enters: least ratio; -1 on a ray. */
   Eigen::Index leaving(const Eigen::Index column) const
   {
     Eigen::Index best = -1;
@@ -38,7 +38,7 @@ public:
     return best;
   }
 
-  /** Brings @p column into the basis at @p row; the column that leaves. */
+  /** Brings @p column into the basis at @p row; returns the column that leaves. */
   Eigen::Index pivot(const Eigen::Index row, const Eigen::Index column)
   {
     rows.row(row) /= rows(row, column);
@@ -50,10 +50,10 @@ public:
 
   const Eigen::Index n;
   Eigen::MatrixXd rows;
-  std::vector<Eigen::Index> basis; ///< column of each row
+  std::vector<Eigen::Index> basis; ///< basic column of each row
 
 private:
-  /** By the ratio of q and, where that ties, of the columns of w. */
+  /** Compares the ratios of q and, if these are equal, of the columns of w. */
   bool
   is_before(const Eigen::Index i, const Eigen::Index j, const Eigen::Index column) const
   {
@@ -69,11 +69,11 @@ private:
   }
 };
 
-/** Where the pivots end: a solution, or a direction in which w, z and z_0 may grow. */
+/** End of the pivots: a solution, or a ray along which w, z and z_0 may grow. */
 struct End
 {
   bool is_solution = false;
-  Eigen::VectorXd z; ///< empty: they did not end
+  Eigen::VectorXd z; ///< empty: the pivots did not end
 };
 
 End follow(Tableau tableau, Eigen::Index row)
@@ -127,7 +127,8 @@ lemke(const Eigen::MatrixXd &M, const Eigen::VectorXd &q, const Eigen::VectorXd 
 
 bool is_infeasible(const Eigen::MatrixXd &M, const Eigen::VectorXd &q)
 {
-  // The conditions of the linear program min 0 z, M z + q >= 0, whose matrix is skew.
+  // Optimality conditions of the linear program min 0 z, M z + q >= 0; the matrix is
+  // skew-symmetric.
   const Eigen::Index n        = q.size();
   Eigen::MatrixXd both        = Eigen::MatrixXd::Zero(2 * n, 2 * n);
   Eigen::VectorXd right       = Eigen::VectorXd::Zero(2 * n);

@@ -8,16 +8,19 @@
 namespace mesoslip
 {
 /**
- * A z >= 0 with w = M z + q >= 0 and z^T w = 0, by Lemke's complementary pivots that start along
- * @p cover > 0, ties broken by the lexicographic order. Nothing if they end on a ray: then there may
- * be a solution, unless M is such that Lemke's method finds one whenever there is, as with
- * z^T M z >= 0 for all z.
+ * Solves z >= 0, w = M z + q >= 0, z^T w = 0 by Lemke's complementary pivots starting
+ * along @p cover > 0, with lexicographic tie breaking. Empty if the pivots end on a ray:
+ * a solution may then still exist, unless M belongs to a class for which Lemke's method
+ * finds every solvable case, such as z^T M z >= 0 for all z.
  */
 std::optional<Eigen::VectorXd>
 lemke(const Eigen::MatrixXd &M, const Eigen::VectorXd &q, const Eigen::VectorXd &cover);
 
-/** Whether no z >= 0 has M z + q >= 0, so that nothing solves the problem, by a certificate (Farkas): a
- * y >= 0 with M^T y <= 0 and q^T y < 0. M and q have entries of the size of one. */
+/**
+ * Whether no z >= 0 has M z + q >= 0, so that the problem has no solution. Based on a
+ * certificate (Farkas): a y >= 0 with M^T y <= 0 and q^T y < 0. Entries of M and q must
+ * have order one.
+ */
 bool is_infeasible(const Eigen::MatrixXd &M, const Eigen::VectorXd &q);
 } // namespace mesoslip
 

@@ -6,13 +6,13 @@
 
 namespace mesoslip
 {
-/** What each node took of the load since the start; empty where nobody wants it. */
+/** Load of each node since the start; empty if not requested. */
 struct NodeLoads
 {
   std::vector<double> normal_force;    ///< sum over the steps (N, in 2D N/m)
-  std::vector<double> friction_energy; ///< dissipated (J, in 2D J/m)
+  std::vector<double> friction_energy; ///< energy dissipated by friction (J, in 2D J/m)
 
-  /** Of boost::serialization. */
+  /** Saves or restores all members (Boost.Serialization). */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
@@ -20,18 +20,18 @@ struct NodeLoads
   }
 };
 
-/** Number of steps that each node stuck or slipped in, and in which contact began. */
+/** Number of steps of each node with stick, with slip, and with a begin of contact. */
 struct NodeCounts
 {
   std::uint64_t first_step = 0; ///< first step of the block, from 0
-  std::uint64_t n_steps    = 0; ///< in the block
-  std::vector<float> stick;     ///< steps that stuck
-  std::vector<float> slip;      ///< steps that slipped
+  std::uint64_t n_steps    = 0; ///< steps in the block
+  std::vector<float> stick;     ///< steps in which the node stuck
+  std::vector<float> slip;      ///< steps in which the node slipped
   std::vector<float> landings;  ///< steps in which contact began
 
-  NodeLoads loads; ///< to the end of the block, where they are wanted
+  NodeLoads loads; ///< loads at the end of the block, if requested
 
-  /** Of boost::serialization. */
+  /** Saves or restores all members (Boost.Serialization). */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {

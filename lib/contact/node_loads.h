@@ -10,30 +10,30 @@
 namespace mesoslip
 {
 /**
- * By what the flat slides past each node in a step (m), with the central increment of the
- * node, (u_(n+1) - u_(n-1)) / 2: times the tangential force it is the energy that the node
- * dissipates in this step as the energy balance counts it.
+ * Slip of each node in a step (m): increment of the flat minus the central increment of
+ * the node, (u_(n+1) - u_(n-1)) / 2. Slip times tangential force is the energy that the
+ * node dissipates in this step, as in the energy balance.
  */
 template <int dim>
 class NodeSlip
 {
 public:
-  /** Of the nodes of @p contact, which must outlive it. */
+  /** Slip of the nodes of @p contact, which must outlive it. */
   explicit NodeSlip(const ContactSurface<dim> &contact)
     : contact(contact)
   {
   }
 
-  /** Before a step. */
+  /** Call before a step. */
   void before();
 
-  /** After a step from @p time (s) on. */
+  /** Call after a step that begins at @p time (s). */
   void after(const double time)
   {
     flat = contact.central_flat_increment(time);
   }
 
-  /** After a step: of node @p i along x (@p component 0) or, in 3D, y (1) (m). */
+  /** After a step: slip of node @p i along x (@p component 0) or, in 3D, y (1) (m). */
   double operator()(const unsigned int component, const unsigned int i) const
   {
     return flat[component] -
@@ -46,12 +46,12 @@ private:
   std::array<double, 2> flat = {};
 };
 
-/** Sums up in every step what each node of the contact of this rank takes of the load. */
+/** Sums the load of each contact node of this rank in every step. */
 template <int dim>
 class NodeLoadObserver : public ContactObserver<dim>
 {
 public:
-  /** Of @p contact, which must outlive it. */
+  /** Observes @p contact, which must outlive it. */
   explicit NodeLoadObserver(const ContactSurface<dim> &contact)
     : slip(contact)
   {
@@ -67,7 +67,7 @@ public:
   }
   void after(const SurfaceView<dim> &surface, ContactSurface<dim> &contact) override;
 
-  /** Since the start; empty before the first step. */
+  /** Loads since the start; empty before the first step. */
   const NodeLoads &loads() const
   {
     return sums;

@@ -24,14 +24,13 @@ StaticContactSolution ActiveSetIteration<dim>::run()
       if (options.before_iteration)
         options.before_iteration(solution.iterations);
       set_forces();
-      // While friction or states are far off, an exact solution is a waste.
+      // Exact solutions are not needed while friction or states are far from convergence.
       solution.residual =
         solve(std::max(0.1 * options.tolerance, std::min(1e-5, 1e-2 * change)));
       evaluate_reactions();
       turn_friction();
       ++solution.iterations;
-      // States that follow friction which is not yet that of the pressure may go round
-      // in circles.
+      // States that follow inexact friction may cycle.
       changed = (solution.state_changes < hasty_changes ||
                  friction_change() <= options.tolerance) &&
                 update_states();
@@ -103,7 +102,7 @@ void ActiveSetIteration<dim>::hold_contact()
       constrained       = constrain_contact();
       on                = springs(true);
       moves = can_move(body, constrained, with_foundation(body.foundation(), on));
-      if (moves) // it rolls or tips all the same
+      if (moves) // the body still rolls or tips
         {
           solution.state[i] = ContactState::slip;
           constrained       = constrain_contact();
@@ -119,7 +118,7 @@ DofMask ActiveSetIteration<dim>::constrain_contact()
   DofMask constrained   = problem.constrained;
   NodalField<double> &u = problem.displacement;
   const auto put = [&](const unsigned int c, const NodeIndex &node, const double value) {
-    // Held by a side: that value counts.
+    // A side already constrains the component; its value has priority.
     if (constrained.is_constrained(c, node))
       return;
     constrained.constrain(c, node);
@@ -181,7 +180,7 @@ unsigned int ActiveSetIteration<dim>::next_to_stick() const
       double along = 0.;
       for (unsigned int c = 0; c < n_tangents; ++c)
         along += carried[index(i, c)] * push[c];
-      // Friction that points where the body slides is of a node that comes back.
+      // Friction in the direction of sliding belongs to a returning node.
       if (along > 0. && (next == n_nodes || tangential.squared_slip(displaced, i) <
                                               tangential.squared_slip(displaced, next)))
         next = i;
@@ -233,13 +232,13 @@ ContactState ActiveSetIteration<dim>::next_state(const unsigned int i)
   const ContactState state = solution.state[i];
   if (state == ContactState::held)
     return state;
-  // Nodes that hardly touch must not change to and fro with the round-off.
+  // Barely touching nodes must not change their state by round-off.
   const double negligible = options.tolerance * std::fabs(normal.sum()) / n_nodes;
   if (state == ContactState::separated)
     {
       if (displaced[dim * i + normal_axis] + gap(i) >= -negligible / scale)
         return state;
-      // A node that comes down moves freely along the flat until its friction is known.
+      // A landing node moves freely along the flat until its friction is known.
       if (problem.sliding == 0)
         tangential.direction[i] = {};
       return ContactState::slip;
@@ -250,7 +249,7 @@ ContactState ActiveSetIteration<dim>::next_state(const unsigned int i)
     return ContactState::slip;
   // Resting flat: friction opposes the displacement and stays below its limit.
   const double limit = problem.friction_coefficient[i] * normal[i];
-  // A node that moves with its friction sticks before it may slip the other way.
+  // A node that moves with its friction sticks before it can slip in the other direction.
   if (tangential.size_of_trial(displaced, i) <= limit ||
       tangential.is_pushed(displaced, i, limit))
     return ContactState::stick;
@@ -293,7 +292,7 @@ void ActiveSetIteration<dim>::require_contact(const bool enough) const
 
 namespace
 {
-/** By pivots of the condensed contact, where the iteration @p failed. */
+/** Solves by pivots of the condensed contact after the iteration @p failed. */
 template <int dim>
 StaticContactSolution solve_condensed(const ElasticBody<dim> &body,
                                       const StaticContactProblem &problem,

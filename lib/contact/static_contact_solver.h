@@ -17,23 +17,26 @@ enum class ContactState : unsigned char
   separated,
   stick,
   slip,
-  held ///< by a side; no contact node
+  held ///< constrained by a side, hence no contact node
 };
 
-/** "separated", "stick", "slip", "held". */
+/** Name of a state: "separated", "stick", "slip", "held". */
 inline std::string to_string(const ContactState state)
 {
   const char *const names[] = {"separated", "stick", "slip", "held"};
   return names[static_cast<unsigned int>(state)];
 }
 
-/** A body at rest whose bottom is pressed on a rigid flat, normal to the last axis. */
+/**
+ * Static problem of a body whose bottom is pressed on a rigid flat, normal to the last
+ * axis.
+ */
 struct StaticContactProblem
 {
-  /** What sides and top constrain; nothing of the contact. */
+  /** Constraints of sides and top, without contact. */
   DofMask constrained;
 
-  /** Values of the constrained degrees of freedom (m) and the first guess of all others. */
+  /** Values of constrained degrees of freedom (m), and initial guess of all others. */
   NodalField<double> displacement;
 
   /** External forces (N/m). */
@@ -42,79 +45,86 @@ struct StaticContactProblem
   /** Coulomb coefficient of each bottom node, in the order of ElasticBody::surface(). */
   std::vector<double> friction_coefficient;
 
-  /** Distance of each of these nodes from the flat (m); empty: all of them touch it. */
+  /** Gap of each bottom node (m); empty: all of them touch the flat. */
   std::vector<double> gap = {};
 
-  /** Of the springs between these nodes and the flat (N/m, in 2D Pa); empty: it is rigid. */
+  /**
+   * Normal springs between these nodes and the flat (N/m, in 2D Pa); empty: rigid flat.
+   */
   std::vector<double> stiffness = {};
 
-  /** Likewise of springs along the flat, of a flat at rest, through which nodes stick. */
+  /** Tangential springs through which nodes stick to a flat at rest (N/m, in 2D Pa). */
   std::vector<double> tangential_stiffness = {};
 
   /**
-   * Direction (+1, -1) along flat_direction in which the flat slides below the body: all contact
-   * nodes slip. 0: the flat rests, nodes stick or slip against their own displacement from
-   * reference.
+   * Direction (+1, -1) along flat_direction in which the flat slides below the body: all
+   * contact nodes slip. 0: the flat rests; nodes stick, or slip against their own
+   * displacement from reference.
    */
   int sliding = 0;
 
-  /** Along x and y, of length one; x in 2D. */
+  /** Unit vector along x and y; x in 2D. */
   std::array<double, 2> flat_direction = {{1., 0.}};
 
   /**
-   * On a flat at rest, of each node the displacement along the flat at which it sticks without friction (m), its dim - 1
-   * components together: where it was after the last increment of the load, and further by what the friction then
-   * stretched its spring, moved with the flat, unless a side holds it; what sides hold carries no friction then. Empty:
-   * zero.
+   * On a flat at rest: tangential displacement at which each node sticks without friction
+   * (m), dim - 1 components per node. It is the position after the last load increment
+   * plus the stretch of the tangential spring by friction at that time. It moves with the
+   * flat unless a side constrains the component; constrained components carry no
+   * friction. Empty: zero.
    */
   std::vector<double> reference = {};
 
-  /** First guess of the state of each node; empty: all of them touch the flat. */
+  /** Initial guess of the states; empty: all nodes touch the flat. */
   std::vector<ContactState> state = {};
 
-  /** First guess of the friction, as StaticContactSolution::tangential_force, or empty. */
+  /**
+   * Initial guess of the friction, as StaticContactSolution::tangential_force; may be
+   * empty.
+   */
   std::vector<double> friction = {};
 };
 
-/** How it is solved. */
+/** Options of the iteration. */
 struct StaticContactOptions
 {
-  /** Of the residual forces, and of the friction forces, as a share of the contact force.
-   */
+  /** Tolerance of residual forces and friction forces, relative to the contact force. */
   double tolerance = 1e-8;
 
-  unsigned int max_iterations = 500; ///< over contact states and friction
+  unsigned int max_iterations = 500; ///< limit for contact states and friction
 
-  /** Called before each iteration with their number so far; may throw to stop. */
+  /**
+   * Called before each iteration with the number of iterations so far; may throw to stop.
+   */
   std::function<void(unsigned int)> before_iteration;
 };
 
-/** Equilibrium with contact. */
+/** Solution of a static contact problem. */
 struct StaticContactSolution
 {
   NodalField<double> displacement;  ///< m
   std::vector<double> normal_force; ///< N/m per node, positive when pressed
-  /** N (2D: N/m) per node, on the body; its dim - 1 components together. */
+  /** Force on the body per node (N, in 2D N/m); dim - 1 components per node. */
   std::vector<double> tangential_force;
 
-  std::vector<ContactState> state; ///< of each node
+  std::vector<ContactState> state; ///< state of each node
 
-  unsigned int iterations        = 0;  ///< over contact states and friction
+  unsigned int iterations        = 0;  ///< iterations for contact states and friction
   unsigned int state_changes     = 0;  ///< iterations in which a node changed its state
-  unsigned int solver_iterations = 0;  ///< of all linear solves
-  double residual                = 0.; ///< of equilibrium, relative to the contact force
-  double friction_change         = 0.; ///< of the last iteration, relative likewise
+  unsigned int solver_iterations = 0;  ///< iterations of all linear solves
+  double residual                = 0.; ///< residual relative to the contact force
+  double friction_change         = 0.; ///< last change relative to the contact force
 };
 
 /**
- * Unilateral contact with Coulomb friction by an active-set iteration: contact nodes are
- * held along the normal, those that stick along the flat as well, those that slip carry mu times their
- * normal reaction of the iteration before, accelerated after Anderson, or, where friction turns on a
- * flat at rest, found by Newton's method. The states follow
- * the signs of reactions and penetrations until nothing changes. Where that fails, CondensedContact
- * is asked if it can.
+ * Unilateral contact with Coulomb friction by an active-set iteration. Contact nodes are
+ * constrained along the normal, sticking nodes also along the flat. Slipping nodes carry
+ * mu times the normal reaction of the previous iteration, with Anderson acceleration; if
+ * the direction of friction varies on a flat at rest, it is found by Newton's method.
+ * States follow the signs of reactions and penetrations until nothing changes. If this
+ * fails, CondensedContact is tried where applicable.
  *
- * @throws NotConverged; NumericalFailure where it is certain that there is no equilibrium
+ * @throws NotConverged; NumericalFailure if it is certain that there is no equilibrium
  */
 template <int dim>
 StaticContactSolution solve_static_contact(const ElasticBody<dim> &body,

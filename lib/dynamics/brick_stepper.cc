@@ -10,13 +10,13 @@ namespace mesoslip
 {
 namespace
 {
-/** Number of the component in the order of the sweep. */
+/** Index of the component in the order of the sweep. */
 std::uint32_t in_sweep(const unsigned int component)
 {
   return component == 0 ? 0 : 3 - component;
 }
 
-/** By an operator of phases_of_damping(). */
+/** Phase damping with an operator for phases_of_damping(). */
 std::unique_ptr<PhaseDamping> damping_by(const std::shared_ptr<const BrickOperator> &op,
                                          const StepParameters &parameters,
                                          const NodalField<double> &u)
@@ -46,7 +46,7 @@ BrickStepper::BrickStepper(const BrickOperator &op,
   set_held(held);
   if (!by_phase)
     return;
-  mobility = u.zeros_alike(); // that of repeated points stays zero
+  mobility = u.zeros_alike(); // zero at repeated points
   for (const std::size_t start : op.slab().plane_start)
     for (unsigned int k = 0; k < op.slab().n_nodes[0] * op.slab().n_nodes[1]; ++k)
       for (unsigned int c = 0; c < 3; ++c)
@@ -56,7 +56,7 @@ BrickStepper::BrickStepper(const BrickOperator &op,
         }
 }
 
-/** Rows that are equal are kept once: of bodies of one density these are a few. */
+/** Equal rows are stored once: a few rows for bodies of uniform density. */
 void BrickStepper::set_inverse_mass()
 {
   const BrickSlab &slab = op.slab();
@@ -81,7 +81,7 @@ void BrickStepper::set_inverse_mass()
     inverse_mass.push_back(mass_rows.data() + place);
 }
 
-/** One over the mass with what alpha makes of it (1/kg). */
+/** Inverse inertia: mass including alpha (1/kg). */
 double BrickStepper::inverse_inertia(const unsigned int point) const
 {
   return 1. / inertia_of({point, 0}, op.lumped_mass()[point]);
@@ -125,7 +125,7 @@ MeshSurface<3> &BrickStepper::add_surface(const SharedNodes &nodes,
 {
   const BrickSlab &slab   = op.slab();
   const unsigned int last = slab.n_nodes[1] - 1;
-  // All ranks have nodes of bottom and top, or all have none.
+  // Either all ranks have nodes of bottom and top, or none has.
   bool is_top = false;
   for (unsigned int i = 0; i < nodes.size(); ++i)
     if (nodes.point(i) != SharedNodes::none)
@@ -144,7 +144,7 @@ MeshSurface<3> &BrickStepper::add_surface(const SharedNodes &nodes,
       const auto [node, row, plane] = slab.place_of(point);
       side.force_place.push_back(3 * n * plane + node);
       for (unsigned int c = 0; c < 3 && by_phase; ++c)
-        mobility.row(c, 0)[point] = 0.; // the surface moves it
+        mobility.row(c, 0)[point] = 0.; // advanced by the surface
     }
   if (side.force_place.size() < std::size_t{slab.box.grid.cells[0] + 1} * slab.n_planes)
     throw std::invalid_argument("a surface of a box has to be the whole bottom or top");
@@ -177,7 +177,7 @@ kernels::BrickStep BrickStepper::brick_step()
       const unsigned int axis = BrickOperator::sweep_axis[c];
       step.u[c]               = u.row(axis, 0);
       step.w[c]               = w.row(axis, 0);
-      if (parameters.alpha_of_phases.empty()) // else damp_by_phase() adds it
+      if (parameters.alpha_of_phases.empty()) // otherwise added by damp_by_phase()
         step.acceleration[c] = parameters.acceleration[axis] / parameters.inertia();
     }
   step.dt           = parameters.dt;
@@ -195,7 +195,7 @@ kernels::BrickStep BrickStepper::brick_step()
 
 void BrickStepper::advance(const std::uint64_t n_steps)
 {
-  // They may have been changed since the last step.
+  // The fields may have changed since the last step.
   for (const Side &side : sides)
     if (side.surface)
       side.surface->load(u, w);
@@ -225,7 +225,7 @@ void BrickStepper::advance(const std::uint64_t n_steps)
           side.surface->finish(u, w);
       for (const auto &side : lateral)
         {
-          // The sweep has moved their nodes as if nothing acted on the side.
+          // The sweep has advanced these nodes without surface forces.
           side->start_from_motion(n_done, time, w, parameters.dt);
           side->finish(u, w);
         }
@@ -234,7 +234,10 @@ void BrickStepper::advance(const std::uint64_t n_steps)
   op.set_copies(w);
 }
 
-/** Forces besides those of the cells: of weight and damping that is not in the sweep (N). */
+/**
+ * Nodal forces other than cell forces: weight and damping that the sweep does not include
+ * (N).
+ */
 double BrickStepper::nodal_force(const unsigned int point, const unsigned int c) const
 {
   const double of_mass =
@@ -243,7 +246,7 @@ double BrickStepper::nodal_force(const unsigned int point, const unsigned int c)
          (by_phase ? by_phase->force().row(c, 0)[point] : 0.);
 }
 
-/** The sweep has moved the nodes without these forces, in which the motion is linear. */
+/** The sweep omits these forces; the motion is linear in them. */
 void BrickStepper::damp_by_phase()
 {
   const double c_new = parameters.dt * (parameters.beta2 + 0.5);
@@ -251,7 +254,7 @@ void BrickStepper::damp_by_phase()
     for (unsigned int i = 0; i < u.n_columns(); ++i)
       {
         double force = by_phase->force().row(c, 0)[i];
-        if (!parameters.alpha_of_phases.empty()) // then the sweep has no weight
+        if (!parameters.alpha_of_phases.empty()) // the sweep has no weight in this case
           force -= op.lumped_mass()[i] * parameters.acceleration[c];
         const double by = -parameters.dt * mobility.row(c, 0)[i] * force;
         w.row(c, 0)[i] += by;

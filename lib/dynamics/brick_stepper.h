@@ -11,9 +11,10 @@
 namespace mesoslip
 {
 /**
- * Explicit time integration of a box of equal bricks by the beta2 scheme, see MeshStepper.
- * Force and update of a row of nodes are one sweep, in place; bottom, top and other sides with a load are
- * advanced after it. Any number of ranks computes the same bits.
+ * Explicit time integration of a box of equal bricks by the beta2 scheme, see
+ * MeshStepper. Forces and update of a row of nodes are one sweep, in place; bottom, top
+ * and other loaded sides are advanced after it. Results have the same bits on any number
+ * of ranks.
  */
 class BrickStepper : public SurfaceStepper<3>
 {
@@ -26,11 +27,14 @@ public:
                NodalField<double> &w,
                const std::shared_ptr<const BrickOperator> &damping = nullptr);
 
-  /** The nodes have to be the whole bottom or the whole top. @throws std::invalid_argument */
+  /** @p nodes must be the whole bottom or the whole top. @throws std::invalid_argument */
   MeshSurface<3> &add_surface(const SharedNodes &nodes,
                               SurfaceCondition<3> &condition) override;
 
-  /** The sweep has moved these nodes as if nothing acted on the side; they are moved again. */
+  /**
+   * Adds a lateral side: the sweep advances its nodes without loads, then they are
+   * advanced again with the loads.
+   */
   MeshSurface<3> &add_side(const SharedNodes &nodes,
                            SurfaceCondition<3> &condition) override;
   void advance(const std::uint64_t n_steps) override;
@@ -41,12 +45,12 @@ public:
   std::string kernel_name() const override;
 
 private:
-  /** A surface, and where the forces on its points are kept. */
+  /** A surface and the storage of its nodal forces. */
   struct Side
   {
     std::unique_ptr<MeshSurface<3>> surface;
     LineVector<double> force;             ///< see BrickStep::surface_force
-    std::vector<std::size_t> force_place; ///< of the first component, for each point
+    std::vector<std::size_t> force_place; ///< first force component of each point
   };
 
   std::unique_ptr<MeshSurface<3>> make_surface(const SharedNodes &nodes,
@@ -60,14 +64,14 @@ private:
   bool is_held(const unsigned int point, const unsigned int component) const;
 
   const BrickOperator &op;
-  std::vector<double> mass_rows;                        ///< one over mass, distinct rows
-  std::vector<const double *> inverse_mass;             ///< of each row of nodes
-  std::vector<std::uint32_t> held_begin;                ///< of each row, and the end
-  std::vector<kernels::HeldNode> held;                  ///< row by row
+  std::vector<double> mass_rows;                        ///< inverse, distinct rows
+  std::vector<const double *> inverse_mass;             ///< inverse, of each row
+  std::vector<std::uint32_t> held_begin;                ///< begin of each row, end
+  std::vector<kernels::HeldNode> held;                  ///< constrained, by row
   Side sides[2];                                        ///< bottom and top
-  std::vector<std::unique_ptr<MeshSurface<3>>> lateral; ///< besides
+  std::vector<std::unique_ptr<MeshSurface<3>>> lateral; ///< loaded lateral sides
   NodalField<double>
-    mobility; ///< for damp_by_phase(): 1/kg, 0 where held or at bottom and top
+    mobility; ///< for damp_by_phase(): 1/kg, 0 where constrained or at bottom and top
 };
 } // namespace mesoslip
 

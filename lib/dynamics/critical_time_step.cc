@@ -34,8 +34,8 @@ std::pair<double, double> largest_ritz_pair(const std::vector<double> &diagonal,
 {
   const Eigen::Map<const Eigen::VectorXd> d(diagonal.data(), diagonal.size());
   const Eigen::Map<const Eigen::VectorXd> e(off.data(), diagonal.size() - 1);
-  // Eigen compares off-diagonals with the roots of diagonals and does not scale a tridiagonal
-  // matrix itself: large numbers, such as squares of frequencies, may not converge.
+  // Eigen compares off-diagonals with the roots of diagonals and does not scale a
+  // tridiagonal matrix: large numbers, such as squared frequencies, may fail to converge.
   const double scale =
     std::max(d.cwiseAbs().maxCoeff(), std::numeric_limits<double>::min());
   Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
@@ -48,17 +48,19 @@ std::pair<double, double> largest_ritz_pair(const std::vector<double> &diagonal,
   return {scale * solver.eigenvalues()[last], solver.eigenvectors()(last, last)};
 }
 
-/** A symmetric positive semi-definite operator whose unknowns are divided among ranks. */
+/**
+ * A symmetric positive semi-definite operator with unknowns distributed over the ranks.
+ */
 struct Operator
 {
   /** y = M^-1/2 K M^-1/2 x for the unknowns of this rank. */
   std::function<void(std::vector<double> &, const std::vector<double> &)> apply;
 
-  double bound          = std::numeric_limits<double>::infinity(); ///< of the frequency
+  double bound          = std::numeric_limits<double>::infinity(); ///< bound (1/s)
   MPI_Comm communicator = MPI_COMM_SELF;
 };
 
-/** For the start of the iteration, the same in each run. */
+/** Random start vector, the same in each run. */
 class StartNumbers
 {
 public:
@@ -77,7 +79,7 @@ FrequencyEstimate iterate(const Operator &op,
                           const double tolerance,
                           const unsigned int max_iterations)
 {
-  // Lanczos without reorthogonalization: the extreme Ritz values do not suffer.
+  // Lanczos without reorthogonalization: the extreme Ritz values are not affected.
   const std::size_t n = v.size();
   const auto total = [&](const auto number) { return mpi::sum(number, op.communicator); };
   const std::uint64_t n_all = total(std::uint64_t(n));
@@ -116,8 +118,8 @@ FrequencyEstimate iterate(const Operator &op,
           estimate.lower        = std::sqrt(std::max(pair.first, 0.));
           estimate.upper =
             std::min(op.bound, std::sqrt(std::max(pair.first, 0.) + residual));
-          // The residual says that an eigenvalue is near, not that it is the largest: a
-          // random start makes it so once the Ritz value has had time to climb.
+          // A small residual shows that an eigenvalue is near, not that it is the largest
+          // one. After a random start it is, once the Ritz value has had time to rise.
           if (exhausted ||
               (k >= 30 && estimate.upper <= (1. + tolerance) * estimate.lower))
             break;
@@ -149,7 +151,7 @@ FrequencyEstimate largest_frequency(const UniformMaterial &material,
                                     const double tolerance,
                                     const unsigned int max_iterations)
 {
-  // The free grid: periodic sides are the same as constraints on it.
+  // The free grid: periodic sides act like constraints on it.
   const UniformMaterial free = material.with({});
   const UniformGridOperator stiffness(free);
   const unsigned int columns = free.n_columns(), n_rows = free.n_rows();
@@ -163,7 +165,7 @@ FrequencyEstimate largest_frequency(const UniformMaterial &material,
         for (unsigned int i = 0; i < columns; ++i)
           s[i] = 1. / std::sqrt(s[i]);
       }
-  // Calls function(k, place in a field) for each unknown.
+  // Calls function(k, component, node) for each unknown.
   const auto for_each = [&](const auto &function) {
     std::size_t k = 0;
     for (unsigned int j = 0; j < n_rows; ++j)
@@ -191,8 +193,9 @@ FrequencyEstimate largest_frequency(const UniformMaterial &material,
 namespace
 {
 /**
- * On the points of a part that count here, dim numbers each: @p multiply (y, v, s) replaces y by s K s v with a
- * number s for each point; @p mass of all points.
+ * Frequency estimate on the locally owned points of a part, dim unknowns per point:
+ * @p multiply (y, v, s) replaces y by s K s v with one number s per point; @p mass has
+ * all points.
  */
 template <int dim, typename Multiply>
 FrequencyEstimate frequency_of_part(const MeshPart<dim> &part,
@@ -208,7 +211,7 @@ FrequencyEstimate frequency_of_part(const MeshPart<dim> &part,
   op.apply = [&](std::vector<double> &y, const std::vector<double> &v) {
     multiply(y, v, scale);
   };
-  // Whatever the ranks, a point of the mesh gets the same numbers.
+  // A point of the mesh gets the same random numbers for any number of ranks.
   std::vector<std::pair<unsigned int, unsigned int>> points;
   for (unsigned int i = 0; i < part.n_distinct; ++i)
     points.emplace_back(part.point_in_mesh[i], i);
@@ -238,7 +241,7 @@ FrequencyEstimate largest_frequency(const MeshOperator<dim> &op,
     for (std::size_t i = 0; i < scale.size(); ++i)
       for (unsigned int c = 0; c < dim; ++c)
         field[i * stride + c] = scale[i] * v[i * dim + c];
-    // Zeros of those who do not own a point leave the sum that of its owner.
+    // Zeros at ghost points: the sum is the value of the owner.
     op.sum_up(field.data());
     op.add_product(f.data(), field.data());
     for (std::size_t i = 0; i < scale.size(); ++i)
@@ -274,7 +277,9 @@ FrequencyEstimate largest_frequency(const BrickOperator &op,
 
 namespace
 {
-/** Into how many cells each @p n in a row can be cut, a dozen or more. */
+/**
+ * Lengths of blocks (at least a dozen cells) into which @p n cells in a row can be cut.
+ */
 std::vector<unsigned int> lengths_of_blocks(const unsigned int n)
 {
   const unsigned int parts = std::max(1U, n / 12), length = n / parts;

@@ -14,13 +14,13 @@ namespace mesoslip
 {
 namespace
 {
-/** Values of the cells of one row: squares, as no root is needed to compare them. */
+/** Values of the cells of one row: squares, which suffice for comparison. */
 struct RowValues
 {
   std::vector<double> strain, rotation, minus_jacobian;
 };
 
-// Without branches, so that the compiler makes vector instructions of it.
+// Without branches, so that the compiler vectorizes the loop.
 void evaluate_row(const double *ux,
                   const double *uy,
                   const double *above_ux,
@@ -46,20 +46,19 @@ void evaluate_row(const double *ux,
       const double xy = 0.5 * (xy0 + xy1), yx = 0.5 * (yx0 + yx1);
       strain[i]   = xx * xx + yy * yy + 0.5 * (xy + yx) * (xy + yx);
       rotation[i] = 0.25 * (yx - xy) * (yx - xy);
-      // At the corners; the first index is that of the edge along x.
+      // Corner values; the first index refers to the edge along x.
       const double j00  = (1. + xx0) * (1. + yy0) - xy0 * yx0,
                    j01  = (1. + xx0) * (1. + yy1) - xy1 * yx0,
                    j10  = (1. + xx1) * (1. + yy0) - xy0 * yx1,
                    j11  = (1. + xx1) * (1. + yy1) - xy1 * yx1;
       const double low  = j00 < j01 ? j00 : j01;
       const double high = j10 < j11 ? j10 : j11;
-      // Comparisons pass over a NaN, the sum does not.
+      // Comparisons ignore NaN, the sum does not.
       minus_jacobian[i] = -((low < high ? low : high) + 0. * strain[i]);
     }
 }
 
-/** Squares of strain and rotation, and the Jacobian with the opposite sign: all three are
- * to be largest. */
+/** Squares of strain and rotation, and the negative Jacobian, which are to be largest. */
 using Extremes = std::array<CellExtreme, 3>;
 
 Extremes none()
@@ -69,7 +68,7 @@ Extremes none()
   return extremes;
 }
 
-/** Of equal values the one of the first cell, NaN being infinite; whether it was new. */
+/** Whether @p best changes; of equal values the first cell counts, NaN is infinite. */
 bool take_larger(CellExtreme &best, double value, const std::uint64_t cell)
 {
   if (std::isnan(value))
@@ -81,7 +80,7 @@ bool take_larger(CellExtreme &best, double value, const std::uint64_t cell)
   return true;
 }
 
-/** The largest of all ranks. */
+/** Maxima over all ranks. */
 Deformation over_ranks(const Extremes &found, const MPI_Comm communicator)
 {
   Extremes all = found;
@@ -102,8 +101,7 @@ Deformation over_ranks(const Extremes &found, const MPI_Comm communicator)
   return largest;
 }
 
-/** The displacements of the rows of nodes around a row of bricks, and what the bricks
- * contribute to Extremes. */
+/** Displacements of the node rows around a row of bricks, and their Extremes. */
 class BrickRow
 {
 public:
@@ -116,7 +114,8 @@ public:
     nodes.fill(std::vector<double>(std::size_t{n_cells} + 1));
   }
 
-  /** Of row @p j of layer @p k; @p copy_row(c, j, k, to) copies those of a row of nodes. */
+  /** Evaluates row @p j of layer @p k; @p copy_row(c, j, k, to) copies component c of a
+   * row of nodes. */
   template <typename CopyRow>
   const RowValues &
   evaluate(const unsigned int j, const unsigned int k, const CopyRow &copy_row)
@@ -138,13 +137,13 @@ private:
   void evaluate_brick(const unsigned int i)
   {
     const auto &h = grid.spacing;
-    double edge[3][4][3]; // du/dx along the edges: [axis][the other two axes][component]
+    double edge[3][4][3]; // du/dx along the edges: [axis][other two axes][component]
     double mean[3][3] = {};
     for (unsigned int d = 0; d < 3; ++d)
       for (unsigned int e = 0; e < 4; ++e)
         for (unsigned int c = 0; c < 3; ++c)
           {
-            const unsigned int low = (1U << d) - 1, // spread the two bits around bit d
+            const unsigned int low = (1U << d) - 1, // inserts bit d into e
               corner               = (e & low) | (e & ~low) << 1U;
             edge[d][e][c] = (at(i, corner | 1U << d, c) - at(i, corner, c)) / h[d];
             mean[c][d] += 0.25 * edge[d][e][c];
@@ -175,7 +174,7 @@ private:
       }
     values.strain[i]   = strain;
     values.rotation[i] = rotation;
-    // Comparisons pass over a NaN, the sum does not.
+    // Comparisons ignore NaN, the sum does not.
     values.minus_jacobian[i] = -(smallest + 0. * strain);
   }
 
@@ -185,7 +184,7 @@ private:
   RowValues values;
 };
 
-/** Of the bricks from the first of @p j and @p k to before the second. */
+/** Extremes over the bricks j[0] <= j < j[1] and k[0] <= k < k[1]. */
 template <typename CopyRow>
 Deformation largest_in_bricks(const UniformGrid<3> &grid,
                               const std::array<unsigned int, 2> &j,
@@ -219,7 +218,7 @@ Deformation largest_in_bricks(const UniformGrid<3> &grid,
   return over_ranks(found, communicator);
 }
 
-/** What one cell of a mesh contributes to Extremes. */
+/** Contributions of one cell of a mesh to Extremes. */
 template <int dim>
 std::array<double, 3> evaluate_cell(const std::vector<dealii::Point<dim>> &points,
                                     const std::vector<unsigned int> &vertices,

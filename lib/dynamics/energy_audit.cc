@@ -6,8 +6,8 @@ namespace mesoslip
 {
 namespace
 {
-// Sum of term(0) to term(n - 1): eight at a time, as each addition would wait for the one
-// before.
+// Sum of term(0) to term(n - 1) by eight partial sums, so that additions do not wait for
+// one another.
 template <typename Term>
 double sum_of(const unsigned int n, const Term &term)
 {
@@ -232,7 +232,7 @@ void EnergyAudit::multiply(NodalField<double> &u_n, NodalField<double> &w_n)
     stepper.multiply(stiff_w, w_n);
 }
 
-// a.(u - c) over the distinct nodes of the owned rows.
+// a.(u - c) over the owned rows without periodic copies.
 double EnergyAudit::dot_difference(const NodalField<double> &a,
                                    const NodalField<double> *c) const
 {
@@ -262,7 +262,7 @@ void EnergyAudit::add_products(Sums &sums) const
 EnergyHistory EnergyAudit::reduce() const
 {
   EnergyHistory all = samples;
-  // All members by name, so that one that is added has to be looked at here.
+  // All members by name, so that a new member does not compile unnoticed.
   auto &[time, kinetic, elastic, potential, external_work, friction, impact, damping,
          scheme, contact, supports, dashpots, initial] = all;
   for (auto *values : {&kinetic, &elastic, &potential, &external_work, &friction, &impact,

@@ -12,50 +12,51 @@
 
 namespace mesoslip
 {
-/** Work done on and energy dissipated at the boundary since the start (J/m), local share.
+/**
+ * Work done on and energy dissipated at the boundary since the start (J, in 2D J/m), for
+ * one rank.
  */
 struct BoundaryWork
 {
-  double external = 0.; ///< by the top's load and the moving flat
+  double external = 0.; ///< work of the load at the top and of the moving flat
   double friction = 0.; ///< dissipated by sliding on the flat
-  double impact   = 0.; ///< dissipated by nodes that land
-  double load     = 0.; ///< integral of F_N |V|, of normal force and speed of the flat
-  double stored   = 0.; ///< now, in springs between surface and flat
-  double pressed  = 0.; ///< stored in them at the start
-  SuspensionEnergies
-    supports; ///< of springs, dashpots and masses at the top (J, in 2D J/m)
+  double impact   = 0.; ///< dissipated by landing nodes
+  double load     = 0.; ///< integral of F_N |V|: normal force times speed of the flat
+  double stored   = 0.; ///< current energy of springs between surface and flat
+  double pressed  = 0.; ///< energy of these springs at the start
+  SuspensionEnergies supports; ///< springs, dashpots and masses at the top (J, in 2D J/m)
 };
 
-/** Sampled energies (J/m); on the ranks the local shares until reduce() is called. */
+/** Sampled energies (J/m); values of one rank until reduce() is called. */
 struct EnergyHistory
 {
   std::vector<double> time;          ///< s
   std::vector<double> kinetic;       ///< 1/2 v.M v
   std::vector<double> elastic;       ///< 1/2 u.K u
-  std::vector<double> potential;     ///< of the body acceleration
-  std::vector<double> external_work; ///< since the start, as everything below
+  std::vector<double> potential;     ///< potential of the body acceleration
+  std::vector<double> external_work; ///< since the start, as all values below
   std::vector<double> friction;      ///< dissipated by sliding
-  std::vector<double> impact;        ///< dissipated by nodes that land
+  std::vector<double> impact;        ///< dissipated by landing nodes
   std::vector<double> damping;       ///< dissipated by C = alpha M + beta K
   std::vector<double> scheme;        ///< dissipated by beta2 > 1/2
-  std::vector<double> contact;       ///< in springs between surface and flat
-  std::vector<double> supports;      ///< in springs and masses of supports
-  std::vector<double> dashpots;      ///< dissipated by those of supports
+  std::vector<double> contact;       ///< stored in springs between surface and flat
+  std::vector<double> supports;      ///< stored in springs and masses of supports
+  std::vector<double> dashpots;      ///< dissipated by dashpots of supports
 
   /** kinetic + elastic + potential + contact + supports at the start. */
   double initial = 0.;
 
-  /** Of boost::serialization. */
+  /** Saves or restores all members (Boost.Serialization). */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
     serialize_members<13>(archive, *this);
   }
 
-  /** What is left of the balance at each sample; zero in exact arithmetic. */
+  /** Residual of the energy balance at each sample; zero in exact arithmetic. */
   std::vector<double> residual() const;
 
-  /** Adds that of another body at the same times. */
+  /** Adds the energies of another body at the same times. */
   EnergyHistory &operator+=(const EnergyHistory &other);
 };
 
@@ -74,7 +75,10 @@ struct EnergyHistory
 class EnergyAudit : public StepObserver
 {
 public:
-  /** @p stepper is referenced. @p boundary_work gives the work since the start after the step just done. */
+  /**
+   * Keeps a reference to @p stepper. @p boundary_work returns the work from the start to
+   * the end of the last step.
+   */
   EnergyAudit(Stepper &stepper,
               const std::uint64_t interval,
               const std::function<BoundaryWork()> &boundary_work);
@@ -83,27 +87,27 @@ public:
   void before_step(const std::uint64_t n) override;
   void after_step(const std::uint64_t n) override;
 
-  /** Local shares so far. */
+  /** Samples of this rank so far. */
   const EnergyHistory &local_history() const
   {
     return samples;
   }
 
-  /** Sum over the ranks, on all ranks. */
+  /** Sums over the ranks, on all ranks. */
   EnergyHistory reduce() const;
 
   /** Saves or restores the state between two steps (Boost.Serialization). */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    // What is u_(n-1) for the next sample.
+    // u_(n-1) of the next sample.
     serialize_own_rows(archive, interval == 1 ? u_now : u_before, stepper.rows);
     serialize_own_rows(archive, interval == 1 ? w_now : w_before, stepper.rows);
     archive &last_scheme &last_damping &sum_scheme &sum_damping &samples;
   }
 
 private:
-  /** Local sums of one sample. */
+  /** Sums of this rank for one sample. */
   struct Sums
   {
     double kinetic   = 0.;
@@ -125,14 +129,14 @@ private:
   NodalField<double> &w;
   const std::uint64_t interval;
   const std::function<BoundaryWork()> boundary_work;
-  // Which terms there are; those that vanish are neither computed nor kept fields for.
+  // Terms of the balance; vanishing terms need no computation and no fields.
   const bool damped, dissipative, heavy;
 
   NodalField<double> u_before, w_before; ///< u_(n-1), w_(n-1)
   NodalField<double> u_now, w_now;       ///< u_n, w_n
   NodalField<double> stiff_u, stiff_w;   ///< K u_n, K w_n
-  std::vector<double> mass;              ///< of the owned nodes, row by row
-  std::vector<double> drag;              ///< alpha m of them; empty without alpha
+  std::vector<double> mass;              ///< masses of the owned nodes, row by row
+  std::vector<double> drag;              ///< alpha m; empty without alpha
   double last_scheme = 0., last_damping = 0.;
   double sum_scheme = 0., sum_damping = 0.;
   EnergyHistory samples;

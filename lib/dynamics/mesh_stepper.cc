@@ -47,7 +47,7 @@ void multiply_with(const MeshOperator<dim> &op,
       Kx.row(c, 0)[i] = out[i * stride<dim> + c];
 }
 
-/** By an operator of phases_of_damping(). */
+/** Phase damping with an operator for phases_of_damping(). */
 template <int dim>
 std::unique_ptr<PhaseDamping>
 damping_by(const std::shared_ptr<const MeshOperator<dim>> &op,
@@ -124,7 +124,7 @@ void MeshStepper<dim>::advance(const std::uint64_t n_steps)
     step_once();
 }
 
-/** From u and w, which may have been changed since the last step: a step of no length. */
+/** Reads u and w, which may have changed since the last step: a step of zero length. */
 template <int dim>
 void MeshStepper<dim>::load_state()
 {
@@ -180,7 +180,10 @@ void MeshStepper<dim>::step_once()
   ++n_done;
 }
 
-/** The forces C w, which are whole at points of several ranks, as are those of the product. */
+/**
+ * Adds the forces C w; at shared points they are already summed, like the forces of the
+ * product.
+ */
 template <int dim>
 void MeshStepper<dim>::add_damping()
 {

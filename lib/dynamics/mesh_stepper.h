@@ -16,16 +16,18 @@ namespace mesoslip
  *     a = M^-1 (boundary forces + M g - K (u + beta w))
  *     w += dt a,   u += dt w + (beta2 - 1/2) dt^2 a
  *
- * Points of several ranks are advanced by all of them, and points that move together each,
- * with the same bits. u and w are one
- * row with a column for each point of the part, owned ones first.
+ * Shared points are advanced on all their ranks, periodic copies like their masters, with
+ * the same bits. u and w have one row with a column for each point of the part, owned
+ * points first.
  */
 template <int dim>
 class MeshStepper : public SurfaceStepper<dim>
 {
 public:
-  /** @p op and the fields must outlive the stepper; @p damping has phases_of_damping() where these are by phase.
-   * Collective. */
+  /**
+   * @p op and the fields must outlive the stepper; @p damping is an operator with the
+   * phases of phases_of_damping() if damping differs by phase. Collective.
+   */
   MeshStepper(const MeshOperator<dim> &op,
               const std::vector<HeldComponent> &held,
               const StepParameters &parameters,
@@ -58,8 +60,8 @@ private:
   node_step(const double dt, const double c_new, const double c_old) const;
 
   const MeshOperator<dim> &op;
-  NodalField<double> inverse_mass; ///< m/kg, 0 where held
-  NodalField<double> own_mass;     ///< of points that this rank counts, 0 of others
+  NodalField<double> inverse_mass; ///< m/kg, 0 where constrained
+  NodalField<double> own_mass;     ///< mass of locally owned points, 0 for others
   LineVector<double> z;            ///< u + beta w
   LineVector<double> force;
   const kernels::NodeArrays arrays;

@@ -44,7 +44,7 @@ MeshSurface<dim>::MeshSurface(
 template <int dim>
 MeshSurface<dim>::~MeshSurface()
 {
-  // An exception may have come in between.
+  // Needed after an exception.
   if (request != MPI_REQUEST_NULL)
     MPI_Wait(&request, MPI_STATUS_IGNORE);
   if (ranks != MPI_COMM_NULL)
@@ -106,7 +106,7 @@ void MeshSurface<dim>::start_from_motion(const std::uint64_t step,
   start_loads(step, time);
 }
 
-// Of each rank to all, so that all add up the same numbers in the same order.
+// Sends the sums to all ranks, so that all ranks add the same numbers in the same order.
 template <int dim>
 void MeshSurface<dim>::start_sum()
 {

@@ -10,55 +10,60 @@
 namespace mesoslip
 {
 /**
- * The nodes of a boundary surface that are on this rank: those that it owns and, behind
- * them, copies of those of other ranks and of its own across periodic sides, both in the order of the surface. The forces on a
- * copy are complete, so that it moves as its original does without a message; what is
- * summed over the nodes is summed over those that are owned. Copies begin at a whole vector
- * of numbers: in between and at the end are places without a node.
+ * Nodes of a boundary surface on this rank: locally owned nodes, followed by ghost nodes
+ * of other ranks and by periodic copies, each in the order of the surface. Forces on
+ * ghost nodes and periodic copies are complete, so that they move like their owners and
+ * masters without messages; sums run over owned nodes only. Ghosts begin at a full vector
+ * of numbers; there are empty places in between and at the end.
  */
 class SharedNodes
 {
 public:
-  /** No node: what stands for one where arrays are filled up to whole vectors. */
+  /** Placeholder of an empty place. */
   static constexpr unsigned int none = std::numeric_limits<unsigned int>::max();
 
-  /** Those of @p points, originals of the whole mesh, which the surface is made of. */
+  /**
+   * Nodes of a surface that consists of @p points, periodic masters of the whole mesh.
+   */
   template <int dim>
   SharedNodes(const std::vector<unsigned int> &points, const MeshPart<dim> &part);
 
-  /** Number of nodes that this rank owns: the first ones. */
+  /** Number of locally owned nodes, the first ones. */
   unsigned int n_owned() const
   {
     return owned;
   }
 
-  /** Number of places, of nodes and of none. */
+  /** Number of places, empty ones included. */
   unsigned int size() const
   {
     return static_cast<unsigned int>(place.size());
   }
 
-  /** The point of the part; none where there is no node. */
+  /** Point of the part at place @p i; none for an empty place. */
   unsigned int point(const unsigned int i) const
   {
     return local[i];
   }
 
-  /** Its number in the whole surface; none where there is no node. */
+  /** Index in the whole surface of the node at place @p i; none for an empty place. */
   unsigned int number(const unsigned int i) const
   {
     return place[i];
   }
 
-  /** What @p whole, one value a node of the whole surface, is of these; @p otherwise where
-   * there is no node. */
+  /**
+   * Values at the local places of @p whole, which has one value per node of the whole
+   * surface; @p otherwise for empty places.
+   */
   std::vector<double> of(const std::vector<double> &whole, const double otherwise) const;
 
-  /** Where the node of the whole surface is in the arrays; nothing if it is on other ranks
-   * alone. */
+  /**
+   * Place of node @p of_whole of the whole surface; empty if this rank does not have it.
+   */
   std::optional<unsigned int> find(const unsigned int of_whole) const;
 
-  /** Numbers in the whole surface of the nodes that this rank owns. */
+  /** Indices of the locally owned nodes in the whole surface. */
   std::vector<unsigned int> owned_places() const
   {
     return {place.begin(), place.begin() + owned};
@@ -66,8 +71,8 @@ public:
 
 private:
   unsigned int owned = 0;
-  std::vector<unsigned int> place; ///< in the whole surface
-  std::vector<unsigned int> local; ///< points of the part
+  std::vector<unsigned int> place; ///< index in the whole surface
+  std::vector<unsigned int> local; ///< point of the part
 };
 } // namespace mesoslip
 

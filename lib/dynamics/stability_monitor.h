@@ -16,37 +16,40 @@
 
 namespace mesoslip
 {
-/** What a run that has gone wrong looks like; the same on all ranks. */
+/** Description of a diverged run; the same on all ranks. */
 struct Runaway
 {
   double energy =
-    0.; ///< kinetic and elastic (J/m), infinite or NaN when a value is not finite
-  double put_in = 0.; ///< the largest energy that was ever there to be had (J/m)
+    0.; ///< kinetic and elastic energy (J/m); infinite or NaN if a value is not finite
+  double put_in = 0.; ///< largest available energy so far (J/m)
 
-  /** The node that is fastest or, if there is one, the first that is not finite. */
+  /** Column of the fastest node, or of the first node with a value that is not finite. */
   unsigned int column    = 0;
-  unsigned int row       = 0;  ///< of the node
+  unsigned int row       = 0;  ///< row of the node
   unsigned int component = 0;  ///< 0: x, 1: y
   double displacement    = 0.; ///< m
-  double velocity        = 0.; ///< its component (m, m/s)
+  double velocity        = 0.; ///< velocity component (m/s)
 };
 
 /**
- * Stops a run whose fields cannot be right. Below the critical time step the energy
- * E = w.M w / 2 + u.K u / 2 stays within a small multiple of what was put in (start, work
- * of top, flat and body force, less friction and impact): with W = omega dt the discrete
- * energy H of EnergyAudit is at least (1 - b W^2 / 2) times its kinetic part. Above it E
- * grows without bound while H stays. So E beyond a million times that, amplitudes a
- * thousand times too large, is a blow-up, and so is whatever is not finite.
+ * Stops a diverged run. Below the critical time step the energy E = w.M w / 2 + u.K u / 2
+ * stays within a small multiple of the supplied energy (start, work of top, flat and body
+ * force, minus friction and impact): with W = omega dt the discrete energy H of
+ * EnergyAudit is at least (1 - b W^2 / 2) times its kinetic part. Above it E grows
+ * without bound while H stays bounded. E beyond a million times the supply, i.e.
+ * amplitudes a thousand times too large, and values that are not finite count as
+ * divergence.
  *
- * Looks after 64, 128, ... 1024 steps, then every 1024 steps (well below 1 % of the
+ * Checks after 64, 128, ... 1024 steps, then every 1024 steps (well below 1 % of the
  * time), and before every step that a guarded observer records.
  */
 class StabilityMonitor : public StepObserver
 {
 public:
-  /** @p stepper and @p boundary_work as of EnergyAudit. @p stop is called on all ranks
-   *  with what was found and the number of the step; it has to throw. */
+  /**
+   * @p stepper and @p boundary_work as for EnergyAudit. @p stop is called on all ranks
+   * with the finding and the step number; it must throw.
+   */
   StabilityMonitor(Stepper &stepper,
                    const std::function<BoundaryWork()> &boundary_work,
                    const std::function<void(const Runaway &, std::uint64_t)> &stop)
@@ -56,7 +59,7 @@ public:
   {
   }
 
-  /** What @p observer records is looked at first. */
+  /** Checks the state before each step that @p observer records. */
   void guard(const StepObserver &observer)
   {
     guarded.push_back(&observer);
@@ -70,7 +73,7 @@ public:
     return next;
   }
 
-  /** The same without guarded observers. */
+  /** Next regular step, without guarded observers. */
   static std::uint64_t next_regular_step(const std::uint64_t n)
   {
     if (n == 0)
@@ -86,14 +89,15 @@ public:
     check(n);
   }
 
-  /** Looks at u_n, w_n. Collective. */
+  /** Checks u_n, w_n. Collective. */
   void check(const std::uint64_t n)
   {
     const Sums found = sums();
     if (!started)
       start = found.energy - found.gravity_work;
     started = true;
-    // Running: in a blow-up the boundary may take away more than there ever was.
+    // Running maximum: in a blow-up the boundary may extract more energy than was ever
+    // supplied.
     supply = std::max({supply, start, start + found.put_in + found.gravity_work});
     if (std::isfinite(found.put_in) && std::isfinite(found.energy) &&
         found.energy <= too_much * supply)
@@ -104,7 +108,7 @@ public:
     stop(runaway, n);
   }
 
-  /** Saves or restores what was put in so far (Boost.Serialization). */
+  /** Saves or restores the supplied energy so far (Boost.Serialization). */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
@@ -114,7 +118,7 @@ public:
 private:
   static constexpr std::uint64_t longest_interval = 1024, shortest_interval = 64;
   static constexpr double too_much = 1e6;
-  // Of the boundary's works, which nearly cancel when the flat is very fast.
+  // Relative to the works of the boundary, which nearly cancel if the flat is very fast.
   static constexpr double round_off = 1e-9;
 
   struct Sums
@@ -153,7 +157,8 @@ private:
     return {local[0], local[1], local[2]};
   }
 
-  // The same on all ranks: that of the rank with the fastest node, NaN being fastest.
+  // The same on all ranks: the result of the rank with the fastest node; NaN counts as
+  // fastest.
   Runaway locate() const
   {
     const NodeRows &rows        = stepper.rows;
@@ -189,20 +194,22 @@ private:
   const std::function<BoundaryWork()> boundary_work;
   const std::function<void(const Runaway &, std::uint64_t)> stop;
   std::vector<const StepObserver *> guarded;
-  double start  = 0.; ///< energy (J/m)
-  double supply = 0.; ///< its largest
+  double start  = 0.; ///< initial energy (J/m)
+  double supply = 0.; ///< largest supplied energy (J/m)
   bool started  = false;
 };
 
 /**
- * Looks at the strains of a run in the regular steps of the StabilityMonitor, and keeps
- * the largest.
+ * Monitors the strains of a run in the regular steps of StabilityMonitor, and keeps the
+ * largest.
  */
 class DeformationWatch : public StepObserver
 {
 public:
-  /** @p stepper is referenced. @p found is called on all ranks with what each look finds
-   *  and the number of the step; it may throw. */
+  /**
+   * Keeps a reference to @p stepper. @p found is called on all ranks with each result and
+   * the step number; it may throw.
+   */
   DeformationWatch(const Stepper &stepper,
                    const std::function<void(const Deformation &, std::uint64_t)> &found)
     : stepper(stepper)
@@ -220,21 +227,21 @@ public:
     look(n);
   }
 
-  /** Looks at u_n. Collective. */
+  /** Computes the deformation of u_n. Collective. */
   void look(const std::uint64_t n)
   {
     const Deformation deformation = stepper.deformation();
-    largest                       = std::max(largest, deformation.strain.value);
+    largest.add(deformation);
     found(deformation, n);
   }
 
-  /** Largest norm of the strain of all looks so far [-]. */
-  double largest_strain() const
+  /** Largest strains so far. */
+  const LargestStrain &so_far() const
   {
     return largest;
   }
 
-  /** Saves or restores the largest strain (Boost.Serialization). */
+  /** Saves or restores the largest values (Boost.Serialization). */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
@@ -244,7 +251,7 @@ public:
 private:
   const Stepper &stepper;
   const std::function<void(const Deformation &, std::uint64_t)> found;
-  double largest = 0.;
+  LargestStrain largest;
 };
 } // namespace mesoslip
 

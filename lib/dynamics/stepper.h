@@ -28,16 +28,22 @@ struct StepParameters
   /** 1/2: leapfrog, order two; up to 1: numerically damped. */
   double beta2 = 0.5;
 
-  /** Stiffness-proportional damping C = beta K (s), the largest of the phases; zero costs nothing. */
+  /** Stiffness-proportional damping C = beta K (s), largest value of the phases. */
   double beta = 0.;
 
-  /** Mass-proportional damping alpha M (1/s), the largest of the phases; zero costs nothing. */
+  /** Mass-proportional damping alpha M (1/s), largest value of the phases. */
   double alpha = 0.;
 
-  /** beta of each phase p, C = alpha M + sum of beta_p K_p, see PhaseDamping; empty: beta everywhere. */
+  /**
+   * beta of each phase p (s), C = alpha M + sum of beta_p K_p, see PhaseDamping; empty:
+   * common beta.
+   */
   std::vector<double> beta_of_phases;
 
-  /** alpha likewise, which then does not act on masses without a phase, those of supports. */
+  /**
+   * alpha of each phase (1/s), which does not act on masses of supports; empty: common
+   * alpha.
+   */
   std::vector<double> alpha_of_phases;
 
   /** Whether beta or alpha differ by phase. */
@@ -46,19 +52,21 @@ struct StepParameters
     return !beta_of_phases.empty() || !alpha_of_phases.empty();
   }
 
-  /** beta where there is one for all phases; else PhaseDamping has it, and this is 0. */
+  /** The common beta (s); 0 if it differs by phase, see PhaseDamping. */
   double common_beta() const
   {
     return beta_of_phases.empty() ? beta : 0.;
   }
 
-  /** The same of alpha; it acts on masses without a phase, those of supports, as well. */
+  /**
+   * The common alpha (1/s); 0 if it differs by phase. It also acts on masses of supports.
+   */
   double common_alpha() const
   {
     return alpha_of_phases.empty() ? alpha : 0.;
   }
 
-  /** The smallest beta of a phase. */
+  /** Smallest beta of a phase (s). */
   double least_beta() const
   {
     return beta_of_phases.empty()
@@ -66,7 +74,7 @@ struct StepParameters
              : *std::min_element(beta_of_phases.begin(), beta_of_phases.end());
   }
 
-  /** Body acceleration (m/s^2), the last one unused in 2D; zero costs nothing. */
+  /** Body acceleration (m/s^2); the last component is not used in 2D. */
   std::array<double, 3> acceleration = {};
 
   /** Whether there is a body acceleration. */
@@ -76,22 +84,26 @@ struct StepParameters
   }
 
   /**
-   * What the damping alpha M makes of the mass in a step. It acts on the mean of w_n and w_(n+1), that
-   * is, on w_n + dt a_n / 2: M (1 + alpha dt / 2) a_n = f - alpha M w_n, f being all other forces.
+   * Factor of the mass by damping alpha M in a step. The damping acts on the mean of w_n
+   * and w_(n+1), i.e. on w_n + dt a_n / 2: M (1 + alpha dt / 2) a_n = f - alpha M w_n
+   * with all other forces f.
    */
   double inertia() const
   {
     return 1. + 0.5 * common_alpha() * dt;
   }
 
-  /** Whether there are forces in proportion to the mass. */
+  /** Whether there are mass-proportional forces. */
   bool acts_on_mass() const
   {
     return is_heavy() || common_alpha() > 0.;
   }
 };
 
-/** Components of the leftmost and rightmost column whose acceleration is kept at zero. */
+/**
+ * Constrained components of the leftmost and rightmost column; their acceleration is
+ * zero.
+ */
 struct SideConstraints
 {
   std::array<bool, 2> left_held  = {}; ///< x and y of the leftmost column
@@ -99,67 +111,76 @@ struct SideConstraints
 };
 
 /**
- * Explicit time integration of a body, as the time loop and its observers see it:
- * whatever the nodes lie on, in two dimensions or three, u and w of this rank's nodes are
- * the rows of a field with as many components, the last one along the normal of the
- * contact, and between two calls they are, with the surfaces, all the state there is.
+ * Interface of explicit time integration of a body for the time loop and its observers.
+ * For any layout of nodes, in 2D or 3D, u and w of the nodes of this rank are the rows of
+ * a field with dim components, the last one along the normal of the contact. Between two
+ * calls, u, w and the surfaces are the complete state.
  */
 class Stepper
 {
 public:
   virtual ~Stepper() = default;
 
-  /** @p n_steps time steps, several at a time where that is faster. Collective. */
+  /**
+   * Advances by @p n_steps time steps, several at a time if that is faster. Collective.
+   */
   virtual void advance(const std::uint64_t n_steps) = 0;
 
-  /** One time step; then the nearest ghost rows hold the state before it. */
+  /**
+   * Advances by one time step; afterwards the nearest ghost rows hold the previous state.
+   */
   void step()
   {
     advance(1);
   }
 
-  /** Kc = K x with forces (N, in 2D N/m) on owned rows; the ghost rows of @p x are updated first.
-   *  Collective. */
+  /**
+   * Kx = K x, forces on owned rows (N, in 2D N/m); updates the ghost rows of @p x first.
+   * Collective.
+   */
   virtual void multiply(NodalField<double> &Kx, NodalField<double> &x) const = 0;
 
-  /** Damping that differs by phase; null: it does not. */
+  /** Damping that differs by phase; null if it does not. */
   const PhaseDamping *phase_damping() const
   {
     return by_phase.get();
   }
 
-  /** alpha of a node of this mass (kg, in 2D kg/m), the mean of its phases by mass (1/s). */
+  /**
+   * alpha of a node with this mass (kg, in 2D kg/m), the mass-weighted mean of its phases
+   * (1/s).
+   */
   double alpha_of(const NodeIndex &node, const double mass) const
   {
     return parameters.alpha_of_phases.empty() ? parameters.alpha
                                               : by_phase->drag(node) / mass;
   }
 
-  /** What the node resists its acceleration with, see StepParameters::inertia() (kg, in 2D kg/m). */
+  /** Inertia of a node, see StepParameters::inertia() (kg, in 2D kg/m). */
   double inertia_of(const NodeIndex &node, const double mass) const
   {
     return mass * (1. + 0.5 * alpha_of(node, mass) * parameters.dt);
   }
 
-  /** 1/2 u.K u of the owned nodes (J, in 2D J/m). Collective. */
+  /** 1/2 u.K u of the locally owned nodes (J, in 2D J/m). Collective. */
   virtual double elastic_energy() const = 0;
 
-  /** Lumped masses (kg, in 2D kg/m) of the nodes of owned row @p j (global number). */
+  /** Lumped masses (kg, in 2D kg/m) of the nodes of owned row @p j (global index). */
   virtual void mass_row(const unsigned int j, double *mass) const = 0;
 
   /** Extremes of strain, rotation and Jacobian over all cells. Collective. */
   virtual Deformation deformation() const = 0;
 
-  /** For the log: what advances the nodes. */
+  /** Description of the kernel for the log. */
   virtual std::string kernel_name() const = 0;
 
-  /** Steps done so far. */
+  /** Number of steps done. */
   std::uint64_t step_number() const
   {
     return n_done;
   }
 
-  /** For a resumed run: the next step is step @p n. */
+  /** Sets the number of the next step of a resumed run. */
   void set_step_number(const std::uint64_t n)
   {
     n_done = n;
@@ -168,17 +189,17 @@ public:
   /** Time step, scheme, damping and body acceleration. */
   const StepParameters parameters;
 
-  NodalField<double> &u; ///< displacement (m), own and ghost rows
+  NodalField<double> &u; ///< displacement (m), owned and ghost rows
   NodalField<double> &w; ///< velocity of the scheme (m/s)
-  const NodeRows rows;   ///< node rows that this rank owns, and its ghost rows
+  const NodeRows rows;   ///< owned node rows and ghost rows of this rank
 
-  /** In each row the first nodes that are no duplicates of others. */
+  /** Number of nodes in each row without periodic copies. */
   const unsigned int n_distinct;
 
-  const MPI_Comm communicator; ///< of the ranks that share the body
+  const MPI_Comm communicator; ///< ranks that share the body
 
 protected:
-  /** All but the step number, which is 0. */
+  /** Sets all members; the step number is 0. */
   Stepper(const StepParameters &parameters,
           NodalField<double> &u,
           NodalField<double> &w,
@@ -201,37 +222,37 @@ protected:
 };
 
 /**
- * Something that looks at the whole body now and then. Between two steps that somebody
- * wants to see, the stepper is free to advance many steps at a time.
+ * Observer of the whole body in selected steps. Between these steps the stepper may
+ * advance many steps at a time.
  */
 class StepObserver
 {
 public:
   virtual ~StepObserver() = default;
 
-  /** The first step >= @p n around which this observer wants to be called. */
+  /** First step >= @p n around which the observer is called. */
   virtual std::uint64_t next_step(const std::uint64_t n) const = 0;
 
-  /** The fields hold u_n and w_n. */
+  /** Called before the step, with fields u_n and w_n. */
   virtual void before_step(const std::uint64_t n) = 0;
 
-  /** The fields hold u_(n+1) and w_(n+1). */
+  /** Called after the step, with fields u_(n+1) and w_(n+1). */
   virtual void after_step(const std::uint64_t)
   {
   }
 };
 
-/** The first multiple of @p interval that is >= @p n. */
+/** First multiple of @p interval that is >= @p n. */
 inline std::uint64_t next_multiple(const std::uint64_t n, const std::uint64_t interval)
 {
   return (n + interval - 1) / interval * interval;
 }
 
 /**
- * Advances @p stepper until step @p n_end, calling the observers around the steps that
- * they ask for and @p keep_going every @p control_interval steps (and at the end).
- * With a @p timer the steps are timed. Returns the number of the next step: less than @p
- * n_end when @p keep_going said false.
+ * Advances @p stepper until step @p n_end. Calls the observers around the steps they
+ * request, and @p keep_going every @p control_interval steps and at the end. With a
+ * @p timer the steps are timed. Returns the number of the next step, which is less than
+ * @p n_end if @p keep_going returned false.
  */
 std::uint64_t run_time_loop(Stepper &stepper,
                             const std::vector<StepObserver *> &observers,

@@ -10,15 +10,15 @@
 namespace mesoslip
 {
 /**
- * The nodes of one boundary surface at the moment when their forces of step n are
- * complete: an array of n values for each component, the last one along the normal. On a
- * grid the arrays are rows of the fields, without a copy; on a periodic one the last node
- * duplicates the first and has to be given the same values.
+ * Nodes of one boundary surface at the moment when their forces of step n are complete:
+ * an array of n values for each component, the last one along the normal. On a grid the
+ * arrays are rows of the fields; on a periodic grid the last node is the periodic copy of
+ * the first and must be given the same values.
  */
 template <int dim>
 struct SurfaceView
 {
-  std::size_t n = 0; ///< number of nodes, with copies of those of other ranks
+  std::size_t n = 0; ///< number of nodes, ghost nodes included
 
   /** u_n (m) and w_n (m/s), to be advanced in place. */
   std::array<double *, dim> u = {};
@@ -28,23 +28,29 @@ struct SurfaceView
    *  inverse_mass * (boundary force - force). */
   std::array<const double *, dim> force = {};
 
-  /** One over the lumped mass (m/kg), zero where a component is constrained: such a
-   *  component keeps its w. */
+  /** Inverse lumped mass (m/kg); zero for constrained components, which keep their w. */
   std::array<const double *, dim> inverse_mass = {};
 
-  /** n, counted from the first step of the stepper (or from set_step_number()). */
+  /**
+   * Step number n, counted from the first step of the stepper (or from
+   * set_step_number()).
+   */
   std::uint64_t step = 0;
 
   /** n dt (s), the time of u_n. */
   double time = 0.;
 
-  /** Sum of the forces of all ranks (N/m), where the condition wants it and the surface is
-   *  shared among ranks; else null. */
+  /**
+   * Sum of the forces over all ranks (N/m) if the condition needs it and ranks share the
+   * surface; else null.
+   */
   const double *total_force = nullptr;
 };
 
-/** The sum of @p n values by eight partial sums: the order is fixed, and the loop does not
- * wait for one addition before it starts the next. */
+/**
+ * Sum of @p n values by eight partial sums: fixed order, and additions do not wait for
+ * one another.
+ */
 inline double sum_of(const double *values, const std::size_t n)
 {
   double lanes[8] = {};
@@ -61,37 +67,39 @@ inline double sum_of(const double *values, const std::size_t n)
 }
 
 /**
- * What happens on a boundary surface: turns forces into motion,
+ * Condition on a boundary surface: turns forces into motion,
  *
  *     a = inverse_mass (boundary force - force)
  *     w += dt a,   u += dt w + (beta2 - 1/2) dt^2 a      (w: the new one)
  *
- * Called once each step, in order of time. Within advance() the bottom may be several
- * steps ahead of the top, so the two must not talk to each other during advance(), and
- * neither may look at other nodes of the body.
+ * Called once per step, in order of time. Within advance() of a stepper the bottom may be
+ * several steps ahead of the top. The two conditions must therefore not communicate, and
+ * must not read other nodes of the body.
  */
 template <int dim>
 struct SurfaceCondition
 {
   virtual ~SurfaceCondition() = default;
 
-  /** Whether the nodes depend on the sum of their forces (SurfaceView::total_force). */
+  /** Whether the motion depends on the sum of the forces (SurfaceView::total_force). */
   virtual bool wants_total_force() const
   {
     return false;
   }
 
-  /** One step of the surface: on a grid on the rank that has it, on a mesh on all ranks,
-   * each with the nodes that it has. */
+  /**
+   * Advances the surface by one step: on a grid on the rank that has the row, on a mesh
+   * on all ranks, each with its own nodes.
+   */
   virtual void advance(const SurfaceView<dim> &surface) = 0;
 };
 
-/** No boundary force: the surface moves freely (constrained as inverse_mass says). */
+/** Surface without boundary forces (constraints by inverse_mass). */
 template <int dim>
 class FreeSurface : public SurfaceCondition<dim>
 {
 public:
-  /** Time step and beta2 are taken from @p parameters. */
+  /** Uses time step and beta2 of @p parameters. */
   explicit FreeSurface(const StepParameters &parameters)
     : dt(parameters.dt)
     , c_new(parameters.dt * (parameters.beta2 + 0.5))
@@ -99,7 +107,7 @@ public:
   {
   }
 
-  /** w_(n+1) from the internal forces alone. */
+  /** Computes w_(n+1) from the internal forces alone. */
   void advance(const SurfaceView<dim> &surface) override
   {
     for (unsigned int c = 0; c < dim; ++c)

@@ -12,13 +12,13 @@
 
 namespace mesoslip
 {
-/** A component of a point of a mesh whose acceleration is kept at zero. */
+/** A constrained component of a point of a mesh; its acceleration is zero. */
 struct HeldComponent
 {
-  unsigned int point     = 0; ///< index into the whole mesh, of an original
-  unsigned int component = 0; ///< 0: x
+  unsigned int point     = 0; ///< index in the whole mesh, of a periodic master
+  unsigned int component = 0; ///< component, 0: x
 
-  /** Of boost::serialization. */
+  /** Saves or restores all members (Boost.Serialization). */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
@@ -26,7 +26,7 @@ struct HeldComponent
   }
 };
 
-/** The points of @p components, some of them more than once. */
+/** Points of @p components, possibly with repetitions. */
 inline std::vector<unsigned int> points_of(const std::vector<HeldComponent> &components)
 {
   std::vector<unsigned int> points;
@@ -35,18 +35,22 @@ inline std::vector<unsigned int> points_of(const std::vector<HeldComponent> &com
   return points;
 }
 
-/** A stepper of a part of a mesh, whose fields are one row with a column for each point, the
- * ones that count first; boundary surfaces are moved by what is added. */
+/**
+ * A stepper of a part of a mesh. Fields have one row with a column for each point,
+ * locally owned masters first; added surfaces advance the boundary nodes.
+ */
 template <int dim>
 class SurfaceStepper : public Stepper
 {
 public:
-  /** From now on @p condition moves these nodes and must outlive the last step. No point
-   * may be in two surfaces. Collective. */
+  /**
+   * Registers @p condition, which advances these nodes and must outlive the last step. No
+   * point may belong to two surfaces. Collective.
+   */
   virtual MeshSurface<dim> &add_surface(const SharedNodes &nodes,
                                         SurfaceCondition<dim> &condition) = 0;
 
-  /** The same of a side besides bottom and top, after these. */
+  /** Adds a side other than bottom and top; call it after these. */
   virtual MeshSurface<dim> &add_side(const SharedNodes &nodes,
                                      SurfaceCondition<dim> &condition)
   {
@@ -54,7 +58,7 @@ public:
   }
 
 protected:
-  /** Of @p part, whose points have the columns of the fields. */
+  /** Stepper of @p part, whose points are the columns of the fields. */
   SurfaceStepper(const StepParameters &parameters,
                  NodalField<double> &u,
                  NodalField<double> &w,

@@ -9,7 +9,7 @@ namespace mesoslip
 {
 namespace
 {
-/** What the boundaries and the neighbours do not take is the elastic body. */
+/** Time without boundaries and neighbours is listed as the elastic body. */
 void timed_steps(Stepper &stepper, const std::uint64_t n_steps, Timer *timer)
 {
   const auto scope = optional_scope(timer, "Steps", "Elastic body");
@@ -24,7 +24,8 @@ std::uint64_t run_time_loop(Stepper &stepper,
                             const std::function<bool(const std::uint64_t)> &keep_going,
                             Timer *timer)
 {
-  // Before the front of a wave from rest numbers decay to denormal ones, with which a step takes twice to five times as long.
+  // Ahead of a wave front, numbers decay to subnormal ones, which make a step two to five
+  // times slower.
   const FlushDenormals flush;
   std::vector<StepObserver *> due;
   std::uint64_t n = stepper.step_number();

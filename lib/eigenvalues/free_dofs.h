@@ -14,42 +14,45 @@
 
 namespace mesoslip
 {
-/** A rigid platen, with which nodes move as one along some axes. */
+/** A rigid platen; its nodes move as a rigid unit along some axes. */
 struct Platen
 {
-  std::vector<NodeIndex> nodes;   ///< that this rank has
-  std::array<bool, 3> moves = {}; ///< along x, y and z
-  double mass               = 0.; ///< kg, in 2D kg/m, without that of the nodes
+  std::vector<NodeIndex> nodes;   ///< nodes on this rank
+  std::array<bool, 3> moves = {}; ///< whether it moves along x, y and z
+  double mass               = 0.; ///< mass without its nodes (kg, in 2D kg/m)
 };
 
-/** A component in which a platen moves. */
+/** A displacement component of a platen. */
 struct PlatenDof
 {
-  std::size_t platen     = 0;  ///< which one
-  unsigned int component = 0;  ///< 0: x
+  std::size_t platen     = 0;  ///< index of the platen
+  unsigned int component = 0;  ///< component, 0: x
   double mass            = 0.; ///< Platen::mass (kg, in 2D kg/m)
-  unsigned int rank = 0; ///< that has the degree of freedom, the first one with a node
-  std::size_t place = 0; ///< its number there
+  unsigned int rank      = 0;  ///< rank that owns it, the first one with a node
+  std::size_t place      = 0;  ///< local index on that rank
 };
 
 /**
- * The degrees of freedom that can vibrate, numbered, with their lumped masses: the free
- * ones of a body, without the duplicates of periodic sides, and the displacements of platens.
- * A rank has those of the nodes that it counts.
+ * Numbering of the degrees of freedom that can vibrate, with their lumped masses: the
+ * free degrees of freedom of a body without periodic copies, and the displacements of
+ * platens. Each rank owns those of its locally owned nodes.
  */
 template <int dim>
 class FreeDofs
 {
 public:
-  /** One entry per degree of freedom, divided among the ranks as fields are. */
+  /** One entry per degree of freedom, distributed over the ranks like the fields. */
   using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
 
-  /** @p mask constrains the displacements that @p platens have. @p body must outlive this object. Collective. */
+  /**
+   * @p mask must constrain the displacements that @p platens move. @p body must outlive
+   * this object. Collective.
+   */
   FreeDofs(const ElasticBody<dim> &body,
            const DofMask &mask,
            const std::vector<Platen> &platens);
 
-  /** A vector that is zero. */
+  /** A zero vector. */
   Vector zero() const
   {
     return Vector(partitioner);
@@ -61,25 +64,25 @@ public:
     return partitioner->size();
   }
 
-  /** Those of platens. */
+  /** Degrees of freedom of platens. */
   const std::vector<PlatenDof> &of_platens() const
   {
     return platen_dofs;
   }
 
-  /** The nodes of this rank that platen number @p k moves. */
+  /** Nodes of this rank that platen @p k moves. */
   const std::vector<NodeIndex> &nodes_of_platen(const std::size_t k) const
   {
     return platens[k].nodes;
   }
 
-  /** The platens' entries of @p x in the order of of_platens(), on all ranks. Collective. */
+  /** Platen entries of @p x in the order of of_platens(), on all ranks. Collective. */
   std::vector<double> of_platens(const Vector &x) const;
 
-  /** Sets entry @p k of them. */
+  /** Sets platen entry @p k of @p x. */
   void set_platen(Vector &x, const std::size_t k, const double value) const;
 
-  /** dst = M src, the lumped mass (kg, in 2D kg/m) times a vector, as ARPACK wants it. */
+  /** dst = M src with the lumped mass (kg, in 2D kg/m); interface of ARPACK. */
   void vmult(Vector &dst, const Vector &src) const;
 
   /** Sums of the entries of @p x along each axis. Collective. */
@@ -88,14 +91,19 @@ public:
   /** x.M y. Collective. */
   double mass_product(const Vector &x, const Vector &y) const;
 
-  /** Constrained entries of @p field become zero, duplicates copies. Collective. */
+  /**
+   * Copies @p values to @p field; constrained entries become zero, periodic copies are
+   * updated. Collective.
+   */
   void scatter(NodalField<double> &field, const Vector &values) const;
 
-  /** Displacements of @p field. */
+  /** Copies the displacements of @p field to @p values. */
   void gather(Vector &values, const NodalField<double> &field) const;
 
-  /** Nodal forces of @p field (N, in 2D N/m); platens carry the sums of their nodes.
-   * Collective. */
+  /**
+   * Copies the nodal forces of @p field (N, in 2D N/m); platens get the sums of their
+   * nodes. Collective.
+   */
   void gather_forces(Vector &values, const NodalField<double> &field) const;
 
 private:
@@ -111,10 +119,10 @@ private:
   std::vector<Platen> platens;
   std::vector<PlatenDof> platen_dofs;
   std::vector<std::vector<NodeIndex>>
-    counted_nodes; ///< of each platen, of this rank without duplicates
+    counted_nodes; ///< locally owned nodes of each platen, without periodic copies
   std::shared_ptr<const dealii::Utilities::MPI::Partitioner> partitioner;
   std::vector<NodeIndex>
-    nodes; ///< of the degrees of freedom; of those of a platen one of its nodes
+    nodes; ///< node of each degree of freedom; for a platen one of its nodes
   std::vector<unsigned int> components;
   std::vector<double> masses;
 };

@@ -11,7 +11,7 @@ namespace mesoslip
 {
 namespace
 {
-/** The rigid motions that nothing holds, orthonormal with respect to the mass. */
+/** Unconstrained rigid motions, orthonormal with respect to the mass. */
 template <int dim>
 std::vector<typename FreeDofs<dim>::Vector>
 orthonormal_motions(const ElasticBody<dim> &body, DofMask mask, const FreeDofs<dim> &dofs)
@@ -58,7 +58,7 @@ InverseStiffness<dim>::InverseStiffness(const ElasticBody<dim> &body,
 template <int dim>
 void InverseStiffness<dim>::vmult(Vector &dst, const Vector &src) const
 {
-  // The mass times a motion is the load that accelerates the body in that motion.
+  // Mass times a motion is the load that accelerates the body in that motion.
   Vector load(src), motion = dofs.zero();
   for (const Vector &r : rigid)
     {
@@ -97,8 +97,11 @@ void InverseStiffness<dim>::solve() const
   ++n_solves;
 }
 
-/** Degrees of freedom of platens that each of the rigid motions that nothing holds can make up for: one for each motion
- * of platens. Then a load in the motion is a resultant, which vmult() has projected out. */
+/**
+ * Marks degrees of freedom of platens that can be compensated by unconstrained rigid
+ * motions, one for each motion of platens. A load in the motion is then a resultant,
+ * which vmult() has projected out.
+ */
 template <int dim>
 std::vector<bool> InverseStiffness<dim>::platens_that_may_stay() const
 {

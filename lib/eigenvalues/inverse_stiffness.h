@@ -12,19 +12,22 @@
 namespace mesoslip
 {
 /**
- * K^-1 on loads without resultant; solutions have no rigid motion (in the mass' sense).
- * Under platens the body is solved for with these held, u = K_hh^-1 f, and moves with
- * them on top of that: u + Z s, where the columns of Z are the responses to unit displacements of
- * platens and Z.K Z s = Z.f, as Z.K u = 0.
+ * K^-1 for loads without resultant; solutions have no rigid motion with respect to the
+ * mass. With platens, the body is first solved with constrained platens, u = K_hh^-1 f,
+ * then their motion is added: u + Z s, where the columns of Z are the responses to unit
+ * displacements of platens and Z.K Z s = Z.f, as Z.K u = 0.
  */
 template <int dim>
 class InverseStiffness
 {
 public:
-  /** Vectors of FreeDofs. */
+  /** vectors of FreeDofs */
   using Vector = typename FreeDofs<dim>::Vector;
 
-  /** Of what @p mask leaves free; all arguments must outlive it. Collective. */
+  /**
+   * Inverse for the degrees of freedom that @p mask does not constrain; all arguments
+   * must outlive it. Collective.
+   */
   InverseStiffness(const ElasticBody<dim> &body,
                    const DofMask &mask,
                    const FreeDofs<dim> &dofs,
@@ -33,17 +36,17 @@ public:
   /** dst = K^-1 src. Collective. @throws NotConverged */
   void vmult(Vector &dst, const Vector &src) const;
 
-  /** Takes the rigid motions that nothing holds out of @p x. Collective. */
+  /** Removes unconstrained rigid motions from @p x. Collective. */
   void remove_rigid(Vector &x) const;
 
-  /** Number of these. */
+  /** Number of unconstrained rigid motions. */
   unsigned int n_rigid() const
   {
     return rigid.size();
   }
 
   mutable unsigned int n_solves   = 0; ///< number of solves with K so far
-  mutable unsigned int iterations = 0; ///< of the iterative solver in all these solves
+  mutable unsigned int iterations = 0; ///< iterations of the linear solver in all solves
 
 private:
   void solve() const;
@@ -55,7 +58,7 @@ private:
   const std::vector<Vector> rigid;
   std::unique_ptr<StaticSolver> solver;
   mutable NodalField<double> force, u;
-  std::vector<Vector> responses;    ///< Z, without platens_that_may_stay()
+  std::vector<Vector> responses;    ///< Z, without columns of platens_that_may_stay()
   Eigen::MatrixXd platen_stiffness; ///< Z.K Z (N/m, in 2D Pa)
 };
 } // namespace mesoslip

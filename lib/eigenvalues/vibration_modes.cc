@@ -18,12 +18,12 @@ namespace mesoslip
 {
 namespace
 {
-using Vector = FreeDofs<2>::Vector; // in 3D the same
+using Vector = FreeDofs<2>::Vector; // the same type in 3D
 
 /**
- * Divides @p shape by its largest displacement vector, which is returned, with the sign that
- * makes the larger component of that positive. Of mirror images, which are equal up to
- * round-off, the node with the lowest number decides.
+ * Scales @p shape to a largest displacement vector of length one, whose larger component
+ * is positive; returns the scale. Among vectors equal up to round-off (mirror images),
+ * the node with the lowest number decides.
  */
 template <int dim>
 double normalize(NodalField<double> &shape, const ElasticBody<dim> &body)
@@ -40,7 +40,7 @@ double normalize(NodalField<double> &shape, const ElasticBody<dim> &body)
       most = std::max(most, length_of({i, j}));
   most = mpi::max(most, body.communicator());
 
-  // Utilities::MPI::min() of deal.II 9.4 takes unsigned numbers of 64 bits for signed ones.
+  // Utilities::MPI::min() of deal.II 9.4 treats unsigned 64-bit numbers as signed.
   constexpr std::uint64_t nowhere = std::numeric_limits<std::int64_t>::max();
   std::uint64_t first             = nowhere;
   NodeIndex place;
@@ -93,7 +93,7 @@ VibrationMode<dim> make_mode(const typename FreeDofs<dim>::Vector &shape,
 
 namespace
 {
-/** With the frequency by the Rayleigh quotient of an eigenvector. */
+/** Mode from an eigenvector; the frequency is the Rayleigh quotient. */
 template <int dim>
 VibrationMode<dim> finish_mode(const Vector &eigenvector,
                                const FreeDofs<dim> &dofs,
@@ -114,14 +114,14 @@ VibrationMode<dim> finish_mode(const Vector &eigenvector,
   return mode;
 }
 
-/** K^-1 times a scale where some eigenvectors, of a mass of one, are left out. */
+/** scale * K^-1 with the eigenvectors @p found (of unit mass) projected out. */
 template <int dim>
 struct InverseWithout
 {
   const InverseStiffness<dim> &inverse;
   const FreeDofs<dim> &dofs;
   const std::vector<Vector> &found;
-  double scale = 1.; ///< 1/s^2
+  double scale = 1.; ///< factor (1/s^2)
 
   void vmult(Vector &dst, const Vector &src) const
   {
@@ -130,7 +130,7 @@ struct InverseWithout
     remove(dst);
   }
 
-  /** Also rigid motions. */
+  /** Projects out rigid motions and known eigenvectors. */
   void remove(Vector &x) const
   {
     inverse.remove_rigid(x);
@@ -139,7 +139,7 @@ struct InverseWithout
   }
 };
 
-/** omega^2 of a vector. */
+/** Rayleigh quotient omega^2 of a vector. */
 template <int dim>
 double rayleigh_quotient(const Vector &x,
                          const FreeDofs<dim> &dofs,
@@ -153,7 +153,7 @@ double rayleigh_quotient(const Vector &x,
   return x * Ku / dofs.mass_product(x, x);
 }
 
-/** @p n eigenvectors of the lowest eigenvalues but those that @p inverse leaves out. */
+/** @p n eigenvectors of the lowest eigenvalues that @p inverse does not project out. */
 template <int dim>
 std::vector<Vector> lanczos(const FreeDofs<dim> &dofs,
                             InverseWithout<dim> inverse,
@@ -173,8 +173,9 @@ std::vector<Vector> lanczos(const FreeDofs<dim> &dofs,
   for (double &x : start)
     x = number(generator);
   inverse.remove(start);
-  // The tolerance of ARPACK is one of 1 / omega^2, but no less than one of eps^(2/3), in whatever unit:
-  // so omega^2 is taken in one of which none is much larger.
+  // The tolerance of ARPACK is relative to 1 / omega^2, but at least relative to
+  // eps^(2/3) in any unit: omega^2 is therefore scaled so that no value is much larger
+  // than one.
   inverse.scale = rayleigh_quotient(start, dofs, body);
 
   std::vector<std::complex<double>> values(n);
@@ -188,7 +189,7 @@ std::vector<Vector> lanczos(const FreeDofs<dim> &dofs,
       arpack.solve(dofs, dofs, inverse, values, vectors, n);
       return vectors;
     }
-  // PARPACK takes no part without entries.
+  // PARPACK requires entries on every rank.
   if (mpi::min(start.locally_owned_size(), communicator) == 0)
     throw UserError(
       "Modal: one of the processes has no free degree of freedom of its own, "
@@ -210,9 +211,10 @@ std::vector<Vector> lanczos(const FreeDofs<dim> &dofs,
 }
 
 /**
- * The eigenvectors of the lowest eigenvalues, in no particular order. A Krylov space has one vector of
- * the several that belong to one eigenvalue, as of a square or a cylinder, and others by round-off only:
- * what is missing is found by another iteration that leaves out what is known, to a lower accuracy first.
+ * Eigenvectors of the lowest eigenvalues, in no particular order. A Krylov space contains
+ * a single vector of a multiple eigenvalue (square, cylinder), and further ones by
+ * round-off only. Missing vectors are found by further iterations that project out the
+ * known ones, first to a lower accuracy.
  */
 template <int dim>
 std::vector<Vector> lowest_eigenvectors(const FreeDofs<dim> &dofs,
@@ -222,7 +224,7 @@ std::vector<Vector> lowest_eigenvectors(const FreeDofs<dim> &dofs,
 {
   constexpr double accurate = 1e-10, rough = 1e-3;
   std::vector<Vector> found;
-  std::vector<double> quotients; // of them, ascending
+  std::vector<double> quotients; // Rayleigh quotients of found, ascending
   const auto more = [&](const unsigned int n, const double tolerance) {
     return lanczos<dim>(dofs, {inverse, dofs, found}, body, n, tolerance,
                         static_cast<unsigned int>(1 + 1000 * found.size()));
@@ -279,7 +281,7 @@ VibrationModes<dim> vibration_modes(const ElasticBody<dim> &body,
   result.n_solves          = inverse.n_solves;
   result.solver_iterations = inverse.iterations;
 
-  // ArpackSolver reports failures through assertions of debug builds only.
+  // ArpackSolver reports failures only by assertions of debug builds.
   for (const VibrationMode<dim> &mode : result.modes)
     if (!(mode.residual <= 1e-4))
       {

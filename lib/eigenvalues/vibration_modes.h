@@ -10,17 +10,19 @@
 
 namespace mesoslip
 {
-/** What is wanted of the modes of vibration, and how they are computed. */
+/** Options of vibration_modes(). */
 struct VibrationModesOptions
 {
-  unsigned int n_modes = 4; ///< wanted
+  unsigned int n_modes = 4; ///< number of modes
 
-  std::vector<Platen> platens; ///< whose displacements the constraints hold
+  std::vector<Platen> platens; ///< platens; the constraints hold their displacements
 
-  /** Relative residual of each static solve; eigenvalues are accurate to about this. */
+  /** Relative residual of each static solve; eigenvalues have about this accuracy. */
   double tolerance = 1e-10;
 
-  /** Called before each static solve with their number so far; may throw to stop. */
+  /**
+   * Called before each static solve with the number of solves so far; may throw to stop.
+   */
   std::function<void(unsigned int)> before_solve;
 };
 
@@ -30,53 +32,61 @@ struct VibrationMode
 {
   double frequency = 0.; ///< Hz
 
-  /** The largest displacement vector has length one and its larger component is positive.
+  /**
+   * Mode shape: the largest displacement vector has length one, and its larger component
+   * is positive.
    */
   NodalField<double> shape;
 
-  double modal_mass = 0.; ///< shape.M shape (kg/m), with the platen's
+  double modal_mass = 0.; ///< shape.M shape (kg/m), including the platen
 
   /**
-   * Share of the mass that takes part in a rigid acceleration along each axis: of
-   * the body's, and along the last axis of the platen's as well.
+   * Effective mass fraction for a rigid acceleration along each axis: relative to the
+   * body mass, along the last axis including the platen.
    */
   std::array<double, dim> effective_mass = {};
 
-  /** |K u - omega^2 M u| / |K u| at the free degrees of freedom. */
+  /** |K u - omega^2 M u| / |K u| over the free degrees of freedom. */
   double residual = 0.;
 };
 
-/** The lowest modes in ascending order, and what they took. */
+/** Lowest modes in ascending order, and the cost of the computation. */
 template <int dim>
 struct VibrationModes
 {
   std::vector<VibrationMode<dim>> modes; ///< lowest first
 
-  /** Rigid motions that nothing holds; they vibrate at 0 Hz and are not among the modes.
+  /**
+   * Number of unconstrained rigid motions; they have 0 Hz and are not among the modes.
    */
   unsigned int n_rigid_motions = 0;
 
-  unsigned int n_solves          = 0; ///< with K
-  unsigned int solver_iterations = 0; ///< of all solves
+  unsigned int n_solves          = 0; ///< number of solves with K
+  unsigned int solver_iterations = 0; ///< iterations of all solves
 };
 
-/** A mode without its frequency and residual, from its shape in the free degrees of freedom and the mass times that. Collective. */
+/**
+ * Builds a mode, except frequency and residual, from its shape in the free degrees of
+ * freedom and the @p momentum, mass times shape. Collective.
+ */
 template <int dim>
 VibrationMode<dim> make_mode(const typename FreeDofs<dim>::Vector &shape,
                              const typename FreeDofs<dim>::Vector &momentum,
                              const FreeDofs<dim> &dofs,
                              const ElasticBody<dim> &body);
 
-/** @throws std::invalid_argument if @p n_free degrees of freedom (FreeDofs::size()) have
- * not as many modes as @p options wants. */
+/**
+ * @throws std::invalid_argument if @p n_free degrees of freedom (FreeDofs::size()) have
+ * fewer modes than @p options requires.
+ */
 void check_number_of_modes(const std::size_t n_free,
                            const VibrationModesOptions &options);
 
 /**
- * Solves K u = omega^2 M u (lumped mass) by shift-and-invert Lanczos
- * around zero (ARPACK); rigid motions are projected out, so a free body needs no shift.
- * @throws std::invalid_argument if there are not that many modes; NotConverged; UserError
- * where fields are divided and a rank has no free degree of freedom
+ * Solves K u = omega^2 M u (lumped mass) by shift-and-invert Lanczos around zero
+ * (ARPACK); rigid motions are projected out, so that a free body needs no shift. @throws
+ * std::invalid_argument if there are not enough modes; NotConverged; UserError if fields
+ * are distributed and a rank has no free degree of freedom
  */
 template <int dim>
 VibrationModes<dim> vibration_modes(const ElasticBody<dim> &body,

@@ -1,7 +1,7 @@
-// What goes into a kernel of general cells and out of it, batch by batch. Included by these
+// Input and output of a kernel of general cells, batch by batch. Included by these
 // kernels only, inside their namespace, after node_transpose.h.
 
-/** The nodes of corner @p i of a batch. */
+/** Nodes of corner @p i of a batch. */
 MESOSLIP_INLINE const std::uint32_t *corner(const std::uint32_t *nodes,
                                             const std::size_t i)
 {
@@ -9,16 +9,16 @@ MESOSLIP_INLINE const std::uint32_t *corner(const std::uint32_t *nodes,
 }
 
 /**
- * While a batch is computed, its kernel calls move() for the forces of the one before it and
- * the displacements of the next one, corner by corner. A processor looks ahead some 300
- * instructions and a batch has more, so that arithmetic and memory would otherwise wait for
- * each other. Shapes (see ShapeFunction) are prefetched.
+ * Overlaps memory access with arithmetic: while a batch is computed, its kernel calls
+ * move() corner by corner, which stores the forces of the previous batch and loads the
+ * displacements of the next one. A processor looks ahead some 300 instructions, fewer
+ * than a batch has. Shapes (see ShapeFunction) are prefetched.
  */
 template <int dim, int n_corners, bool has_shapes = true>
 class CellStream
 {
 public:
-  /** From the displacements @p u to the forces @p f, which are added to. */
+  /** Reads displacements @p u and adds to forces @p f. */
   CellStream(const CellBatches &cells, const double *u, double *f)
     : cells(cells)
     , u(u)
@@ -29,7 +29,7 @@ public:
       load_nodes(u, corner(before, i), next[i]);
   }
 
-  /** The displacements of batch @p k, one after the other. */
+  /** Returns the displacements of batch @p k; call it for consecutive batches. */
   inline __attribute__((always_inline)) void start(const std::size_t k,
                                                    vdouble (&value)[n_corners][dim])
   {
@@ -43,13 +43,13 @@ public:
       shapes = cells.shapes + k * n_shape * n_lanes;
   }
 
-  /** Component @p c of number @p i, from 1 on, of the shapes of the batch. */
+  /** Component @p c of number @p i (from 1 on) of the shapes of the batch. */
   vdouble shape(const int i, const int c) const
   {
     return load(shapes + std::size_t((i - 1) * dim + c) * n_lanes);
   }
 
-  /** For each corner @p i once between start() and finish(). */
+  /** Moves corner @p i; call it once per corner between start() and finish(). */
   inline __attribute__((always_inline)) void move(const int i)
   {
     add_to_nodes(f, corner(before, i), done[i]);
@@ -61,7 +61,7 @@ public:
                            std::size_t(n_ahead * n_shape + i * n_lines + l) * n_lanes);
   }
 
-  /** The forces of the batch. */
+  /** Takes the forces of the batch. */
   inline __attribute__((always_inline)) void
   finish(const vdouble (&force)[n_corners][dim])
   {

@@ -10,16 +10,16 @@
 namespace mesoslip
 {
 /**
- * Which displacement components of which nodes are constrained, that is have prescribed
- * values. On a periodic grid the last column (row) is the first one again; constraining
- * one of the two constrains both.
+ * Constrained displacement components of nodes (Dirichlet conditions). On a periodic grid
+ * the last column (row) is the periodic copy of the first; constraining one of the two
+ * constrains both.
  */
 class DofMask
 {
 public:
   DofMask() = default;
 
-  /** Nothing is constrained. */
+  /** A mask without constraints. */
   DofMask(const unsigned int n_columns, const unsigned int n_rows)
     : columns(n_columns)
     , all_bits(static_cast<std::size_t>(n_columns) * n_rows, 0)
@@ -38,13 +38,13 @@ public:
     return columns > 0 ? all_bits.size() / columns : 0;
   }
 
-  /** Component @p c (0: x, 1: y) of @p node has a prescribed value. */
+  /** Constrains component @p c (0: x, 1: y) of @p node. */
   void constrain(const unsigned int c, const NodeIndex &node)
   {
     all_bits[index(node)] |= static_cast<std::uint8_t>(1U << c);
   }
 
-  /** Component @p c of @p node may move again. */
+  /** Releases component @p c of @p node. */
   void release(const unsigned int c, const NodeIndex &node)
   {
     all_bits[index(node)] &= static_cast<std::uint8_t>(~(1U << c));
@@ -62,21 +62,21 @@ public:
     return all_bits[index(node)];
   }
 
-  /** Component @p c of all nodes of row @p j. */
+  /** Constrains component @p c of all nodes of row @p j. */
   void constrain_row(const unsigned int c, const unsigned int j)
   {
     for (unsigned int i = 0; i < columns; ++i)
       constrain(c, {i, j});
   }
 
-  /** Component @p c of all nodes of column @p i. */
+  /** Constrains component @p c of all nodes of column @p i. */
   void constrain_column(const unsigned int c, const unsigned int i)
   {
     for (unsigned int j = 0; j < n_rows(); ++j)
       constrain(c, {i, j});
   }
 
-  /** Whether the same is constrained on grids of the same size. */
+  /** Whether grid size and constraints are equal. */
   bool operator==(const DofMask &other) const
   {
     return columns == other.columns && all_bits == other.all_bits;

@@ -1,5 +1,5 @@
-// From derivatives along reference axes to strains, and from stresses back to forces. Included
-// by the kernels of general cells only, inside their namespace, after simd.h.
+// Strains from derivatives along reference axes, and forces from stresses. Included by
+// the kernels of general cells only, inside their namespace, after simd.h.
 
 template <int dim>
 constexpr int n_components = dim *(dim + 1) / 2;
@@ -11,7 +11,9 @@ constexpr int voigt_index(const int i, const int j)
   return i == j ? i : dim == 2 ? 2 : 6 - i - j;
 }
 
-/** adj(J) with adj(J) J = det(J), which is returned; J[c][d] = dx_c / dxi_d. */
+/**
+ * Computes A = adj(J) with adj(J) J = det(J), and returns det(J); J[c][d] = dx_c / dxi_d.
+ */
 MESOSLIP_INLINE vdouble adjugate(const vdouble (&J)[2][2], vdouble (&A)[2][2])
 {
   A[0][0] = J[1][1];
@@ -32,7 +34,7 @@ MESOSLIP_INLINE vdouble adjugate(const vdouble (&J)[3][3], vdouble (&A)[3][3])
   return fma(J[0][2], A[2][0], fma(J[0][1], A[1][0], J[0][0] * A[0][0]));
 }
 
-/** a[0] b[0] + a[1] b[1] + ..., where @p a and @p b are functions of the index. */
+/** a(0) b(0) + a(1) b(1) + ..., with functions @p a and @p b of the index. */
 template <int n, typename A, typename B>
 MESOSLIP_INLINE vdouble sum_of_products(const A &a, const B &b)
 {
@@ -42,7 +44,10 @@ MESOSLIP_INLINE vdouble sum_of_products(const A &a, const B &b)
   return sum;
 }
 
-/** Voigt, from the gradients [axis][component] g in the directions of the rows of @p A. */
+/**
+ * Voigt strain from the gradients g [axis][component] in the directions of the rows of
+ * @p A.
+ */
 template <int dim>
 MESOSLIP_INLINE void strain_from_gradients(const vdouble (&g)[dim][dim],
                                            const vdouble (&A)[dim][dim],
@@ -61,7 +66,7 @@ MESOSLIP_INLINE void strain_from_gradients(const vdouble (&g)[dim][dim],
     }
 }
 
-/** Forces [axis][component]: the transpose of this. */
+/** Forces [axis][component]: the transpose of strain_from_gradients(). */
 template <int dim>
 MESOSLIP_INLINE void forces_from_stress(const vdouble (&stress)[n_components<dim>],
                                         const vdouble (&A)[dim][dim],

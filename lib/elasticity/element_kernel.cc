@@ -1,12 +1,13 @@
-// The kernels of general cells for one instruction set, see element_kernel.h. Compiled
-// once for each set, see kernel_variants.h.
+// Kernels of general cells for one instruction set, see element_kernel.h. Compiled once
+// for each set, see kernel_variants.h.
 #include "elasticity/element_kernel.h"
 
 #ifdef __x86_64__
 #  include <immintrin.h>
 #endif
 
-// GCC 12 warns about its own headers, where halves of vectors are left open on purpose.
+// GCC 12 warns about its own headers, which leave halves of vectors uninitialized on
+// purpose.
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #pragma GCC diagnostic ignored "-Wuninitialized"
 
@@ -26,7 +27,10 @@ namespace mesoslip::kernels::MESOSLIP_VARIANT
 //
 #include "elasticity/quadrilateral.h"
 
-/** See ShapeFunction: adj(J) / det(J) times the root of the volume, det(J) / dim!. */
+/**
+ * ShapeFunction of simplices: adj(J) / det(J) times the square root of the volume, det(J)
+ * / dim!.
+ */
 template <int dim>
 static void simplex_shapes(const CellBatches &cells, const double *points, double *shapes)
 {
@@ -48,7 +52,7 @@ static void simplex_shapes(const CellBatches &cells, const double *points, doubl
     }
 }
 
-/** See ShapeFunction. */
+/** ShapeFunction of quadrilaterals and hexahedra. */
 template <int dim>
 static void tensor_shapes(const CellBatches &cells, const double *points, double *shapes)
 {
@@ -66,7 +70,7 @@ static void tensor_shapes(const CellBatches &cells, const double *points, double
     }
 }
 
-/** Triangles and tetrahedra. */
+/** CellFunction of triangles and tetrahedra. */
 template <int dim, bool anisotropic>
 static void multiply_simplex(const CellBatches &cells, const double *u, double *f)
 {
@@ -101,7 +105,7 @@ static void multiply_simplex(const CellBatches &cells, const double *u, double *
   stream.end();
 }
 
-/** Congruent cells, see mode_block(). */
+/** CellFunction of congruent cells, see mode_block(). */
 template <int dim, int n_corners>
 static void multiply_matrix(const CellBatches &cells, const double *u, double *f)
 {
@@ -162,7 +166,7 @@ static void advance_nodes(const NodeArrays &nodes, const NodeStep &step)
     }
 }
 
-/** The kernel for cells with excess, or that for cells without. */
+/** Calls the kernel for cells with excess, or the kernel for cells without. */
 template <CellFunction with_excess, CellFunction without>
 static void multiply_tensor(const CellBatches &cells, const double *u, double *f)
 {

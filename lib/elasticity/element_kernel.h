@@ -7,33 +7,36 @@
 #include <cstdint>
 
 /**
- * Interface between the ordinary sources and the kernels of general cells, which are
- * compiled once for each instruction set (see row_kernel.h for why it is so plain).
+ * Interface between ordinary sources and the kernels of general cells, which are compiled
+ * once for each instruction set; see row_kernel.h for the reason of its plain types.
  *
- * What the kernels need to know of the shape of a cell is computed once and read with the
- * batch: to load and transpose the coordinates of all corners again would take longer. Of
- * triangles and tetrahedra these are the gradients, which are constant; of quadrilaterals and
- * hexahedra the coefficients of the coordinates, with which Gauss points are summed up.
+ * Shape data of a cell is precomputed and read with the batch, because loading and
+ * transposing the coordinates of all corners takes longer. It consists of the constant
+ * gradients for triangles and tetrahedra, and of the coefficients of the coordinates,
+ * which give the sums over Gauss points, for quadrilaterals and hexahedra.
  */
 namespace mesoslip::kernels
 {
-/** Numbers a node in displacements, forces and coordinates: in 3D the fourth is not used,
- * but whole nodes are loaded at once. */
+/**
+ * Numbers per node in displacements, forces and coordinates; in 3D the fourth one is
+ * padding, so that whole nodes are loaded at once.
+ */
 template <int dim>
 constexpr unsigned int node_stride = dim == 2 ? 2 : 4;
 
-/** What a batch of cells has in common. */
+/** Common property of the cells of a batch. */
 enum class CellMaterial
 {
-  orthotropic, ///< a phase without coupling of normal and shear components
-  anisotropic, ///< any phase
-  matrix       ///< phase and shape, thus the element matrix
+  orthotropic, ///< a phase without normal-shear coupling
+  anisotropic, ///< a general phase
+  matrix       ///< phase and shape, hence the element matrix
 };
 
 /**
- * Element matrices are stored for modes (element_modes.h). Those of a parallelogram or
- * parallelepiped with one, two and three coordinates are orthogonal, so that there is a block for
- * each number; simplices have one block.
+ * Block of mode @p mode in an element matrix. Element matrices are stored for modes
+ * (element_modes.h). In a parallelogram or parallelepiped, modes with one, two and three
+ * coordinates are orthogonal, so that there is one block for each number of coordinates;
+ * simplices have one block.
  */
 constexpr int mode_block(const bool simplex, const int mode)
 {
@@ -43,47 +46,53 @@ constexpr int mode_block(const bool simplex, const int mode)
   return simplex ? 1 : n;
 }
 
-/** Numbers in an element matrix: [block][mode][component] of the displacement, [mode of the
- * same block][component] of the force. */
+/**
+ * Numbers in an element matrix: [block][mode][component] of the displacement, [mode of
+ * the same block][component] of the force.
+ */
 template <int dim>
 constexpr std::size_t n_matrix_numbers(const std::size_t n_corners)
 {
   return n_corners == dim + 1 ? dim * dim * dim * dim : dim == 2 ? 16 + 4 : 81 + 81 + 9;
 }
 
-/** Cells of one kind, as many in a batch as a vector has numbers. */
+/** Batches of cells of one kind; a batch has as many cells as a vector has numbers. */
 struct CellBatches
 {
   std::size_t n = 0; ///< number of batches
 
-  /** Where the numbers of nodes begin in fields, node_stride times the node: [batch][corner
-   * in the order of deal.II][cell of the batch]. */
+  /**
+   * First value of each node in fields, node_stride times the node: [batch][corner in the
+   * order of deal.II][cell of the batch].
+   */
   const std::uint32_t *nodes = nullptr;
 
-  /** Phase, or element matrix, of each batch. */
+  /** Phase or element matrix of each batch. */
   const std::uint32_t *material = nullptr;
 
-  /** Voigt stiffness (Pa) of the phases, or the element matrices, one after the other. */
+  /** Voigt stiffness (Pa) of the phases, or element matrices, one after another. */
   const double *stiffness = nullptr;
 
-  /** What the mean strain of a quadrilateral or hexahedron meets more (Pa), phase by phase, where
-   * `stiffness` is that about the mean (ElasticPhase); null: nothing. */
+  /**
+   * Additional stiffness for the mean strain of a quadrilateral or hexahedron (Pa), per
+   * phase; `stiffness` is then the stiffness about the mean (ElasticPhase). Null: none.
+   */
   const double *excess = nullptr;
 
-  /** Without a common matrix: see ShapeFunction. */
+  /** Shapes of cells without a common matrix, see ShapeFunction. */
   const double *shapes = nullptr;
 };
 
 /**
- * [batch][corner or mode but the first][axis][cell], aligned as vectors: of simplices
- * gradients of shape functions times the root of the volume, of other cells modes of the
- * coordinates with gauss_scale.
+ * Computes shapes: [batch][corner or mode but the first][axis][cell], aligned as vectors.
+ * For simplices they are gradients of shape functions times the square root of the
+ * volume, for other cells modes of the coordinates with gauss_scale.
  */
 using ShapeFunction = void (*)(const CellBatches &cells,
                                const double *points,
                                double *shapes);
 
-/** f += K u of the cells. */
+/** Adds the forces of the cells: f += K u. */
 using CellFunction = void (*)(const CellBatches &cells, const double *u, double *f);
 
 /** Constants of the beta2 scheme. */
@@ -92,41 +101,44 @@ struct NodeStep
   double dt;              ///< s
   double c_new;           ///< u += c_new w_(n+1) + c_old w_n (s)
   double c_old;           ///< see c_new
-  double beta;            ///< of the damping C = alpha M + beta K (s)
-  double alpha;           ///< likewise (1/s)
-  double acceleration[3]; ///< of the body (m/s^2)
+  double beta;            ///< damping C = alpha M + beta K (s)
+  double alpha;           ///< damping C = alpha M + beta K (1/s)
+  double acceleration[3]; ///< body acceleration (m/s^2)
 };
 
-/** Nodes of one rank. Components apart, on whole vectors, but for z and force. */
+/**
+ * Nodes of one rank. Components are separate arrays of whole vectors, except in z and
+ * force.
+ */
 struct NodeArrays
 {
   std::size_t n;                 ///< number of nodes
   double *u[3];                  ///< displacement (m)
   double *w[3];                  ///< velocity of the scheme (m/s)
-  const double *inverse_mass[3]; ///< m/kg, 0 where constrained
-  const double *mass; ///< kg (in 2D kg/m); null without forces in proportion to it
+  const double *inverse_mass[3]; ///< 1/kg (in 2D m/kg), 0 if constrained
+  const double *mass; ///< kg (in 2D kg/m); null without mass-proportional forces
 
-  /** u + beta w, to be set for the next product. */
+  /** Output: u + beta w for the next product. */
   double *z;
 
-  /** In: internal minus body forces; out: minus body forces (N, in 2D N/m). */
+  /** Input: internal minus body forces; output: minus body forces (N, in 2D N/m). */
   double *force;
 };
 
-/** One time step of all nodes from the forces on them. */
+/** Advances all nodes by one time step with the forces on them. */
 using NodeFunction = void (*)(const NodeArrays &nodes, const NodeStep &step);
 
 /** Kernels of one instruction set. */
 struct CellKernels
 {
-  NodeFunction advance; ///< of nodes
+  NodeFunction advance; ///< kernel of the nodes
 
-  ShapeFunction shapes[2]; ///< of triangles or tetrahedra, and of others
+  ShapeFunction shapes[2]; ///< for simplices, and for other cells
 
-  /** By CellMaterial, for triangles or tetrahedra. */
+  /** Triangles or tetrahedra, by CellMaterial. */
   CellFunction simplex[3];
 
-  /** By CellMaterial, for quadrilaterals or hexahedra. */
+  /** Quadrilaterals or hexahedra, by CellMaterial. */
   CellFunction tensor[3];
 
   unsigned int cells_at_once; ///< cells in a batch

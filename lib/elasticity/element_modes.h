@@ -1,15 +1,15 @@
-// Sums and differences over the corners of cells. Included by the kernels of general cells
-// only, inside their namespace, after simd.h.
+// Sums and differences over the corners of cells. Included by the kernels of general
+// cells only, inside their namespace, after simd.h.
 //
-// Of a simplex, mode i is the difference of corner i to the first one. Of a quadrilateral or
-// hexahedron, on [-1, 1]^dim, it is the sum over the corners, each with the signs of those of
-// its coordinates that are bits of i: 2^dim times the coefficient of their product. Mode 0
-// does not count.
+// Mode i of a simplex is the difference between corner i and the first one. Mode i of a
+// quadrilateral or hexahedron on [-1, 1]^dim is the sum over the corners, each with the
+// signs of its coordinates in the bits of i: 2^dim times the coefficient of the product
+// of these coordinates. Mode 0 is not used.
 
 template <int dim, int n_corners>
 constexpr bool is_simplex = n_corners == dim + 1;
 
-/** From corners to modes, in place. */
+/** Transforms values at corners to modes, in place. */
 template <int dim, int n_corners>
 MESOSLIP_INLINE void to_modes(vdouble (&value)[n_corners][dim])
 {
@@ -28,7 +28,7 @@ MESOSLIP_INLINE void to_modes(vdouble (&value)[n_corners][dim])
             }
 }
 
-/** The transpose of this, in place: from the forces on modes to those at corners. */
+/** Transposed to_modes(), in place: forces on modes to forces at corners. */
 template <int dim, int n_corners>
 MESOSLIP_INLINE void from_modes(vdouble (&value)[n_corners][dim])
 {
@@ -50,8 +50,10 @@ MESOSLIP_INLINE void from_modes(vdouble (&value)[n_corners][dim])
     }
 }
 
-/** A product of n coordinates is sqrt(3)^(1-n) times its derivative, but for the sign, at the
- * Gauss points, +-1/sqrt(3). */
+/**
+ * At the Gauss points, +-1/sqrt(3), a product of n coordinates is sqrt(3)^(1-n) times its
+ * derivative, up to the sign.
+ */
 constexpr double gauss_scale[] = {1.,
                                   1.,
                                   1.,

@@ -14,10 +14,10 @@ namespace mesoslip
 {
 namespace
 {
-/** So many congruent cells are worth a matrix of their own. */
+/** Least number of congruent cells that share an element matrix. */
 constexpr unsigned int least_congruent = 128;
 
-/** Corners of cells may deviate from congruence by this part of the mean cell size. */
+/** Tolerance of congruence: deviation of corners relative to the mean cell size. */
 constexpr double congruence = 1e-10;
 
 template <int dim>
@@ -41,8 +41,10 @@ void append(std::vector<double> &numbers, const Matrix &matrix)
   numbers.insert(numbers.end(), matrix.data(), matrix.data() + matrix.size());
 }
 
-/** Whether that can be a shape that congruent cells share: not of quadrilaterals and hexahedra
- * other than parallelograms and parallelepipeds. */
+/**
+ * Whether congruent cells of this shape can share a matrix: simplices, parallelograms and
+ * parallelepipeds.
+ */
 bool can_be_shared(const unsigned int dim, const std::vector<std::int64_t> &shape)
 {
   const std::size_t n_corners = (shape.size() - 1) / dim;
@@ -113,8 +115,8 @@ ElementOperator<dim>::ElementOperator(const std::vector<dealii::Point<dim>> &poi
         phase_material = Material::anisotropic;
     }
 
-  // Behind the nodes the corners of a unit cell, which fills up batches; in the plane
-  // they are followed by nothing up to the end of a vector.
+  // The nodes are followed by the corners of a unit cell, which fills up batches, and in
+  // 2D by zeros up to the end of a vector.
   constexpr unsigned int stride = kernels::node_stride<dim>;
   coordinates.assign((points.size() + lanes<double>)*stride, 0.);
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -196,7 +198,7 @@ ElementOperator<dim>::find_congruent(const std::vector<dealii::Point<dim>> &poin
 template <int dim>
 std::vector<double> ElementOperator<dim>::element_matrix(const Cell &cell) const
 {
-  // A batch of the cell and of cells of no account, each with nodes of its own.
+  // A batch of the cell and of dummy cells, each with its own nodes.
   constexpr unsigned int stride = kernels::node_stride<dim>;
   const unsigned int lanes = kernels.cells_at_once, n_corners = cell.vertices.size();
   const bool simplex = is_simplex(dim, n_corners);
@@ -212,7 +214,7 @@ std::vector<double> ElementOperator<dim>::element_matrix(const Cell &cell) const
     }
   set_shapes(group, points.data());
 
-  // The value at a corner of what has that mode alone.
+  // Value at corner @p v of the field with a single mode.
   const auto shape = [&](const unsigned int mode, const unsigned int v) {
     if (simplex)
       return v == mode ? 1. : 0.;
@@ -251,7 +253,7 @@ ElementOperator<dim>::make_groups(const std::vector<dealii::Point<dim>> &points,
                                   const Cells &cells)
 {
   const std::vector<int> matrix = find_congruent(points, cells);
-  // By kind and CellMaterial; by phase or matrix the cells that wait for their batch.
+  // Groups by kind and CellMaterial; cells waiting for a full batch, by phase or matrix.
   std::array<std::array<Group, 3>, 2> groups;
   std::array<std::array<std::map<std::uint32_t, std::vector<std::uint32_t>>, 3>, 2>
     waiting;
@@ -296,7 +298,7 @@ ElementOperator<dim>::make_groups(const std::vector<dealii::Point<dim>> &points,
   return result;
 }
 
-/** Adds a batch to the nodes of a group, dummy cells where it is not full; empties it. */
+/** Adds a batch to the nodes of a group, filled up with dummy cells; clears it. */
 template <int dim>
 void ElementOperator<dim>::finish_batch(const unsigned int n_corners,
                                         std::vector<std::uint32_t> &cells,
@@ -306,7 +308,7 @@ void ElementOperator<dim>::finish_batch(const unsigned int n_corners,
   for (unsigned int v = 0; v < n_corners; ++v)
     for (std::size_t l = 0; l < kernels.cells_at_once; ++l)
       {
-        // Of a simplex the corners 0, e_x, e_y, e_z.
+        // A simplex has the corners 0, e_x, e_y, e_z.
         const unsigned int corner = n_corners == dim + 1 && v > 0 ? 1U << (v - 1) : v;
         const std::uint32_t node =
           l < n ? cells[l * n_corners + v] : first_dummy + corner;

@@ -1,14 +1,22 @@
-// Hexahedra: Gauss point by Gauss point. Included by the kernels of general cells only, inside
-// their namespace, after element_modes.h and element_gradients.h.
+// Hexahedra, Gauss point by Gauss point. Included by the kernels of general cells only,
+// inside their namespace, after element_modes.h and element_gradients.h.
 //
-// At the 2^3 Gauss points a derivative along a reference axis has four distinct values, by the
-// signs of the other two coordinates.
+// At the 2^3 Gauss points, a derivative along a reference axis has four distinct values,
+// one for each pair of signs of the other two coordinates.
 
-/** Derivatives of a component from its modes with gauss_scale: [axis][signs of the others]. */
+/**
+ * Derivatives of a component from its modes with gauss_scale: [axis][signs of the other
+ * coordinates].
+ */
 using GaussDerivatives = vdouble[3][4];
 
-/** Calls @p f for each axis with the numbers of the modes that contain it: without others, with
- * the first other one, the second one, and both. */
+/**
+ * Calls @p f for each axis d with three of the four modes that contain coordinate d; the
+ * fourth is mode 7 (xyz).
+ * d = 0: 1 (x), 3 (xy), 5 (xz)
+ * d = 1: 2 (y), 3 (xy), 6 (yz)
+ * d = 2: 4 (z), 5 (xz), 6 (yz)
+ */
 template <typename F>
 MESOSLIP_INLINE void for_each_axis(const F &f)
 {
@@ -30,7 +38,7 @@ MESOSLIP_INLINE void derivatives(const vdouble (&mode)[8], GaussDerivatives &val
   });
 }
 
-/** The transpose of this. */
+/** The transpose of derivatives(). */
 MESOSLIP_INLINE void from_derivatives(const GaussDerivatives &value, vdouble (&mode)[8])
 {
   for (vdouble &m : mode)
@@ -46,7 +54,7 @@ MESOSLIP_INLINE void from_derivatives(const GaussDerivatives &value, vdouble (&m
   });
 }
 
-/** Number among the distinct values along axis @p d of Gauss point @p q. */
+/** Index of Gauss point @p q among the distinct values along axis @p d. */
 constexpr int edge_of(const int d, const int q)
 {
   return (q & ((1 << d) - 1)) | ((q >> (d + 1)) << d);
@@ -61,7 +69,7 @@ jacobian(const GaussDerivatives (&x)[3], const int q, vdouble (&J)[3][3])
       J[c][d] = x[c][d][edge_of(d, q)];
 }
 
-/** Adds to the forces those of the stress that @p excess makes of the mean strain. */
+/** Adds the forces of the stress @p excess times the mean strain. */
 template <bool anisotropic>
 __attribute__((noinline)) static void add_mean_stress(const double *excess,
                                                       const GaussDerivatives (&x)[3],
@@ -94,7 +102,7 @@ __attribute__((noinline)) static void add_mean_stress(const double *excess,
     }
 }
 
-/** @p apart: with excess, which even where it is null costs registers. */
+/** @p apart: cells have excess. A run-time check for null would cost registers. */
 template <bool anisotropic, bool apart>
 static void multiply_hexahedra(const CellBatches &cells, const double *u, double *f)
 {
@@ -118,7 +126,7 @@ static void multiply_hexahedra(const CellBatches &cells, const double *u, double
           derivatives(shape, x[c]);
         }
 
-      // The division takes so long that it is begun one point ahead. Modes are eight times
+      // The division takes long, so it starts one point ahead. Modes are eight times
       // coefficients, hence 512.
       vdouble next_A[3][3], next_scale;
       const auto prepare = [&](const int q) {

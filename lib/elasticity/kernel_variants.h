@@ -2,14 +2,14 @@
 #define mesoslip_elasticity_kernel_variants_h
 
 /**
- * The kernels of rows are compiled from one source once for each instruction set of the
- * processor family, each time in a namespace of its own (cmake/MesoslipTargets.cmake
- * defines MESOSLIP_VARIANT for all but the baseline). Macros only: an inline function
- * that several variants instantiate could be taken from the wrong one by the linker, so
- * kernels keep the standard library out.
+ * Row kernels are compiled from one source once for each instruction set of the processor
+ * family, each in its own namespace (cmake/MesoslipTargets.cmake defines MESOSLIP_VARIANT
+ * for all but the baseline). Macros only: the linker could take an inline function
+ * instantiated by several variants from the wrong one; kernels therefore avoid the
+ * standard library.
  *
  * MESOSLIP_FOR_EACH_VARIANT(DO) expands DO(namespace) for each variant,
- * MESOSLIP_VARIANTS(f) lists the functions f of all of them in the order of
+ * MESOSLIP_VARIANTS(f) lists the functions f of all variants in the order of
  * InstructionSet.
  */
 #if defined(__x86_64__)

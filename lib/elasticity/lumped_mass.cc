@@ -8,7 +8,7 @@ namespace mesoslip
 {
 namespace
 {
-/** Shape functions of one kind of cells at the points of a quadrature rule. */
+/** Shape functions of one kind of cells at quadrature points. */
 template <int dim>
 struct ShapeTable
 {
@@ -36,7 +36,7 @@ std::vector<double> lumped_mass(const std::vector<dealii::Point<dim>> &points,
                                 const std::vector<ElasticPhase<dim>> &phases)
 {
   std::vector<double> mass(points.size());
-  std::map<std::size_t, ShapeTable<dim>> tables; // by the number of corners
+  std::map<std::size_t, ShapeTable<dim>> tables; // key: number of corners
   for (const auto &cell : cells)
     {
       const std::size_t n  = cell.vertices.size();

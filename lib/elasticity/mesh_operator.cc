@@ -6,7 +6,7 @@ namespace mesoslip
 {
 namespace
 {
-/** Cells with points of other ranks, other cells. */
+/** Separates cells with shared points or periodic points from other cells. */
 template <int dim>
 std::vector<std::vector<Cell>> split_cells(const MeshPart<dim> &part)
 {

@@ -9,49 +9,53 @@
 namespace mesoslip
 {
 /**
- * Stiffness and lumped mass of a mesh that is divided among ranks. Each rank multiplies
- * with its own cells, first with those that have points that other ranks have or that move
- * with others (see Mesh::originals): while these are
- * summed up it goes on with the others.
+ * Stiffness and lumped mass of a partitioned mesh. Each rank multiplies with its own
+ * cells, beginning with cells that have points shared with other ranks or periodic points
+ * (see Mesh::originals); the sums at these points overlap with the work on the remaining
+ * cells.
  *
- * Fields are those of ElementOperator on the points of the part, whoever owns them; on
- * points of several ranks they have the same bits on all of them.
+ * Fields are those of ElementOperator on all points of the part, ghost points included;
+ * shared points have the same bits on all their ranks.
  */
 template <int dim>
 class MeshOperator
 {
 public:
-  /** @p part is referenced; @p phases must describe all its cells. Collective. */
+  /** Keeps a reference to @p part; @p phases must cover all its cells. Collective. */
   MeshOperator(const MeshPart<dim> &part,
                const std::vector<ElasticPhase<dim>> &phases,
                const MPI_Comm communicator,
                const InstructionSet isa = InstructionSet::automatic);
 
-  /** Of zeros: a displacement (m) or force (N, in 2D N/m). */
+  /** A zero displacement (m) or force (N, in 2D N/m). */
   LineVector<double> zero_field() const
   {
     return elements.zero_field();
   }
 
-  /** Replaces the terms at points of several ranks, or that move together, by their sums.
-   * Collective. */
+  /**
+   * Sums the contributions at shared points and at periodic copies and masters.
+   * Collective.
+   */
   void sum_up(double *field) const
   {
     shared.start(field);
     shared.finish(field);
   }
 
-  /** @p f += K @p u, where the terms that @p f has at points of several ranks are added
-   * up, too. Collective. */
+  /**
+   * @p f += K @p u; contributions already in @p f at shared points are summed, too.
+   * Collective.
+   */
   void add_product(double *f, const double *u) const;
 
-  /** See ElementOperator. */
+  /** See ElementOperator::advance(). */
   void advance(const kernels::NodeArrays &nodes, const kernels::NodeStep &step) const
   {
     elements.advance(nodes, step);
   }
 
-  /** Row sums of the mass matrix (kg, in 2D kg/m), one for each point. */
+  /** Row sums of the mass matrix, one per point (kg, in 2D kg/m). */
   const std::vector<double> &lumped_mass() const
   {
     return mass;
@@ -61,12 +65,12 @@ public:
   std::string kernel_name() const;
 
   const MeshPart<dim> &part;   ///< points and cells of this rank
-  const MPI_Comm communicator; ///< of the ranks that share the mesh
+  const MPI_Comm communicator; ///< ranks that share the mesh
 
 private:
   const InstructionSet isa;
-  const ElementOperator<dim> elements; ///< part 0: cells with points of other ranks
-  mutable SharedPoints<dim> shared;    ///< keeps messages that are under way
+  const ElementOperator<dim> elements; ///< part 0: cells with shared points
+  mutable SharedPoints<dim> shared;    ///< holds messages in flight
   std::vector<double> mass;
 };
 } // namespace mesoslip

@@ -1,9 +1,10 @@
-// Nodes between memory, where the components of a node stand together, and vectors over nodes:
-// of one corner of each cell of a batch, or in a row. Included by the kernels of general cells
-// only, inside their namespace, after simd.h. In which order the cells of a batch stand in a
-// vector is up to load_nodes().
+// Transposition between memory, where the components of a node are contiguous, and
+// vectors over nodes: one corner of each cell of a batch, or nodes in a row. Included by
+// the kernels of general cells only, inside their namespace, after simd.h. load_nodes()
+// defines the order of the cells of a batch in a vector.
 //
-// add_to_nodes() takes one node after the other, so that cells of a batch may share them.
+// add_to_nodes() processes one node after another, so that cells of a batch may share
+// nodes.
 
 constexpr unsigned int n_lanes = Simd<double>::length;
 
@@ -39,7 +40,7 @@ MESOSLIP_INLINE __m512d odd(const __m512d a, const __m512d b)
   return _mm512_maskz_unpackhi_pd(0xff, a, b);
 }
 
-/** Entries of (a, b) by their places, the last one first as in _mm512_set_epi64(). */
+/** Entries of (a, b) by index, the last one first as in _mm512_set_epi64(). */
 template <int... places>
 MESOSLIP_INLINE __m512d pick(const __m512d a, const __m512d b)
 {

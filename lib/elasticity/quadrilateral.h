@@ -1,27 +1,29 @@
-// Quadrilaterals: the sum over the four Gauss points in closed form. Included by the kernels of
-// general cells only, inside their namespace, after element_modes.h.
+// Quadrilaterals: the sum over the four Gauss points in closed form. Included by the
+// kernels of general cells only, inside their namespace, after element_modes.h.
 //
-// Of u = u_1 xi + u_2 eta + u_3 xi eta, and of x and y in the same way, det(J) du/dx is
-// [u, y] and det(J) du/dy is [x, u], where
+// For u = u_1 xi + u_2 eta + u_3 xi eta, and x and y likewise, det(J) du/dx is [u, y] and
+// det(J) du/dy is [x, u], where
 //
-//     [a, b] = (a_1 b_2 - a_2 b_1) + (a_1 b_3 - a_3 b_1) xi + (a_3 b_2 - a_2 b_3) eta
+// [a, b] = (a_1 b_2 - a_2 b_1) + (a_1 b_3 - a_3 b_1) xi + (a_3 b_2 - a_2 b_3) eta
 //
-// has no term in xi eta, and det(J) = [x, y]. Stress and strain are divided by det(J) at the
-// Gauss points: the sums over these of 1, xi, eta, xi eta over det(J) are all that is needed
-// of them.
+// has no term in xi eta, and det(J) = [x, y]. Stress and strain are divided by det(J) at
+// the Gauss points; only the sums over the Gauss points of 1, xi, eta and xi eta over
+// det(J) are needed.
 
-/** Modes of a component or coordinate, with gauss_scale. */
+/** Modes of a component or coordinate, with gauss_scale, for each cell of the batch. */
 struct QuadrilateralModes
 {
-  vdouble a1; ///< four times the coefficient of xi, of each cell of the batch
-  vdouble a2; ///< the same of eta
-  vdouble a3; ///< the same of xi eta
+  vdouble a1; ///< four times the coefficient of xi
+  vdouble a2; ///< four times the coefficient of eta
+  vdouble a3; ///< four times the coefficient of xi eta
 };
 
-/** Coefficients of 1, xi and eta; those of xi and eta over sqrt(3). */
+/**
+ * Coefficients of 1, xi and eta; the coefficients of xi and eta are divided by sqrt(3).
+ */
 struct LinearFunction
 {
-  vdouble of[3]; ///< 1, xi and eta
+  vdouble of[3]; ///< coefficients of 1, xi and eta
 };
 
 /** [a, b] + sum */
@@ -34,14 +36,16 @@ MESOSLIP_INLINE LinearFunction bracket(const QuadrilateralModes &a,
            fnma(a.a2, b.a3, fma(a.a3, b.a2, sum.of[2]))}};
 }
 
-/** Sums over the Gauss points of 1, sign(xi), sign(eta) and sign(xi eta), over 16 det(J) since
- * modes are four times coefficients. */
+/**
+ * Sums over the Gauss points of 1, sign(xi), sign(eta) and sign(xi eta), each over 16
+ * det(J), because modes are four times coefficients.
+ */
 struct GaussSums
 {
-  vdouble one;  ///< of 1
-  vdouble xi;   ///< of sign(xi)
-  vdouble eta;  ///< of sign(eta)
-  vdouble both; ///< of sign(xi eta)
+  vdouble one;  ///< sum of 1
+  vdouble xi;   ///< sum of sign(xi)
+  vdouble eta;  ///< sum of sign(eta)
+  vdouble both; ///< sum of sign(xi eta)
 };
 
 MESOSLIP_INLINE GaussSums gauss_sums(const LinearFunction &det)
@@ -64,7 +68,7 @@ MESOSLIP_INLINE LinearFunction sum_up(const GaussSums &sums, const LinearFunctio
            sum(sums.eta, sums.both, sums.one)}};
 }
 
-/** @p apart: with excess, which even where it is null costs registers. */
+/** @p apart: cells have excess. A run-time check for null would cost registers. */
 template <bool anisotropic, bool apart>
 static void multiply_quadrilaterals(const CellBatches &cells, const double *u, double *f)
 {
@@ -104,7 +108,7 @@ static void multiply_quadrilaterals(const CellBatches &cells, const double *u, d
         }
       if constexpr (apart)
         {
-          // Of the mean strain, four times at a quarter: see sum_up().
+          // The mean strain is used four times, hence the factor 1/4: see sum_up().
           const vdouble inverse_area = splat(0.25) / det.of[0];
           const vdouble e[]          = {inverse_area * bracket(ux, y).of[0],
                                         inverse_area * bracket(x, uy).of[0],

@@ -1,4 +1,4 @@
-// The row kernels of one instruction set: selection of an instance, and the small row
+// Row kernels of one instruction set: selection of an instance, and the small row
 // functions. Compiled once for each set, see kernel_variants.h.
 #include "elasticity/row_kernel.h"
 
@@ -18,7 +18,7 @@ namespace mesoslip::kernels::MESOSLIP_VARIANT
 //
 #include "elasticity/row_kernel_impl.h"
 
-/** The top row: nothing above, so the buffers are all there is. */
+/** Top row: there are no cells above, only the buffers contribute. */
 template <typename Number, bool gravity>
 static void finish(const Constants<Number> &c, const Rows<Number> &r)
 {
@@ -97,19 +97,23 @@ template <typename Number,
           bool gravity>
 static void select_last(Kernels<Number> &kernels)
 {
-  constexpr int n = MESOSLIP_ROWS_AT_ONCE;
-  if constexpr (sizeof(Number) == sizeof(double))
+  constexpr int n        = MESOSLIP_ROWS_AT_ONCE;
+  constexpr bool is_fine = sizeof(Number) == sizeof(double);
+  if constexpr (is_fine || damping)
     {
       kernels.step[0] =
         &Kernel<Number, variant, anisotropic, damping, gravity, true, 1>::run;
       kernels.step[1] =
         &Kernel<Number, variant, anisotropic, damping, gravity, true, n>::run;
+    }
+  if constexpr (is_fine)
+    {
       kernels.strain = &strain;
       kernels.dot    = &dot;
     }
   kernels.store[0] =
     &Kernel<Number, variant, anisotropic, damping, gravity, false, 1>::run;
-  // Several rows at once are for whole products, which know neither w nor gravity.
+  // Several rows at once only for plain products, without w and gravity.
   if constexpr (!damping && !gravity)
     kernels.store[1] =
       &Kernel<Number, variant, anisotropic, damping, gravity, false, n>::run;
@@ -117,7 +121,7 @@ static void select_last(Kernels<Number> &kernels)
   kernels.rows_at_once = n;
 }
 
-/** With the terms that are @p wanted: anisotropy, damping, gravity. */
+/** Selects the instance with the @p wanted terms: anisotropy, damping, gravity. */
 template <typename Number, MaterialVariant variant, bool... terms>
 static void select_terms(const bool *wanted, Kernels<Number> &kernels)
 {
@@ -125,8 +129,9 @@ static void select_terms(const bool *wanted, Kernels<Number> &kernels)
     select_last<Number, variant, terms...>(kernels);
   else
     {
-      // In single precision there are products only, no time step.
-      if constexpr (sizeof...(terms) == 0 || sizeof(Number) > sizeof(float))
+      // Single precision has steps with the damping term only, to compile half as many kernels.
+      constexpr bool so_far[] = {terms..., false, false};
+      if constexpr (sizeof(Number) == sizeof(double) || sizeof...(terms) < 2 || so_far[1])
         if (*wanted)
           return select_terms<Number, variant, terms..., true>(wanted + 1, kernels);
       select_terms<Number, variant, terms..., false>(wanted + 1, kernels);

@@ -50,18 +50,18 @@ enum class MaterialVariant
   homogeneous,
   /** Two phases: blend by a mask. */
   two,
-  /** As many as fit in one vector register of coefficients. */
+  /** Phases whose coefficients fit into one vector register: table lookup. */
   one_register,
-  /** As many as fit in two. */
+  /** Phases whose coefficients fit into two vector registers. */
   two_registers,
   /** Up to 256: gather. */
   any
 };
 
-/** Phases that the table of stiffnesses has rows for. */
+/** Rows of the table of stiffnesses, the largest number of phases. */
 constexpr unsigned int n_table_rows = 256;
 
-/** What does not change from row to row. */
+/** Constants of a sweep. */
 template <typename Number>
 struct Constants
 {
@@ -71,7 +71,7 @@ struct Constants
   /** Cells in a row. */
   unsigned int n_cells = 0;
 
-  bool periodic = false; ///< the last node is the first one
+  bool periodic = false; ///< the last node is the periodic copy of the first
 
   /** hx / hy */
   Number ratio = 0;
@@ -83,27 +83,30 @@ struct Constants
   Number c_new = 0;
   Number c_old = 0; ///< factor of the old w
 
-  /** Stored force over internal force: hx/2, hy/2. */
+  /** Internal force = scale times stored force: hx/2, hy/2. */
   Number scale_x = 0;
-  Number scale_y = 0; ///< of the y component
+  Number scale_y = 0; ///< hy/2, y component
 
-  /** Body acceleration, and the same times 2/hx, 2/hy for forces that are kept so. */
+  /** Body acceleration, and the same times 2/hx, 2/hy for scaled forces. */
   Number gravity_x        = 0;
   Number gravity_y        = 0; ///< m/s^2
   Number scaled_gravity_x = 0; ///< times 2/hx
   Number scaled_gravity_y = 0; ///< times 2/hy
 
-  /** Of the damping alpha M, and the same times 2/hx, 2/hy. */
+  /** Damping alpha M: alpha, and the same times 2/hx, 2/hy. */
   Number alpha          = 0; ///< 1/s
   Number scaled_alpha_x = 0; ///< times 2/hx
   Number scaled_alpha_y = 0; ///< times 2/hy
 };
 
-/** Where one call works: n node rows and the cell rows above them. */
+/** Rows of one kernel call: n node rows and the cell rows above them. */
 template <typename Number>
 struct Rows
 {
-  /** Lowest of the n + 1 node rows of the state (w unused without damping, gravity and step). */
+  /**
+   * Lowest of the n + 1 node rows of the state (w is unused without damping, gravity and
+   * step).
+   */
   Number *ux         = nullptr;
   Number *uy         = nullptr; ///< displacement (m)
   Number *wx         = nullptr; ///< velocity of the scheme (m/s)
@@ -112,21 +115,21 @@ struct Rows
 
   /** Q (x, y), sigma_xy and scaled sigma_yy of the cell row below; in and out. */
   Number *qx  = nullptr;
-  Number *qy  = nullptr; ///< of the y component
+  Number *qy  = nullptr; ///< Q, y component
   Number *sxy = nullptr; ///< scaled sigma_xy
   Number *syy = nullptr; ///< scaled sigma_yy
 
   /** Output of a storing kernel. */
   Number *fx           = nullptr;
-  Number *fy           = nullptr; ///< of the y component
+  Number *fy           = nullptr; ///< y component
   std::size_t f_stride = 0;       ///< numbers from one row of forces to the next
 
   /** -dt / mass, times scale, of a stepping kernel: w += factor * force. */
   const Number *factor_x    = nullptr;
-  const Number *factor_y    = nullptr; ///< of the y component
+  const Number *factor_y    = nullptr; ///< y component
   std::size_t factor_stride = 0;       ///< numbers from one row to the next
 
-  /** Lumped mass, only with forces in proportion to it. */
+  /** Lumped mass; only for mass-proportional forces. */
   const Number *mass      = nullptr;
   std::size_t mass_stride = 0; ///< numbers from one row to the next
 
@@ -135,36 +138,36 @@ struct Rows
   std::size_t phase_stride   = 0; ///< numbers from one cell row to the next
 };
 
-/** A kernel: advances the nodes of one row or computes their forces. */
+/** A kernel: advances the nodes of a row, or computes their forces. */
 template <typename Number>
 using RowFunction = void (*)(const Constants<Number> &, const Rows<Number> &);
 
-/** Chooses a kernel. */
+/** Criteria to choose a kernel. */
 struct Choice
 {
   unsigned int n_phases = 1;     ///< 1 + the largest phase of a cell; 1: homogeneous
   bool anisotropic      = false; ///< with D13 and D23
   bool damping          = false; ///< C = beta K
-  bool gravity          = false; ///< a body acceleration, or the damping alpha M
+  bool gravity          = false; ///< body acceleration or damping alpha M
 
   /** Result: how coefficients are found. */
   MaterialVariant material = MaterialVariant::homogeneous;
 };
 
-/** The kernels for one choice; node rows [0], [1]: one row, or `rows_at_once` of them. */
+/** Kernels for one choice; index [0]: one node row, [1]: `rows_at_once` node rows. */
 template <typename Number>
 struct Kernels
 {
-  /** Advances the state in place (double only). */
+  /** Advances the state in place; in single precision only with the term of damping. */
   RowFunction<Number> step[2] = {nullptr, nullptr};
 
   /** Stores internal forces. */
   RowFunction<Number> store[2] = {nullptr, nullptr};
 
-  /** Stores the forces of the buffers alone (top row). */
+  /** Stores the forces that remain in the buffers (top row). */
   RowFunction<Number> finish = nullptr;
 
-  unsigned int rows_at_once = 1; ///< that a call may treat
+  unsigned int rows_at_once = 1; ///< node rows per call
 
   /** Mean strains of the cells between two node rows (double only). */
   void (*strain)(const double *lower,

@@ -1,7 +1,7 @@
-// The one row kernel. Included inside a namespace by row_kernel.cc, after simd.h; the
+// The row kernel. Included inside a namespace by row_kernel.cc, after simd.h; the
 // mathematics is in row_kernel.h.
 
-/** The coefficients of one vector of cells. */
+/** Coefficients of one vector of cells. */
 template <typename Number, MaterialVariant variant>
 struct MaterialAccess
 {
@@ -50,14 +50,16 @@ struct Kernel
   using Index             = typename Simd<Number>::Index;
   static constexpr int vl = Simd<Number>::length;
 
-  /** Differences and sums of neighbours in a node row, x and y component. */
+  /** Differences and sums of neighbours in a node row, for the x and y component. */
   struct RowStrain
   {
     Vector dx, sx, dy, sy;
   };
 
-  /** Carried along the row: nodal values of the current column of vectors, and
-   *  P + Q + B' of the previous one. */
+  /**
+   * Data carried along the row: nodal values of the current column of vectors, and P + Q
+   * + B' of the previous column.
+   */
   struct Carry
   {
     Vector zx[n_rows + 1], zy[n_rows + 1];
@@ -107,7 +109,9 @@ struct Kernel
     return result;
   }
 
-  /** One vector of columns, all cell rows. Cells that are not @p valid do nothing. */
+  /**
+   * One vector of columns, all cell rows; cells that are not @p valid contribute nothing.
+   */
   template <bool masked, bool output>
   static __attribute__((always_inline)) void column(const Constants<Number> &c,
                                                     const Rows<Number> &r,
@@ -209,7 +213,7 @@ struct Kernel
       }
   }
 
-  /** Store the forces on node row k, or move it. */
+  /** Stores the forces on node row k, or advances the row. */
   static __attribute__((always_inline)) void write(const Constants<Number> &c,
                                                    const Rows<Number> &r,
                                                    const unsigned int i,
@@ -262,7 +266,10 @@ struct Kernel
     return iota(Index{}) + static_cast<int>(i) < static_cast<int>(c.n_cells);
   }
 
-  /** P + Q + B' of the last cell is the left neighbour of the first. */
+  /**
+   * In a periodic row, P + Q + B' of the last cell is the left neighbour of the first
+   * one.
+   */
   static __attribute__((always_inline)) void
   wrap(const Constants<Number> &c, const Rows<Number> &r, Carry &carry)
   {

@@ -7,10 +7,11 @@ namespace mesoslip
 namespace
 {
 /**
- * What the kernel multiplies (Ex, d_y, Sh) = (r e_x, d_y, r d_x + e_y) with, r = hx / hy,
- * to get A_x, scaled sigma_yy and sigma_xy in the units of row_kernel.h, and the
- * hourglass coefficients: integrating the squares of the hourglass strains
- * (g_x Y/hx, g_y X/hy, g_x X/hy + g_y Y/hx), mean of X^2 = Y^2 = 1/12, gives the energy
+ * Sets the constants that the kernel multiplies with (Ex, d_y, Sh) = (r e_x, d_y, r d_x +
+ * e_y), r = hx / hy, to get A_x, scaled sigma_yy and sigma_xy in the units of
+ * row_kernel.h; and the hourglass coefficients. Integrating the squares of the hourglass
+ * strains (g_x Y/hx, g_y X/hy, g_x X/hy + g_y Y/hx), mean of X^2 = Y^2 = 1/12, gives the
+ * energy
  *
  *     hx hy / 24 [   (D11/hx^2 + D33/hy^2) g_x^2 + (D22/hy^2 + D33/hx^2) g_y^2
  *                  + 2 (D13/hx^2 + D23/hy^2) g_x g_y ]

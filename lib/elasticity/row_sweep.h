@@ -14,32 +14,34 @@ namespace mesoslip
 {
 namespace kernels
 {
-/** For the log. */
+/** Name of the kernel, for the log. */
 std::string name(const Choice &choice);
 } // namespace kernels
 
 /**
- * The kernels for a material, chosen once, and their constants. Internal to elasticity:
- * UniformGridOperator and ExplicitStepper are made of it.
+ * Kernels for a material, selected once, and their constants. Internal to elasticity:
+ * used by UniformGridOperator and ExplicitStepper.
  */
 template <typename Number>
 struct RowKernels
 {
-  /** Those with the terms asked for; without any only products are of use, and the
-   *  constants of a time step are zero. */
+  /**
+   * Selects kernels with the given terms. The default gives products only; the constants
+   * of a time step remain zero.
+   */
   RowKernels(const UniformMaterial &material,
              const InstructionSet isa,
              const bool damping = false,
              const bool gravity = false);
 
-  kernels::Choice choice;             ///< variant that was picked
-  kernels::Kernels<Number> functions; ///< compiled for the instruction set
-  std::unique_ptr<kernels::Constants<Number>> constants; ///< what the functions read
+  kernels::Choice choice;             ///< selected variant
+  kernels::Kernels<Number> functions; ///< functions compiled for the instruction set
+  std::unique_ptr<kernels::Constants<Number>> constants; ///< constants of the functions
 };
 
 /**
- * One sweep over the rows in flight: the four buffers that hand the forces of a cell row
- * to the nodes above it.
+ * State of a sweep over the rows: four buffers that pass the forces of a cell row to the
+ * nodes above it.
  */
 template <typename Number>
 class RowSweep
@@ -53,16 +55,16 @@ public:
   {
   }
 
-  /** Nothing below the next row. */
+  /** Clears the buffers: no cells below the next row. */
   void reset()
   {
     buffers.set_zero();
   }
 
   /**
-   * @p n = 1 or rows_at_once node rows of internal forces into @p rows.fx, fy. @p rows
-   * has its state and output pointers set; @p cell_row is the (global) cell row above the
-   * first node row.
+   * Stores the internal forces of one node row, or of rows_at_once if @p several, in
+   * @p rows.fx, fy. State and output pointers of @p rows are set; @p cell_row is the
+   * global cell row above the first node row.
    */
   void store(kernels::Rows<Number> rows, const unsigned int cell_row, const bool several)
   {
@@ -71,7 +73,7 @@ public:
     duplicate({rows.fx, rows.fy}, rows.f_stride, several);
   }
 
-  /** The same, stepping in time in place. */
+  /** Advances the rows in time, in place; arguments as store(). */
   void step(kernels::Rows<Number> rows, const unsigned int cell_row, const bool several)
   {
     complete(rows, cell_row);
@@ -79,7 +81,7 @@ public:
     duplicate({rows.ux, rows.uy, rows.wx, rows.wy}, rows.stride, several);
   }
 
-  /** Internal forces on the top row, above which there is nothing. */
+  /** Stores the internal forces on the top row, which has no cells above. */
   void finish(kernels::Rows<Number> rows)
   {
     complete(rows, 0);
@@ -101,7 +103,7 @@ private:
       }
   }
 
-  /** Sets the duplicate column of a periodic grid. */
+  /** Updates the periodic copy, the last column of a periodic grid. */
   void duplicate(const std::initializer_list<Number *> arrays,
                  const std::size_t stride,
                  const bool several) const

@@ -1,10 +1,9 @@
 // Vectors of the instruction set this translation unit is compiled for. Included by the
 // row kernels only, inside their namespace: see row_kernel.cc.
 //
-// GCC vector extensions wherever they suffice; intrinsics where the language has no word
-// for it (fused multiply-add, table lookup, widening of bytes). Contraction by the
-// compiler is off, so a fused multiply-add is where fma() stands and nowhere else, and
-// all variants of a kernel agree bit for bit.
+// GCC vector extensions where they suffice; intrinsics for fused multiply-add, table
+// lookup and widening of bytes. Contraction by the compiler is off, so that only fma() is
+// a fused multiply-add and all variants of a kernel agree bit for bit.
 
 #if defined(__AVX512F__)
 #  define MESOSLIP_VECTOR_BYTES 64
@@ -94,7 +93,7 @@ MESOSLIP_INLINE vfloat fnma(const vfloat a, const vfloat b, const vfloat c)
 
 MESOSLIP_INLINE vdouble square_root(const vdouble x)
 {
-#  ifdef __AVX512F__ // GCC 12 warns of what _mm512_sqrt_pd() leaves open
+#  ifdef __AVX512F__ // GCC 12 warns about uninitialized parts in _mm512_sqrt_pd()
   return (vdouble)_mm512_maskz_sqrt_pd(0xff, (mdouble)x);
 #  else
   return (vdouble)_mm256_sqrt_pd((mdouble)x);
@@ -122,7 +121,7 @@ MESOSLIP_INLINE vdouble square_root(vdouble x)
 #endif
 #undef MESOSLIP_MM
 
-/** 0, 1, 2... */
+/** The vector (0, 1, 2, ...). */
 MESOSLIP_INLINE vint64 iota(const vint64)
 {
 #if MESOSLIP_VECTOR_BYTES == 64
@@ -145,8 +144,10 @@ MESOSLIP_INLINE vint32 iota(const vint32)
 #endif
 }
 
-/** As many entries of (a, b) as a vector has, from @p first on. Of compilers, GCC
- * shuffles by vectors and clang by constants. */
+/**
+ * Window of vector length into (a, b), from entry @p first on. GCC shuffles by vectors,
+ * clang by constants.
+ */
 template <int first, typename Vector>
 MESOSLIP_INLINE Vector window(const Vector a, const Vector b)
 {
@@ -164,22 +165,24 @@ MESOSLIP_INLINE Vector window(const Vector a, const Vector b)
 #endif
 }
 
-/** (a_1, a_2, ..., b_0): the right neighbours. */
+/** Right neighbours of a: (a_1, a_2, ..., b_0). */
 template <typename Vector>
 MESOSLIP_INLINE Vector right_neighbours(const Vector a, const Vector b)
 {
   return window<1>(a, b);
 }
 
-/** (a_last, b_0, b_1, ...): the left neighbours of b. */
+/** Left neighbours of b: (a_last, b_0, b_1, ...). */
 template <typename Vector>
 MESOSLIP_INLINE Vector left_neighbours(const Vector a, const Vector b)
 {
   return window<sizeof(Vector) / sizeof(a[0]) - 1>(a, b);
 }
 
-/** One vector of bytes, widened. (The forms without mask make GCC 12 warn about its own
- *  header.) */
+/**
+ * Loads one vector of bytes and widens them. (The forms without mask make GCC 12 warn
+ * about its own header.)
+ */
 MESOSLIP_INLINE vint64 load_bytes(const std::uint8_t *p, const vint64)
 {
 #if defined(__AVX512F__)
@@ -202,7 +205,7 @@ MESOSLIP_INLINE vint32 load_bytes(const std::uint8_t *p, const vint32)
 #endif
 }
 
-/** The same of numbers of two bytes. */
+/** Loads one vector of two-byte numbers and widens them. */
 MESOSLIP_INLINE vint64 load_words(const std::uint16_t *p, const vint64)
 {
 #if defined(__AVX512F__)
@@ -227,10 +230,10 @@ MESOSLIP_INLINE vint32 load_words(const std::uint16_t *p, const vint32)
 }
 
 #if defined(__AVX512F__)
-/** Whether lookup() is there. */
+/** Whether lookup() exists. */
 constexpr bool has_lookup = true;
 
-/** table[index], the table being one vector. */
+/** table[index] for a table of one vector. */
 MESOSLIP_INLINE vdouble lookup(const vdouble table, const vint64 index)
 {
   return (vdouble)_mm512_maskz_permutexvar_pd(0xff, (__m512i)index, (__m512d)table);
@@ -241,7 +244,7 @@ MESOSLIP_INLINE vfloat lookup(const vfloat table, const vint32 index)
   return (vfloat)_mm512_maskz_permutexvar_ps(0xffff, (__m512i)index, (__m512)table);
 }
 
-/** table[index], the table being two vectors. */
+/** table[index] for a table of two vectors. */
 MESOSLIP_INLINE vdouble lookup(const vdouble low, const vdouble high, const vint64 index)
 {
   return (vdouble)_mm512_permutex2var_pd((__m512d)low, (__m512i)index, (__m512d)high);
@@ -252,7 +255,7 @@ MESOSLIP_INLINE vfloat lookup(const vfloat low, const vfloat high, const vint32 
   return (vfloat)_mm512_permutex2var_ps((__m512)low, (__m512i)index, (__m512)high);
 }
 
-/** table[index], the table being in memory. */
+/** table[index] for a table in memory. */
 MESOSLIP_INLINE vdouble gather(const double *table, const vint64 index)
 {
   return (vdouble)_mm512_mask_i64gather_pd(_mm512_setzero_pd(), 0xff, (__m512i)index,
@@ -268,7 +271,7 @@ MESOSLIP_INLINE vfloat gather(const float *table, const vint32 index)
 constexpr bool has_lookup = false;
 
 #  ifdef __AVX2__
-// GCC 12 keeps the loop below as one of stores and loads.
+// GCC 12 would compile the loop below to stores and loads.
 MESOSLIP_INLINE vdouble gather(const double *table, const vint64 index)
 {
   return vdouble{table[index[0]], table[index[1]], table[index[2]], table[index[3]]};

@@ -48,9 +48,9 @@ void UniformGridOperator::check(const NodalField<Number> &field) const
 }
 
 /**
- * Internal forces of @p src, in portions of one or several owned rows, written to the
- * rows of @p dst or, if that is null, to the first rows of a scratch field. After each
- * portion @p consume (local row, number of rows, field, row of field) is called.
+ * Computes the internal forces of @p src, one or several owned rows at a time, in the
+ * rows of @p dst or, if it is null, in the first rows of a scratch field. After each
+ * portion it calls @p consume (local row, number of rows, field, row of field).
  */
 template <typename Number, typename Consume>
 void UniformGridOperator::traverse(NodalField<Number> *dst,
@@ -65,7 +65,7 @@ void UniformGridOperator::traverse(NodalField<Number> *dst,
   const auto state = [&](const unsigned int j, NodalField<Number> &f,
                          const unsigned int row) {
     kernels::Rows<Number> r;
-    // The storing kernels do not write to the state.
+    // Storing kernels do not write to the state.
     r.ux       = const_cast<Number *>(src.row(0, rows.local(j)));
     r.uy       = const_cast<Number *>(src.row(1, rows.local(j)));
     r.stride   = src.stride();

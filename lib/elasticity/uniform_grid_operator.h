@@ -11,47 +11,48 @@
 namespace mesoslip
 {
 /**
- * The stiffness operator of fully integrated Q1 rectangles on a uniform grid, without a
- * matrix: constant-strain part plus one hourglass mode for each component, which is the
- * same as 2x2 Gauss points. Forces are per unit thickness (N/m). No constraints: fixed
- * degrees of freedom are the caller's business.
+ * Matrix-free stiffness operator of fully integrated Q1 rectangles on a uniform grid: a
+ * constant-strain part plus one hourglass mode per component, which equals 2x2 Gauss
+ * points. Forces are per unit thickness (N/m). Applies no constraints; the caller handles
+ * constrained degrees of freedom.
  *
- * Fields have material.n_columns() columns and rows.n_local() rows; on a slab the ghost
- * rows of the source must be up to date, and only owned rows of the result are written.
- * With periodic sides the duplicate column (row) of the source must equal the first, and
- * the result is written to both copies (each holds the force of both sides). Periodicity
- * in y needs all rows on one rank. One object must not be used by two threads at a time.
- * The material must outlive the operator.
+ * Fields have material.n_columns() columns and rows.n_local() rows. On a slab, the ghost
+ * rows of the source must be up to date, and only locally owned rows of the result are
+ * written. With periodic sides, the source must have the same values at periodic copies
+ * (last column or row) and masters; the result is written to both and contains the force
+ * of both sides. Periodicity in y needs all rows on one rank. Not thread-safe. The
+ * material must outlive the operator.
  */
 class UniformGridOperator
 {
 public:
-  /** On all rows of the grid. */
+  /** Operator on all rows of the grid. */
   explicit UniformGridOperator(const UniformMaterial &material,
                                const InstructionSet isa = InstructionSet::automatic);
 
-  /** On the rows of one rank. */
+  /** Operator on the rows of one rank. */
   UniformGridOperator(const UniformMaterial &material,
                       const NodeRows &rows,
                       const InstructionSet requested = InstructionSet::automatic);
 
-  /** dst = K src. @p dst and @p src must be different fields. Number: double, float. */
+  /** dst = K src for double or float. @p dst and @p src must be different fields. */
   template <typename Number>
   void vmult(NodalField<Number> &dst, const NodalField<Number> &src) const;
 
-  /** Diagonal of K: K_xx in component 0, K_yy in component 1 of each owned node. */
+  /**
+   * Diagonal of K: K_xx in component 0, K_yy in component 1 of each locally owned node.
+   */
   void diagonal(NodalField<double> &diagonal) const;
 
   /**
-   * 1/2 u.K u (J/m) over the owned rows, a duplicate column or row counted once; the sum
-   * over ranks is left to the caller. Rows are summed one by one in their order, then
-   * added up in order.
+   * 1/2 u.K u (J/m) over the locally owned rows, without periodic copies; the caller sums
+   * over the ranks. Each row is summed separately, then the rows are added in order.
    */
   double elastic_energy(const NodalField<double> &u) const;
 
   /**
-   * Mean strain (xx, yy, engineering xy) of the `grid.cells[0]` cells between the local
-   * node rows @p j and @p j + 1 of @p u. The three arrays hold `grid.cells[0]` values.
+   * Mean strain (xx, yy, engineering xy) of the cells between the local node rows @p j
+   * and @p j + 1 of @p u. Each array has `grid.cells[0]` values.
    */
   void strain(const NodalField<double> &u,
               const unsigned int j,
@@ -60,7 +61,7 @@ public:
               double *gxy) const;
 
 private:
-  /** Everything one precision needs; made when that precision is first used. */
+  /** Kernels and buffers for one precision; created at its first use. */
   template <typename Number>
   struct Precision
   {
@@ -73,7 +74,7 @@ private:
 
     RowKernels<Number> kernels;
     RowSweep<Number> sweep;
-    NodalField<Number> rows; ///< of forces, where no field is to keep them
+    NodalField<Number> rows; ///< scratch forces without an output field
   };
 
   template <typename Number>

@@ -12,7 +12,7 @@ namespace mesoslip
 {
 namespace
 {
-/** Kernels read a whole vector of phases beyond the last cell. */
+/** Padding of phase rows: kernels read a whole vector of phases beyond the last cell. */
 constexpr std::size_t phase_padding = 64;
 
 void check(const ElasticPhase<2> &phase, const unsigned int k)

@@ -13,26 +13,29 @@
 
 namespace mesoslip
 {
-/** What operator and mass need to know about a phase. */
+/** Elastic properties of a phase. */
 template <int dim>
 struct ElasticPhase
 {
-  /** Pa; in 2D the plane stiffness (plane strain or plane stress). */
+  /** Voigt stiffness (Pa); in 2D the plane stiffness (plane strain or plane stress). */
   VoigtMatrix<dim> stiffness = VoigtMatrix<dim>::Zero();
 
-  /** kg/m^3 */
+  /** Density (kg/m^3). */
   double density = 0.;
 
-  /** Whether quadrilaterals and hexahedra have their mean change of volume (in 2D of area)
-   * everywhere, so that they do not lock (Hughes 1980, "B-bar"). */
+  /**
+   * Whether quadrilaterals and hexahedra use their mean dilatation (in 2D change of area)
+   * at all points, which avoids volumetric locking (Hughes 1980, "B-bar").
+   */
   bool mean_dilatation = false;
 
   /** Phase::thermal_stress (Pa/K). */
   ZeroedVector<dim> thermal_stress = {};
 
   /**
-   * Stiffness (Pa) against what the strain of a quadrilateral or hexahedron differs from its mean.
-   * The cell's energy is that of the mean strain and that of the differences.
+   * Stiffness (Pa) for the deviation of the strain of a quadrilateral or hexahedron from
+   * its mean. The energy of a cell is the sum of the energies of mean strain and
+   * deviation.
    */
   VoigtMatrix<dim> stiffness_about_mean() const
   {
@@ -41,9 +44,10 @@ struct ElasticPhase
 };
 
 /**
- * Phase of a preconditioner: with mean dilatation it is less stiff against that. Then a multigrid smooths what
- * keeps the volume, and the other motions are a second cluster of eigenvalues, which costs conjugate gradients some
- * iterations whatever Poisson's ratio.
+ * Phase of a preconditioner: with mean dilatation, the resistance to changes of volume is
+ * reduced. Multigrid then smooths the isochoric motions, and the other motions form a
+ * second cluster of eigenvalues, which costs conjugate gradients some iterations for any
+ * Poisson's ratio.
  */
 template <int dim>
 ElasticPhase<dim> phase_to_precondition(ElasticPhase<dim> phase)
@@ -54,7 +58,7 @@ ElasticPhase<dim> phase_to_precondition(ElasticPhase<dim> phase)
   return phase;
 }
 
-/** What operators need to know about @p phases. */
+/** Elastic properties of @p phases for operators. */
 template <int dim>
 std::vector<ElasticPhase<dim>> elastic_phases(const std::vector<Phase<dim>> &phases,
                                               const MeanDilatation choice)
@@ -66,7 +70,7 @@ std::vector<ElasticPhase<dim>> elastic_phases(const std::vector<Phase<dim>> &pha
   return result;
 }
 
-/** Whether one of the @p phases expands when it is heated. */
+/** Whether one of the @p phases has thermal expansion. */
 template <int dim>
 bool has_expansion(const std::vector<ElasticPhase<dim>> &phases)
 {
@@ -76,39 +80,44 @@ bool has_expansion(const std::vector<ElasticPhase<dim>> &phases)
   return false;
 }
 
-/** Stiffness (Pa/m^2) of a rectangle with edges @p h (m) against the hourglass modes of x and y, whose
- * energy is h_x h_y / 24 g.H g; g: the sum of the displacements at two opposite corners less that
- * at the others. */
+/**
+ * Stiffness H (Pa/m^2) of a rectangle with edges @p h (m) for the hourglass modes of x
+ * and y, with energy h_x h_y / 24 g.H g; g is the sum of the displacements at two
+ * opposite corners minus the sum at the other two.
+ */
 Eigen::Matrix2d hourglass_stiffness(const ElasticPhase<2> &phase,
                                     const std::array<double, 2> &h);
 
-/** Stiffness (Pa) of that rectangle: node x + 2 y of its corners, two components a node. */
+/**
+ * Stiffness (Pa) of a rectangle with edges @p h (m): corners numbered x + 2 y, two
+ * components per node.
+ */
 Eigen::Matrix<double, 8, 8> cell_stiffness(const ElasticPhase<2> &phase,
                                            const std::array<double, 2> &h);
 
 /**
- * Opposite sides that are one and the same. Fields keep the duplicate last column (row);
- * operators read it and write it equal to the first.
+ * Periodic pairs of opposite sides. Fields contain the last column (row), the periodic
+ * copy of the first; operators read it and write both alike.
  */
 struct Periodicity
 {
-  bool x = false; ///< left and right side are one
-  bool y = false; ///< bottom and top are one
+  bool x = false; ///< left and right side are periodic
+  bool y = false; ///< bottom and top are periodic
 };
 
 /**
- * The material on a uniform grid of Q1 rectangles, by phase: one byte for each cell and up
- * to 256 phases. A node row has `grid.cells[0] + 1` columns, periodic or not, and there
- * are `grid.cells[1] + 1` rows. Always describes the whole grid, on every rank.
+ * Material on a uniform grid of Q1 rectangles, by phase: one byte per cell, up to 256
+ * phases. A node row has `grid.cells[0] + 1` columns, periodic or not; there are
+ * `grid.cells[1] + 1` rows. Replicated: always describes the whole grid.
  */
 class UniformMaterial
 {
 public:
   /**
-   * @p phase_id holds one phase for each cell, x fastest; empty means phase 0 everywhere.
-   * Phases that no cell is of are allowed. Throws std::invalid_argument on sizes or ids
-   * that do not fit, spacings that are not positive, a density that is not positive or a
-   * stiffness that is not symmetric and positive definite (in a phase that occurs).
+   * @p phase_id has the phase of each cell, x fastest; empty means phase 0 everywhere.
+   * Phases without cells are allowed. Throws std::invalid_argument for inconsistent sizes
+   * or ids, spacings that are not positive, a density that is not positive or a stiffness
+   * that is not symmetric and positive definite (in a phase with cells).
    */
   UniformMaterial(const UniformGrid<2> &grid,
                   const std::vector<ElasticPhase<2>> &phases,
@@ -118,10 +127,13 @@ public:
   /** The same material with other periodic sides. */
   UniformMaterial with(const Periodicity periodicity) const;
 
-  /** The same cells of other phases, as many, which may have no stiffness and no density. */
+  /**
+   * The same cells with other @p phases, as many as before, which may have zero stiffness
+   * and density.
+   */
   UniformMaterial with_phases(const std::vector<ElasticPhase<2>> &phases) const;
 
-  /** The cells of the body. */
+  /** Grid of the cells. */
   const UniformGrid<2> &grid() const
   {
     return the_grid;
@@ -133,28 +145,30 @@ public:
     return the_phases;
   }
 
-  /** The phases that cells are of, ascending. */
+  /** Phases that have cells, ascending. */
   const std::vector<unsigned int> &phases_that_occur() const
   {
     return occurring;
   }
 
-  /** Which sides are one. */
+  /** Periodic pairs of opposite sides. */
   Periodicity periodicity() const
   {
     return periodic;
   }
 
-  /** True if all cells are of one phase: then phase_row() is not to be called. */
+  /** Whether all cells have the same phase; phase_row() must not be called then. */
   bool is_homogeneous() const
   {
     return ids.empty();
   }
 
-  /** D13 = D23 = 0 (to 1e-14 of the largest entry) in all phases that occur. */
+  /**
+   * Whether D13 = D23 = 0 (to 1e-14 of the largest entry) in all phases that have cells.
+   */
   bool is_orthotropic() const;
 
-  /** All phases that occur have one density. */
+  /** Whether all phases that have cells have the same density. */
   bool has_uniform_density() const;
 
   /** Phase of cell @p i from the left, @p j from the bottom. */
@@ -165,25 +179,25 @@ public:
     return ids.empty() ? occurring[0] : ids[j * id_stride + i];
   }
 
-  /** Phases of cell row @p j, followed by at least 64 more readable bytes. */
+  /** Phases of cell row @p j, followed by at least 64 readable bytes. */
   const std::uint8_t *phase_row(const unsigned int j) const
   {
     return ids.data() + j * id_stride;
   }
 
-  /** Columns of nodes, the duplicate of a periodic side included. */
+  /** Columns of nodes, including periodic copies. */
   unsigned int n_columns() const
   {
     return the_grid.cells[0] + 1;
   }
 
-  /** Rows of nodes, the duplicate of a periodic side included. */
+  /** Rows of nodes, including periodic copies. */
   unsigned int n_rows() const
   {
     return the_grid.cells[1] + 1;
   }
 
-  /** Sets the duplicate column and row of a field on the whole grid to the first ones. */
+  /** Updates the periodic copies, last column and row, of a field on the whole grid. */
   template <typename Number>
   void copy_duplicates(NodalField<Number> &field) const
   {
@@ -198,7 +212,7 @@ public:
 
   /**
    * Lumped mass per unit thickness (kg/m) of the n_columns() nodes of global row @p j.
-   * Nodes on a periodic side carry the mass of both sides, in both copies.
+   * Periodic copies and masters both have the mass of both sides.
    */
   void mass_row(const unsigned int j, double *mass) const;
 
@@ -210,7 +224,7 @@ private:
   std::vector<ElasticPhase<2>> the_phases;
   Periodicity periodic;
   std::vector<unsigned int> occurring;
-  std::vector<std::uint8_t> ids; ///< rows @p id_stride apart; empty if all are equal
+  std::vector<std::uint8_t> ids; ///< rows of length id_stride; empty if all are equal
   std::size_t id_stride = 0;
 };
 } // namespace mesoslip

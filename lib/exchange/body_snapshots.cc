@@ -39,7 +39,10 @@ BodySnapshots<dim>::BodySnapshots(Hdf5File &&opened)
   require_sizes(shape_of_cells(grid), nodes);
 }
 
-/** @throws UserError unless the fields have these extents, without the number of snapshots */
+/**
+ * Checks the sizes of the fields, except the number of snapshots. @throws UserError if
+ * they differ
+ */
 template <int dim>
 void BodySnapshots<dim>::require_sizes(const Shape &cells,
                                        const Shape &displacement) const
@@ -86,7 +89,7 @@ std::vector<double> BodySnapshots<dim>::ascending_times(const std::string &datas
 template <int dim>
 std::vector<double> BodySnapshots<dim>::times() const
 {
-  file.shape(displacement_name, snapshots_hint); // tells if there are none
+  file.shape(displacement_name, snapshots_hint); // throws if there are none
   return ascending_times("/snapshots/time", snapshots_hint);
 }
 

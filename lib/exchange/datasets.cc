@@ -21,7 +21,7 @@ UserError wrong(const Hdf5File &file,
                    " again");
 }
 
-/** A number of each phase that is a dataset of its own; not all files have the last. */
+/** A number per phase with its own dataset; some files lack the last one. */
 template <int dim>
 struct PhaseNumber
 {

@@ -13,18 +13,18 @@
 namespace mesoslip
 {
 /**
- * @name What several exchange files have in common
- * @p program wrote or writes the file, for messages.
+ * @name Functions shared by several exchange files
+ * @p program wrote or writes the file; used in messages.
  * @{
  */
 
-/** Numbers that become a dataset of a file, and a column of a table. */
+/** Values of a dataset in a file, and of a column in a table. */
 struct Series
 {
-  std::string name;                  ///< of the dataset in its group
+  std::string name;                  ///< name of the dataset in its group
   std::string unit;                  ///< SI symbol, "-" for pure numbers
   const std::vector<double> *values; ///< not null
-  std::size_t components = 0;        ///< length of a last axis; 0: one number an entry
+  std::size_t components = 0;        ///< length of the last axis; 0: a number per entry
 };
 
 /** Writes datasets of @p group with their units, [n] or [n][components]. */
@@ -33,8 +33,8 @@ void write_series(Hdf5File &file,
                   const std::vector<Series> &series);
 
 /**
- * Writes series of single numbers as a table of about @p most_rows rows, evenly spaced, as
- * long as the shortest of them.
+ * Writes scalar series as a table of about @p most_rows evenly spaced rows; its length is
+ * the length of the shortest series.
  */
 void write_table(const std::string &path,
                  const std::vector<Series> &series,
@@ -52,7 +52,7 @@ void write_dataset(Hdf5File &file,
   file.write_unit(name, unit);
 }
 
-/** Extents of a dataset of one number a cell: [ny][nx] or [nz][ny][nx]. */
+/** Shape of a dataset with a number per cell: [ny][nx] or [nz][ny][nx]. */
 template <int dim>
 Shape shape_of_cells(const UniformGrid<dim> &grid)
 {
@@ -60,9 +60,9 @@ Shape shape_of_cells(const UniformGrid<dim> &grid)
 }
 
 /**
- * Of a dataset of the cells, [nz][ny][nx] or [n], with @p n_axes axes of the values of a cell
- * behind: those of @p count cells from number @p first on. Whole rows of the first axis are
- * read. @throws UserError
+ * Reads the values of @p count cells from number @p first on. The dataset has the shape
+ * [nz][ny][nx] or [n], followed by @p n_axes axes for the values of a cell. Whole rows of
+ * the first axis are read. @throws UserError
  */
 template <typename T>
 std::vector<T> read_cells(const Hdf5File &file,
@@ -101,8 +101,8 @@ template <int dim>
 void write_grid(Hdf5File &file, const UniformGrid<dim> &grid);
 
 /**
- * Reads name, stiffness, density and, if asked for, friction_coefficient of phases.
- * @throws UserError also for values that no material has
+ * Reads name, stiffness, density and, if requested, friction_coefficient of phases.
+ * @throws UserError, also for unphysical values
  */
 template <int dim>
 std::vector<Phase<dim>> read_phases(const Hdf5File &file,
@@ -110,21 +110,24 @@ std::vector<Phase<dim>> read_phases(const Hdf5File &file,
                                     const bool with_friction,
                                     const std::string &program);
 
-/** Writes name, stiffness, density and, if asked for, friction_coefficient of phases. */
+/** Writes name, stiffness, density and, if requested, friction_coefficient of phases. */
 template <int dim>
 void write_phases(Hdf5File &file,
                   const std::string &group,
                   const std::vector<Phase<dim>> &phases,
                   const bool with_friction);
 
-/** @throws UserError naming @p object of the file unless @p D is a stiffness. */
+/**
+ * Checks a stiffness. @throws UserError naming @p object of the file unless @p D is a
+ * valid stiffness
+ */
 template <int dim>
 void require_stiffness(const Hdf5File &file,
                        const std::string &object,
                        const VoigtMatrix<dim> &D,
                        const std::string &program);
 
-/** @throws UserError unless all @p id are numbers of @p n phases. */
+/** Checks phase indices. @throws UserError unless all @p id are less than @p n */
 void require_phases(const Hdf5File &file,
                     const std::string &dataset,
                     const std::vector<std::uint8_t> &id,

@@ -26,7 +26,7 @@ std::string digest_of(const BodyDescription &body)
 
 std::string check_dynamics_header(const Hdf5File &file, const unsigned int dim)
 {
-  constexpr int newest_version = 2; // of boxes with orientations; else 1
+  constexpr int newest_version = 2; // version of files of boxes with orientations; else 1
   const std::string format     = dynamics_format;
   return file.check_header(file.exists("/mesh") ? format + "-mesh" : format,
                            newest_version, dim, "contact_dynamics writes such a file");

@@ -11,24 +11,29 @@
 
 namespace mesoslip
 {
-/** Format of dynamics.h5 of a body on a grid; on a mesh "-mesh" is behind it. */
+/** Format of dynamics.h5 of a body on a grid; a body on a mesh has the suffix "-mesh". */
 inline constexpr char dynamics_format[] = "mesoslip-dynamics";
 
-/** Dataset of the phases of the cells in files of contact_dynamics. */
+/** Dataset of the cell phases in files of contact_dynamics. */
 inline constexpr char body_phases_dataset[] = "/material/phase_id";
 
-/** The digest that dynamics.h5 of a body in @p dim dimensions (0: of any) states. @throws UserError if it is
- * none, or of a later version */
+/**
+ * Checks the header of dynamics.h5 of a body in @p dim dimensions (0: any), and returns
+ * its digest. @throws UserError for another format or a newer version
+ */
 std::string check_dynamics_header(const Hdf5File &file, const unsigned int dim);
 
-/** The digest of the RVE file that the body's stiffness is from; empty without one. */
+/** Digest of the RVE file of the body's stiffness; empty without RVE. */
 std::string body_rve_digest(const Hdf5File &file);
 
-/** Extents of a displacement of the nodes: [ny + 1][nx + 1][2]. */
+/** Shape of a nodal displacement: [ny + 1][nx + 1][2]. */
 Shape nodes_shape(const UniformGrid<2> &grid);
 
-/** Shows @p series of nodes of the file at @p path in `NAME.xdmf`, and if it @p has_phases those of the cells in
- * `NAME-phases.xdmf`, as ParaView cannot read vectors and cell data from one plane grid. */
+/**
+ * Writes `NAME.xdmf` for the nodal @p series of the file at @p path and, if it
+ * @p has_phases, `NAME-phases.xdmf` for the cell phases. ParaView cannot read vectors and
+ * cell data from one plane grid.
+ */
 void show_grid(const std::string &path,
                const UniformGrid<2> &grid,
                const bool has_phases,
@@ -46,8 +51,10 @@ inline std::vector<double> interleaved(const NodalField<double> &u)
   return interleaved(u, 0, u.n_rows());
 }
 
-/** Begins dynamics.h5 or another file of contact_dynamics on a plane grid, of that @p format: header, /grid and
- * /material. */
+/**
+ * Creates dynamics.h5 or another file of contact_dynamics on a plane grid, with this
+ * @p format: header, /grid and /material.
+ */
 Hdf5File create_grid_file(const std::string &path,
                           const BodyDescription &body,
                           const std::string &format = dynamics_format);

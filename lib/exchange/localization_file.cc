@@ -15,7 +15,7 @@ constexpr int newest_localization_version = 1;
 const char localization_format[]  = "mesoslip-localization";
 const char localization_program[] = "stress_localization";
 
-/** A series of a probe; the last one is left out without a direct run. */
+/** A series of a probe; the last one is omitted without a direct run. */
 struct ProbeDataset
 {
   const char *name, *unit;
@@ -66,7 +66,7 @@ std::vector<StressField> stress_fields(const unsigned int dim,
   return selected;
 }
 
-/** Extents of a field of @p n components; none of one. */
+/** Shape of a field with @p n components; no component axis for n = 1. */
 Shape LocalizationFile::shape_of_field(const std::size_t n) const
 {
   Shape shape = cells;

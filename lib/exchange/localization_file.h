@@ -13,8 +13,10 @@
 
 namespace mesoslip
 {
-/** Statistics over time for each cell, on a grid [ny][nx] or [nz][ny][nx], on a mesh [n],
- * stresses with their Voigt components behind; what was not asked for is empty. */
+/**
+ * Statistics over time for each cell: [ny][nx] or [nz][ny][nx] on a grid, [n] on a mesh,
+ * followed by the Voigt components of stresses. Fields that are not selected are empty.
+ */
 struct StressFields
 {
   std::vector<double> mean_von_mises; ///< mean von Mises stress (Pa)
@@ -24,84 +26,88 @@ struct StressFields
   std::vector<double> deviation_stress;
 };
 
-/** Which of the StressFields are wanted. */
+/** Selection of StressFields. */
 struct FieldSelection
 {
-  bool von_mises = true; ///< mean over time
-  bool mean      = true; ///< of each stress component
+  bool von_mises = true; ///< mean von Mises stress
+  bool mean      = true; ///< mean of each component
   bool deviation = true; ///< standard deviation of each component
 
-  /** Whether there is anything to compute. */
+  /** Whether any field is selected. */
   bool any() const
   {
     return von_mises || mean || deviation;
   }
 };
 
-/** One of the StressFields, for whoever treats all of them alike. */
+/** Description of one of the StressFields, for loops over all of them. */
 struct StressField
 {
-  const char *name;                          ///< in localization.h5
-  bool FieldSelection::*is_wanted;           ///< whether it is asked for
+  const char *name;                          ///< name in localization.h5
+  bool FieldSelection::*is_wanted;           ///< its selection flag
   std::vector<double> StressFields::*values; ///< the field
   std::vector<std::string> quantities;       ///< its components in field_errors.csv
 };
 
-/** Those of the StressFields, in two or three dimensions, that are selected. */
+/** Selected StressFields in two or three dimensions. */
 std::vector<StressField> stress_fields(const unsigned int dim,
                                        const FieldSelection &fields = {});
 
-/** Localized stress at the place of a probe over time. */
+/** Localized stress at a probe over time. */
 struct LocalizedProbe
 {
   std::string name; ///< name of its group
-  /** On a grid from the lower left corner, on a mesh in its coordinates (m). */
-  std::vector<double> position   = {};
-  std::vector<unsigned int> cell = {}; ///< that holds it: along each axis, or its number
-  unsigned int phase             = 0;  ///< number of the phase of the cell
-  std::string phase_name         = {}; ///< name of that phase
-  std::vector<double> time       = {}; ///< s
-  std::vector<double> stress     = {}; ///< in Voigt order [k][3 or 6] (Pa)
-  std::vector<double> direct_stress = {}; ///< of the direct run; empty without one
+  /** Position (m): on a grid from the lower left corner, on a mesh in its coordinates. */
+  std::vector<double> position      = {};
+  std::vector<unsigned int> cell    = {}; ///< its cell: index along each axis, or number
+  unsigned int phase                = 0;  ///< phase index of the cell
+  std::string phase_name            = {}; ///< name of this phase
+  std::vector<double> time          = {}; ///< s
+  std::vector<double> stress        = {}; ///< stress (Pa), Voigt [k][3 or 6]
+  std::vector<double> direct_stress = {}; ///< direct run (Pa); empty without one
 };
 
 /**
  * localization.h5, opened for writing or reading. Fields and probes are in groups: "" for
- * the localized stresses, "/difference" for localized minus direct, "/direct",
- * "/mean_strain_variant" where there are two variants, and "/points/NAME" for the fields
- * of the volume element at a point of the body.
+ * localized stresses, "/difference" for localized minus direct, "/direct",
+ * "/mean_strain_variant" if there are two variants, and "/points/NAME" for the fields of
+ * the volume element at a point of the body.
  */
 class LocalizationFile : public Hdf5File
 {
 public:
-  /** Begins a file. @p digest is that of all that determines its content. */
+  /** Creates a file; @p digest is the digest of all inputs. */
   template <int dim>
   static LocalizationFile create(const std::string &path,
                                  const std::string &digest,
                                  const UniformGrid<dim> &grid);
 
-  /** The same for fields on a mesh, which must outlive the file. */
+  /** Creates a file for fields on a mesh, which must outlive it. */
   template <int dim>
   static LocalizationFile
   create(const std::string &path, const std::string &digest, const Mesh<dim> &mesh);
 
-  /** Opens for reading, if the fields are on a plane grid. @throws UserError */
+  /** Opens a file with fields on a plane grid. @throws UserError */
   static LocalizationFile open(const std::string &path);
 
-  /** Makes place for the fields in @p group, which write_fields() fills. */
+  /** Reserves space for the fields in @p group; write_fields() fills it. */
   void reserve_fields(const FieldSelection &fields, const std::string &group);
 
-  /** Writes a probe below "probes" in group @p in. */
+  /** Writes a probe to "probes" in group @p in. */
   void write_probe(const LocalizedProbe &probe, const std::string &in);
 
-  /** Completes the file after leave(), and writes `NAME.xdmf` with all fields, if there are
-   * any. */
+  /**
+   * Completes the file after leave(), and writes `NAME.xdmf` with all fields, if there
+   * are any.
+   */
   void complete();
 
-  /** The fields in @p group; empty where the file has none. @throws UserError */
+  /**
+   * Reads the fields in @p group; fields that the file lacks are empty. @throws UserError
+   */
   StressFields fields(const std::string &group) const;
 
-  /** The probe @p name in group @p in. @throws UserError */
+  /** Reads probe @p name in group @p in. @throws UserError */
   LocalizedProbe probe(const std::string &name, const std::string &in) const;
 
 private:
@@ -114,25 +120,25 @@ private:
 
   Shape shape_of_field(const std::size_t n) const;
 
-  /** Of a stress. */
+  /** Number of Voigt components of a stress. */
   std::size_t n_components() const
   {
     return dimension == 2 ? 3 : 6;
   }
 
   const unsigned int dimension;
-  const Shape cells; ///< extents of a field of one number a cell
+  const Shape cells; ///< shape of a field with a number per cell
   std::vector<XdmfField> shown;
-  /** Writes an XDMF file of the first name for these fields of a file of the second. */
+  /** Writes an XDMF file (first path) for these fields of an HDF5 file (second path). */
   std::function<void(
     const std::string &, const std::string &, const std::vector<XdmfField> &)>
     write_shown;
 };
 
 /**
- * Fills the places of LocalizationFile::reserve_fields() in the file @p path that rank 0 has
- * left: each rank has the values of other cells, whole rows from @p first_row on. Collective.
- * @throws UserError, NumericalFailure on all ranks
+ * Fills the space of LocalizationFile::reserve_fields() in the file @p path, which rank 0
+ * has left. Each rank writes different cells, whole rows from @p first_row on.
+ * Collective. @throws UserError, NumericalFailure on all ranks
  */
 void write_fields(const std::string &path,
                   const unsigned int dim,

@@ -12,14 +12,14 @@ namespace
 {
 constexpr unsigned int kinds[2][2] = {{4, 5}, {6, 9}}; ///< simplex, hypercube
 
-/** Number of corners of a cell of @p kind; 0: there is no such cell. */
+/** Number of corners of a cell of @p kind; 0 for unknown kinds. */
 template <int dim>
 unsigned int n_corners(const unsigned int kind)
 {
   return kind == kinds[dim - 2][0] ? dim + 1 : kind == kinds[dim - 2][1] ? 1U << dim : 0;
 }
 
-/** From corners in the order of deal.II to those around faces, or back. */
+/** Converts corners between the order of deal.II and the order around faces. */
 template <int dim>
 void turn_faces(unsigned int *corners, const std::size_t n)
 {

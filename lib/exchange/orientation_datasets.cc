@@ -21,7 +21,7 @@ UserError misfit(const Hdf5File &file, const std::string &program)
                    program + " again");
 }
 
-/** Writes what the numbers of the cells stand for. */
+/** Writes phase and orientation of each material. */
 void write_oriented(Hdf5File &file, const std::vector<OrientedPhase> &materials)
 {
   const std::size_t n = materials.size();
@@ -95,7 +95,10 @@ CellMaterials::CellMaterials(const Hdf5File &file,
     throw misfit(file, program);
 }
 
-/** What @p read (dataset, a number of its type) reads of both datasets, see of_cells(). */
+/**
+ * Reads both datasets by @p read (dataset, a number of its type) and checks them, see
+ * of_cells().
+ */
 template <typename Read>
 std::vector<std::uint16_t> CellMaterials::checked(const Hdf5File &file,
                                                   const Read &read) const

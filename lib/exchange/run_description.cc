@@ -11,15 +11,15 @@ namespace mesoslip
 {
 namespace
 {
-/** What a difference between two runs means. */
+/** Meaning of a difference between two runs. */
 enum class Role
 {
-  load,   ///< another problem
-  method, ///< the same problem, solved otherwise
-  own     ///< of each run by itself
+  load,   ///< different problems
+  method, ///< same problem, different method
+  own     ///< specific to each run
 };
 
-/** An attribute of /run; numbers have a unit, words have none. */
+/** An attribute of /run; numbers have a unit, words do not. */
 struct Condition
 {
   const char *name;
@@ -86,7 +86,7 @@ const Condition known[] = {{"analysis", "", Role::load},
                            {"steady_to", "s", Role::own},
                            {"limit_cycle_reached", "", Role::own}};
 
-/** Six digits, or all of them if @p other reads the same. */
+/** Six digits; all digits if @p other would read the same. */
 std::string number_text(const double value, const std::optional<double> &other)
 {
   const auto short_text = [](const double x) {
@@ -116,8 +116,8 @@ bool differ(const std::string &name, const RunConditions &a, const RunConditions
 {
   const auto one = a.find(name), two = b.find(name);
   const bool in_one = one != a.end(), in_two = two != b.end();
-  // Against coefficients of phases, which coefficient_from tells, a constant one is
-  // right: it is what friction is homogenized to.
+  // A constant coefficient may be compared with coefficients per phase
+  // (coefficient_from): homogenized friction yields a constant.
   if (name == "friction_coefficient" && !(in_one && in_two))
     return false;
   return in_one != in_two || (in_one && one->second != two->second);

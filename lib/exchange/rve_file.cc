@@ -39,7 +39,10 @@ namespace
 {
 const char rve_program[] = "rve_homogenization";
 
-/** What to do about tensors that @p file lacks, and which it has. */
+/**
+ * Hint for missing tensors: how to create them, and the conditions for which @p file has
+ * tensors.
+ */
 std::string concentration_hint(const Hdf5File &file, const std::string &condition)
 {
   std::string others;
@@ -50,7 +53,7 @@ std::string concentration_hint(const Hdf5File &file, const std::string &conditio
          " among its boundary conditions and its concentration tensors written" + others;
 }
 
-/** The grid, or the bounding box of the mesh as one cell. */
+/** Grid of the file, or the bounding box of a mesh as one cell. */
 template <int dim>
 UniformGrid<dim> read_extent(const Hdf5File &file)
 {

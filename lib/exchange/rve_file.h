@@ -16,24 +16,26 @@
 
 namespace mesoslip
 {
-/** Format of rve.h5 and its newest version. */
+/** Format of rve.h5, and its newest version. */
 inline constexpr char rve_format[] = "mesoslip-rve";
 inline constexpr int newest_rve_version =
-  2; ///< of files with orientations of cells; else 1
+  2; ///< version of files with orientations; else 1
 
-/** What rve_homogenization leaves in rve.h5. */
+/** Content of rve.h5. */
 template <int dim>
 struct RveContent
 {
-  std::string digest;              ///< of the inputs that determine the content
+  std::string digest;              ///< digest of all inputs
   std::string summary;             ///< JSON
-  UniformGrid<dim> grid;           ///< of the morphology, unless it is a mesh
-  const Mesh<dim> *mesh = nullptr; ///< null: it is a grid
-  std::vector<Phase<dim>> phases;  ///< by index
+  UniformGrid<dim> grid;           ///< grid of the morphology, unless it is a mesh
+  const Mesh<dim> *mesh = nullptr; ///< mesh; null for a grid
+  std::vector<Phase<dim>> phases;  ///< phases by index
   std::vector<double> fractions;   ///< volume fractions of the phases, stored with a mesh
 
-  /** Phase of each cell, on a grid x fastest; empty: in the file since write_cell_planes(), as the id
-   * of orientations. */
+  /**
+   * Phase of each cell, on a grid x fastest; empty if write_cell_planes() has already
+   * written it and the ids of orientations.
+   */
   std::vector<std::uint8_t> phase_id;
 
   /** Number of cells. */
@@ -42,50 +44,59 @@ struct RveContent
     return mesh != nullptr ? mesh->cells.size() : grid.n_cells();
   }
 
-  Orientations orientations; ///< of the cells, in 3D, where they differ within a phase
+  Orientations orientations; ///< of the cells, in 3D; empty if uniform
 
-  /** What the cells are made of, and the volume fraction of each: the phases, or these in
-   * all their orientations. */
+  /**
+   * Materials of the cells and their volume fractions: the phases, or all pairs of phase
+   * and orientation.
+   */
   std::pair<std::vector<Phase<dim>>, std::vector<double>> constituents() const;
 
   std::map<std::string, VoigtMatrix<dim>> stiffness; ///< KUBC, SUBC, PBC, effective (Pa)
 
   std::map<std::string, VoigtVector<dim>>
-    expansion; ///< the same (1/K); empty: nothing expands
+    expansion; ///< thermal expansion for the same names (1/K); may be empty
 
-  /** Conductivities [dim][dim] by condition, and "effective"; empty: not asked for. */
+  /** Conductivities [dim][dim] by condition, and "effective"; empty if not requested. */
   std::map<std::string, std::vector<double>> conductivity;
 
-  /** Conditions whose concentration tensors are in the file since reserve_concentration(). */
+  /** Conditions whose concentration tensors were reserved by reserve_concentration(). */
   std::vector<std::string> reserved;
 };
 
-/** The dataset of the concentration tensors of KUBC, SUBC or PBC. */
+/** Dataset of the concentration tensors of KUBC, SUBC or PBC. */
 std::string concentration_dataset(const std::string &condition);
 
-/** The dataset of the stresses of one kelvin without macroscopic strain (SUBC: stress). */
+/**
+ * Dataset of the stresses for one kelvin without macroscopic strain (SUBC: without
+ * stress).
+ */
 std::string thermal_stress_dataset(const std::string &condition);
 
-/** In 2D that of sigma_zz of one kelvin, which is there if it is known of all phases. */
+/** Dataset of sigma_zz for one kelvin in 2D, if it is known for all phases. */
 std::string transverse_thermal_stress_dataset(const std::string &condition);
 
-/** The dataset of the mean gradients of cells for unit gradients (SUBC: fluxes for unit fluxes). */
+/**
+ * Dataset of the mean gradients of cells for unit gradients (SUBC: fluxes for unit
+ * fluxes).
+ */
 std::string conduction_dataset(const std::string &condition);
 
-/** Fields in rve.h5 beside the concentration tensors. */
+/** Optional fields in rve.h5 besides the concentration tensors. */
 struct FurtherFields
 {
-  bool thermal_stress            = false; ///< thermal_stress_dataset()
-  bool transverse_thermal_stress = false; ///< the one of zz
-  bool conduction                = false; ///< conduction_dataset()
+  bool thermal_stress            = false; ///< see thermal_stress_dataset()
+  bool transverse_thermal_stress = false; ///< see transverse_thermal_stress_dataset()
+  bool conduction                = false; ///< see conduction_dataset()
 };
 
 /**
- * Begins rve.h5, of which @p path is the name, and leaves it, with room for the concentration tensors of all
- * cells under @p conditions, which ParallelRows fills before write_rve_file() adds the rest: in Voigt
- * components of strain (KUBC, PBC, MUBC: row local, column macroscopic) or stress (SUBC). @p cells is the
- * shape of an array with a number for each cell: the datasets are [ny][nx][3][3] or [nz][ny][nx][6][6] on a
- * grid, [n][3][3] or [n][6][6] on a mesh. @p further says what there is room for besides.
+ * Creates rve.h5 at @p path and leaves it, with space for the concentration tensors of
+ * all cells under @p conditions. ParallelRows fills it before write_rve_file() adds the
+ * rest. Tensors are in Voigt components of strain (KUBC, PBC, MUBC: row local, column
+ * macroscopic) or stress (SUBC). @p cells is the shape of an array with a number per
+ * cell: the datasets are [ny][nx][3][3] or [nz][ny][nx][6][6] on a grid, [n][3][3] or
+ * [n][6][6] on a mesh. @p further selects optional fields.
  */
 template <int dim>
 void reserve_concentration(const std::string &path,
@@ -93,51 +104,53 @@ void reserve_concentration(const std::string &path,
                            const std::vector<std::string> &conditions,
                            const FurtherFields &further = {});
 
-/**
- * Writes rve.h5, of which @p path is the name, and `NAME.xdmf` for ParaView beside it.
- */
+/** Writes rve.h5 at @p path, and `NAME.xdmf` for ParaView beside it. */
 template <int dim>
 void write_rve_file(const std::string &path, const RveContent<dim> &content);
 
-/** Summary (JSON) of the run that wrote the rve.h5 at @p path; empty if it holds none. */
+/** Summary (JSON) of the run that wrote the rve.h5 at @p path; empty if there is none. */
 std::string read_rve_summary(const std::string &path);
 
-/** The dimension that an exchange file states. @throws UserError with @p hint if there is
- * no such file */
+/**
+ * Dimension of an exchange file. @throws UserError with @p hint if the file does not
+ * exist
+ */
 unsigned int dimension_of_file(const std::string &path, const std::string &hint);
 
 /**
- * rve.h5 opened for reading: format, version, shapes, phase numbers and finiteness are
- * checked, and every error names the file, the dataset and what to run. The small data
- * are read at once, the fields when they are asked for.
+ * rve.h5 opened for reading. Format, version, shapes, phase indices and finiteness are
+ * checked; every error names the file, the dataset and the program to run. Small data are
+ * read at once, fields on demand.
  */
 template <int dim>
 class RveFile
 {
 public:
-  /** Opens for reading. @throws UserError */
+  /** Opens a file for reading. @throws UserError */
   explicit RveFile(const std::string &path)
     : RveFile(Hdf5File::open(path, "run rve_homogenization first"))
   {
   }
 
-  /** Opens what rank 0 has opened. @throws UserError */
+  /** Opens a file that rank 0 has already opened. @throws UserError */
   static RveFile open_too(const std::string &path)
   {
     return RveFile(Hdf5File::open_too(path));
   }
 
-  /** The path given. */
+  /** Path of the file. */
   const std::string &path() const
   {
     return file.path();
   }
 
-  /** A sentence if rve_homogenization did not write it as it is, or wrote it as a draft; else
-   * empty. */
+  /**
+   * A warning if the file was changed after rve_homogenization wrote it, or was written
+   * as a draft; else empty.
+   */
   std::string change_note() const;
 
-  /** What tells its content from that of others, also where it was edited. */
+  /** Identifies the content of the file, including later changes. */
   std::string content() const
   {
     return digest + file.changed_content();
@@ -149,24 +162,29 @@ public:
     return file.exists("/mesh");
   }
 
-  /** @throws UserError if the volume is a mesh, of which @p nothing can be taken. */
+  /** Requires a grid. @throws UserError that @p nothing can be taken from a mesh */
   void require_grid(const std::string &nothing) const;
 
-  /** What the cells are made of: the phases, or these in all their orientations. */
+  /** Materials of the cells: the phases, or all pairs of phase and orientation. */
   std::vector<Phase<dim>> constituents() const
   {
     return oriented_phases(phases, materials.oriented);
   }
 
-  /** Which of the constituents @p count cells from number @p first on are made of. @throws
-   * UserError */
+  /**
+   * Index into constituents() of @p count cells from number @p first on. @throws
+   * UserError
+   */
   std::vector<std::uint16_t> constituent_ids(const std::size_t first,
                                              const std::size_t count) const
   {
     return materials.of_cells(file, first, count);
   }
 
-  /** The same of the cells of @p block of a grid, x fastest. @throws UserError */
+  /**
+   * Index into constituents() of the cells of @p block of a grid, x fastest. @throws
+   * UserError
+   */
   std::vector<std::uint16_t> constituent_ids(const CellBlock<dim> &block) const
   {
     return materials.of_cells(file, block);
@@ -175,28 +193,38 @@ public:
   /** Volume mean of the density (kg/m^3). */
   double mean_density() const;
 
-  /** KUBC, SUBC, PBC or effective (Pa). @throws UserError when it was not computed. */
+  /**
+   * Stiffness for KUBC, SUBC, PBC or effective (Pa). @throws UserError if it was not
+   * computed
+   */
   VoigtMatrix<dim> stiffness(const std::string &name) const;
 
-  /** Strain concentration tensors of KUBC or PBC of all cells. @throws UserError without
-   * them */
+  /**
+   * Strain concentration tensors of KUBC or PBC of all cells. @throws UserError if there
+   * are none
+   */
   std::vector<double> concentration(const std::string &name) const;
 
-  /** Those of @p count cells from cell @p first on; only these are read. */
+  /** Concentration tensors of @p count cells from cell @p first on; reads only these. */
   std::vector<double> concentration(const std::string &name,
                                     const std::size_t first,
                                     const std::size_t count) const;
 
-  /** Stress for one kelvin without macroscopic strain under condition @p name (Pa/K) of @p count cells from cell
-   * @p first on: components in Voigt order and, in 2D, zz, NaN where it is not known. @throws
-   * UserError if no phase expands */
+  /**
+   * Stress for one kelvin without macroscopic strain under condition @p name (Pa/K) of
+   * @p count cells from cell @p first on: Voigt components and, in 2D, zz, which is NaN
+   * if unknown. @throws UserError if no phase has thermal expansion
+   */
   std::vector<Eigen::Matrix<double, n_voigt<dim> + 1, 1>> thermal_stress(
     const std::string &name, const std::size_t first, const std::size_t count) const;
 
-  /** Thermal expansion (1/K) under condition @p name. @throws UserError if no phase expands */
+  /**
+   * Thermal expansion (1/K) under condition @p name. @throws UserError if no phase has
+   * thermal expansion
+   */
   VoigtVector<dim> expansion(const std::string &name) const;
 
-  /** The points and cells of a mesh. @throws UserError */
+  /** Points and cells of a mesh. @throws UserError */
   Mesh<dim> mesh() const;
 
 private:
@@ -205,10 +233,10 @@ private:
   Hdf5File file;
 
 public:
-  const std::string digest; ///< of the inputs that determine the content
-  UniformGrid<dim> grid;    ///< of the morphology; of a mesh its box as one cell
-  const std::vector<Phase<dim>> phases; ///< by index
-  const CellMaterials materials;        ///< which phase, in which orientation, cells are
+  const std::string digest;             ///< digest of all inputs
+  UniformGrid<dim> grid;                ///< grid; for a mesh its bounding box as one cell
+  const std::vector<Phase<dim>> phases; ///< phases by index
+  const CellMaterials materials;        ///< phase and orientation of each cell
 };
 } // namespace mesoslip
 

@@ -6,7 +6,7 @@ namespace mesoslip
 {
 IndexRange entries_in(const std::vector<double> &times, const TimeWindow &window)
 {
-  // Not scaled by an end at infinity.
+  // Infinite ends have no slack.
   const auto slack = [](const double t) { return std::isfinite(t) ? 1e-9 * t : 0.; };
   if (!(window.begin <= window.end))
     return {};

@@ -8,37 +8,37 @@
 
 namespace mesoslip
 {
-/** From begin to end (s), both included up to round-off. */
+/** Interval from begin to end (s), both included up to round-off. */
 struct TimeWindow
 {
   double begin = -std::numeric_limits<double>::infinity(); ///< first time
   double end   = std::numeric_limits<double>::infinity();  ///< last time
 
-  /** Times in both; begin > end if there are none. */
+  /** Intersection of both windows; begin > end if it is empty. */
   TimeWindow intersection(const TimeWindow &other) const
   {
     return {std::max(begin, other.begin), std::min(end, other.end)};
   }
 };
 
-/** Entries first, ..., first + count - 1. */
+/** Index range first, ..., first + count - 1. */
 struct IndexRange
 {
   std::size_t first = 0; ///< index of the first entry
   std::size_t count = 0; ///< number of entries
 };
 
-/** The entries of ascending @p times that lie in the window. */
+/** Indices of ascending @p times inside the window. */
 IndexRange entries_in(const std::vector<double> &times, const TimeWindow &window);
 
-/** The times of @p all in the range. */
+/** Elements of @p all inside the range. */
 std::vector<double> times_of(const std::vector<double> &all, const IndexRange &range);
 
-/** Strain or stress at a place over time. */
+/** Strain or stress at a probe over time. */
 struct ProbeSeries
 {
   std::vector<double> time;   ///< s
-  std::vector<double> values; ///< in Voigt order [k][3 or 6]
+  std::vector<double> values; ///< Voigt components [k][3 or 6]
 };
 } // namespace mesoslip
 

@@ -35,19 +35,19 @@ std::string joined(const std::vector<T> &values)
   return text.str();
 }
 
-/** What lies below the fields: XML of topology and geometry, and extents of a field. */
+/** Common part of all fields: XML of topology and geometry, and shape of a field. */
 struct Geometry
 {
   std::string xml;
-  Shape shown;  ///< as ParaView has the nodes or cells, slowest axis first
-  Shape stored; ///< as the datasets have them
+  Shape shown;  ///< shape of nodes or cells in ParaView, slowest axis first
+  Shape stored; ///< shape of nodes or cells in the datasets
 };
 
 /**
- * The detours are those of ParaView's reader, tried with 5.11: it puts 2DCoRectMesh into
- * the y-z plane, leaves out the coordinates and some cells of a 2DRectMesh, and the cell
- * data of a 3DCoRectMesh one node thick. So plane grids are 3DCoRectMesh: one node thick
- * with data of nodes, one cell with data of cells.
+ * Works around ParaView's reader (5.11): it puts 2DCoRectMesh into the y-z plane, loses
+ * coordinates and some cells of a 2DRectMesh, and loses the cell data of a 3DCoRectMesh
+ * one node thick. Plane grids are therefore 3DCoRectMesh, one node thick for nodal data
+ * and one cell thick for cell data.
  */
 template <int dim>
 Geometry geometry_of(const UniformGrid<dim> &grid, const bool of_nodes)
@@ -142,7 +142,7 @@ private:
     if (field.components.empty())
       attribute("", "Scalar", {}, {});
     else if (field.components == Shape{dim})
-      attribute("", "Vector", {0}, {dim}); // plane ones get a third component, 0
+      attribute("", "Vector", {0}, {dim}); // plane vectors get a third component, 0
     else
       for (std::size_t r = 0; r < names.size(); ++r)
         if (field.components.size() == 1)
@@ -153,7 +153,7 @@ private:
                       {1, 1});
   }
 
-  /** Components from @p first on at one time: all of the dataset, or a slab of it. */
+  /** Components from @p first on at one time: the whole dataset, or a slab of it. */
   void write_item(const XdmfField &field,
                   const std::size_t step,
                   const Shape &first,

@@ -10,34 +10,34 @@
 
 namespace mesoslip
 {
-/** A dataset of an exchange file as ParaView shows it. */
+/** A dataset of an exchange file, as shown in ParaView. */
 struct XdmfField
 {
-  /** What the dataset holds; x is the fastest of the axes of the grid. */
+  /** Kind of values; x is the fastest axis of the grid. */
   enum class Values
   {
-    nodes, ///< numbers of nodes; the first axis counts the times
-    cells, ///< numbers of cells
-    phases ///< phase numbers of cells
+    nodes, ///< nodal values; the first axis is time
+    cells, ///< cell values
+    phases ///< phase indices of cells
   };
 
-  std::string name;              ///< in ParaView
+  std::string name;              ///< name in ParaView
   std::string dataset;           ///< absolute path in the HDF5 file
-  Values values = Values::nodes; ///< what the dataset holds
+  Values values = Values::nodes; ///< kind of values
 
   /**
-   * Extents of the axes behind those of the grid: none for a number, the dimension for a
-   * vector, the number of Voigt components for a tensor, twice that for a matrix of them.
-   * Components and entries are shown one by one: "stress_xx", "tensor_xx_yy".
+   * Shape of the axes after those of the grid: none for a scalar, the dimension for a
+   * vector, the number of Voigt components for a tensor, twice that for a matrix.
+   * Components and entries are shown separately: "stress_xx", "tensor_xx_yy".
    */
   Shape components = {};
 };
 
 /**
- * Writes a file that ParaView opens (with its "XDMF Reader", not "Xdmf3 Reader") for the
- * datasets @p fields of the HDF5 file of the name @p file beside it. ParaView cannot show
- * data of nodes and of cells on one plane grid: for both write two files. A plane grid with
- * data of cells is shown as a slab one cell thick. @p times are those of data of nodes.
+ * Writes an XDMF file for the datasets @p fields of the HDF5 file @p file in the same
+ * folder. Open it in ParaView with the "XDMF Reader", not the "Xdmf3 Reader". ParaView
+ * cannot show nodal and cell data on one plane grid: write two files. A plane grid with
+ * cell data is shown as a slab one cell thick. @p times belong to nodal data.
  */
 template <int dim>
 void write_xdmf(const std::string &path,
@@ -46,7 +46,10 @@ void write_xdmf(const std::string &path,
                 const std::vector<XdmfField> &fields,
                 const std::vector<double> &times = {});
 
-/** The same for datasets on a mesh that write_mesh() has written into the HDF5 file. */
+/**
+ * Writes an XDMF file for datasets on a mesh that write_mesh() has written to the HDF5
+ * file.
+ */
 template <int dim>
 void write_xdmf(const std::string &path,
                 const std::string &file,
@@ -54,8 +57,10 @@ void write_xdmf(const std::string &path,
                 const std::vector<XdmfField> &fields,
                 const std::vector<double> &times = {});
 
-/** Writes NAME.xdmf with @p fields and NAME-phases.xdmf with what the @p cells have, of the HDF5 file NAME.h5
- * at @p path; none of either, no file. */
+/**
+ * Writes NAME.xdmf with @p fields, and NAME-phases.xdmf with the datasets @p cells, for
+ * the HDF5 file NAME.h5 at @p path. An empty list writes no file.
+ */
 template <class GridOrMesh>
 void show_file(const std::string &path,
                const GridOrMesh &shape,

@@ -5,11 +5,11 @@
 
 namespace mesoslip
 {
-/** A box of equal bricks; opposite sides may be one and the same. */
+/** A box of equal bricks; opposite sides may be periodic. */
 struct BrickBox
 {
-  UniformGrid<3> grid;               ///< of the cells
-  std::array<bool, 2> periodic = {}; ///< along x and y
+  UniformGrid<3> grid;               ///< grid of the cells
+  std::array<bool, 2> periodic = {}; ///< whether x and y are periodic
 };
 } // namespace mesoslip
 

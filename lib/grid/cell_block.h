@@ -7,13 +7,15 @@
 
 namespace mesoslip
 {
-/** A block of the cells of a grid; its cells and nodes are numbered by themselves, x
- * fastest. */
+/**
+ * A block of the cells of a grid; cells and nodes of the block have their own numbering,
+ * x fastest.
+ */
 template <int dim>
 struct CellBlock
 {
-  std::array<unsigned int, dim> first = {}; ///< the lowest cell along each axis
-  std::array<unsigned int, dim> cells = {}; ///< numbers along the axes; zeros: no cells
+  std::array<unsigned int, dim> first = {}; ///< lowest cell along each axis
+  std::array<unsigned int, dim> cells = {}; ///< numbers along the axes, or zeros
 
   /** Product of the numbers along the axes. */
   std::size_t n_cells() const
@@ -24,7 +26,7 @@ struct CellBlock
     return n;
   }
 
-  /** Number in the block of the cell that is @p at along each axis of the whole grid. */
+  /** Number in the block of the cell with indices @p at in the whole grid. */
   std::size_t number_of(const std::array<unsigned int, dim> &at) const
   {
     std::size_t number = 0;
@@ -34,8 +36,10 @@ struct CellBlock
   }
 };
 
-/** The cells from @p lower to @p upper, both included, with @p n_layers around them as far as
- * the grid reaches. */
+/**
+ * The cells from @p lower to @p upper, both included, and @p n_layers around them,
+ * clipped to the grid.
+ */
 template <int dim>
 CellBlock<dim> block_around(const UniformGrid<dim> &grid,
                             const std::array<unsigned int, dim> &lower,
@@ -58,8 +62,10 @@ CellBlock<dim> whole_block(const UniformGrid<dim> &grid)
   return {{}, grid.cells};
 }
 
-/** Calls @p treat (first, count) for pieces of @p n cells that are small beside the libraries of a
- * program: whole layers of @p in_layer of them. */
+/**
+ * Calls @p treat (first, count) for pieces of @p n cells; each piece has whole layers of
+ * @p in_layer cells and needs little memory.
+ */
 template <typename Treat>
 void for_each_piece(const std::size_t n, const std::size_t in_layer, const Treat &treat)
 {
@@ -69,8 +75,10 @@ void for_each_piece(const std::size_t n, const std::size_t in_layer, const Treat
     treat(first, std::min(piece, n - first));
 }
 
-/** Calls @p treat with such pieces of @p block, which has cells: blocks of whole layers across
- * the last axis, in their order. */
+/**
+ * Calls @p treat for small pieces of the non-empty @p block in ascending order; a piece
+ * is a block of whole layers across the last axis.
+ */
 template <int dim, typename Treat>
 void for_each_piece(const CellBlock<dim> &block, const Treat &treat)
 {

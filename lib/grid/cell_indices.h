@@ -11,11 +11,14 @@
 
 namespace mesoslip
 {
-/** Phases or materials of cells that are stored elsewhere, in one byte each or in two. */
+/**
+ * View of phases or materials of cells in memory of the caller, with one or two bytes
+ * each.
+ */
 class CellView
 {
 public:
-  /** Of a byte each. */
+  /** View of one byte per cell. */
   template <typename Allocator>
   explicit CellView(const std::vector<std::uint8_t, Allocator> &id)
     : bytes(id.data())
@@ -23,7 +26,7 @@ public:
   {
   }
 
-  /** Of two bytes each. */
+  /** View of two bytes per cell. */
   template <typename Allocator>
   explicit CellView(const std::vector<std::uint16_t, Allocator> &id)
     : words(id.data())
@@ -31,7 +34,7 @@ public:
   {
   }
 
-  /** Of cell @p k. */
+  /** Index of cell @p k. */
   unsigned int operator[](const std::size_t k) const
   {
     return bytes != nullptr ? bytes[k] : words[k];
@@ -43,7 +46,7 @@ public:
     return n;
   }
 
-  /** @p count of them from number @p first on. */
+  /** View of @p count cells from cell @p first on. */
   CellView part(const std::size_t first, const std::size_t count) const
   {
     CellView some = *this;
@@ -62,15 +65,15 @@ private:
 };
 
 /**
- * A number for each cell as kernels read them: in a byte each or, where these are too small
- * for the largest, in two.
+ * Index of each cell in the format of the kernels: one byte each, or two if one is too
+ * small for the largest index.
  */
 class CellIndices
 {
 public:
   CellIndices() = default;
 
-  /** @p n times @p largest, above which no index is. */
+  /** @p n indices equal to @p largest, the upper bound of all indices. */
   CellIndices(const std::size_t n, const std::size_t largest)
   {
     if (is_wide(largest))
@@ -79,7 +82,7 @@ public:
       narrow.assign(n, static_cast<std::uint8_t>(largest));
   }
 
-  /** What text() of those of another rank was. */
+  /** Restores the indices from text() of another rank. */
   CellIndices(const std::string &text, const std::size_t largest)
   {
     if (is_wide(largest))
@@ -96,13 +99,13 @@ public:
     return largest > 255;
   }
 
-  /** Number @p k. */
+  /** Index of cell @p k. */
   unsigned int operator[](const std::size_t k) const
   {
     return wide.empty() ? narrow[k] : wide[k];
   }
 
-  /** Sets number @p k. */
+  /** Sets the index of cell @p k. */
   void set(const std::size_t k, const unsigned int index)
   {
     if (wide.empty())
@@ -111,13 +114,13 @@ public:
       wide[k] = static_cast<std::uint16_t>(index);
   }
 
-  /** All of them, as long as these live. */
+  /** View of all indices; valid during the lifetime of this object. */
   CellView view() const
   {
     return wide.empty() ? CellView(narrow) : CellView(wide);
   }
 
-  /** All of them, for another rank. */
+  /** All indices as bytes to be sent to another rank. */
   std::string text() const
   {
     if (wide.empty())
@@ -127,20 +130,20 @@ public:
     return bytes;
   }
 
-  /** Those of a byte; null if they take two. */
+  /** Indices of one byte; null if they have two. */
   const std::uint8_t *bytes() const
   {
     return wide.empty() ? narrow.data() : nullptr;
   }
 
-  /** Those of two bytes; null if they take one. */
+  /** Indices of two bytes; null if they have one. */
   const std::uint16_t *words() const
   {
     return wide.empty() ? nullptr : wide.data();
   }
 
 private:
-  LineVector<std::uint8_t> narrow; ///< one of them is empty
+  LineVector<std::uint8_t> narrow; ///< narrow or wide is empty
   LineVector<std::uint16_t> wide;
 };
 } // namespace mesoslip

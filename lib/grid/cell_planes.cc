@@ -13,7 +13,7 @@ namespace mesoslip
 
 namespace
 {
-/** The cells of @p planes out of @p cells, which begin with plane @p first. */
+/** Copies the cells of @p planes from @p cells, which begin with plane @p first. */
 CellIndices copy_planes(const CellView &cells,
                         const unsigned int first,
                         const std::vector<unsigned int> &planes,
@@ -27,7 +27,7 @@ CellIndices copy_planes(const CellView &cells,
   return copied;
 }
 
-/** Those of @p planes that lie in @p range, in their order. */
+/** Elements of @p planes inside @p range, in their order. */
 std::vector<unsigned int> planes_in(const PlaneRange &range,
                                     const std::vector<unsigned int> &planes)
 {

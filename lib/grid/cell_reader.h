@@ -9,11 +9,13 @@
 
 namespace mesoslip
 {
-/** Gives the phases or materials of the cells of a block, x fastest, from a file or wherever they
- * are. @throws UserError if they cannot be read */
+/**
+ * Returns phases or materials of the cells of a block, x fastest, for example read from a
+ * file. @throws UserError if they cannot be read
+ */
 using CellReader = std::function<std::vector<std::uint16_t>(const CellBlock<3> &)>;
 
-/** Gives them from @p id, those of all cells of @p grid, x fastest. */
+/** Reader of @p id, the values of all cells of @p grid, x fastest. */
 template <typename Index>
 CellReader reader_of(const UniformGrid<3> &grid, const std::vector<Index> &id)
 {

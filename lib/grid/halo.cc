@@ -10,8 +10,10 @@ namespace mesoslip
 {
 namespace
 {
-/** Numbers in one message: MPI libraries send 4 kB at once, whether or not the other rank
- * is ready, and wait for its help with more. */
+/**
+ * Numbers per message. MPI libraries send up to 4 kB eagerly; longer messages wait for
+ * the receiver.
+ */
 constexpr std::size_t message_size = 480;
 
 constexpr int halo_tags[2] = {71, 72}; // downward, upward
@@ -51,7 +53,7 @@ MPIHalo::~MPIHalo()
     }
 }
 
-// Rows that go out announce as many that come in: the neighbour runs the same steps.
+// The neighbour runs the same steps, so each send announces one receive of the same size.
 void MPIHalo::send(const Side side, const RowBlock &own)
 {
   Neighbour &to = neighbours[side];

@@ -8,28 +8,28 @@
 
 namespace mesoslip
 {
-/** Consecutive node rows of the state: pointers to the lowest one. */
+/** Consecutive node rows of the state; pointers to the lowest row. */
 struct RowBlock
 {
   double *ux          = nullptr; ///< displacement (m)
   double *uy          = nullptr; ///< displacement (m)
   double *wx          = nullptr; ///< velocity of the scheme (m/s)
   double *wy          = nullptr; ///< velocity of the scheme (m/s)
-  std::size_t stride  = 0;       ///< from one row to the next, in numbers
+  std::size_t stride  = 0;       ///< distance between rows, in numbers
   unsigned int n_rows = 0;       ///< at least one
 };
 
 /**
- * Exchange with the ranks below and above, called by the stepper on a slab. Each sweep
- * goes from the lowest to the highest row, so the lowest own rows can be sent early and
- * the upper ghost rows are needed late; a rank that lags its lower neighbour by the
- * latency of a message never waits. Both neighbours call in the same order with the same
- * numbers of rows, and receive() what was sent before they send() again. Only sides that
- * have a neighbour are called.
+ * Exchange of rows with the ranks below and above, called by the stepper on a slab. Each
+ * sweep goes from the lowest to the highest row: the lowest owned rows are sent early,
+ * the upper ghost rows are needed late. A rank that lags its lower neighbour by the
+ * latency of a message never waits. Both neighbours make matching calls with the same
+ * numbers of rows, and call receive() before the next send(). Called only for sides with
+ * a neighbour.
  */
 struct Halo
 {
-  /** Where the neighbour lies. */
+  /** Side of the neighbour. */
   enum Side
   {
     lower,
@@ -38,17 +38,20 @@ struct Halo
 
   virtual ~Halo() = default;
 
-  /** The outermost own rows of a side are final for this time: start sending them. */
+  /**
+   * Starts sending the outermost owned rows of a side, which are final for this time
+   * step.
+   */
   virtual void send(const Side side, const RowBlock &own) = 0;
 
-  /** Wait for the neighbour's rows and store them in the ghost rows. */
+  /** Waits for the rows of the neighbour and stores them in the ghost rows. */
   virtual void receive(const Side side, const RowBlock &ghosts) = 0;
 
-  /** Called now and then between rows: lets messages move. */
+  /** Called occasionally between rows so that MPI can progress messages. */
   virtual void progress() = 0;
 };
 
-/** The halo of a stepper over MPI: rank - 1 is below, rank + 1 above. */
+/** Halo over MPI: rank - 1 is below, rank + 1 above. */
 class MPIHalo : public Halo
 {
 public:
@@ -57,7 +60,7 @@ public:
           const unsigned int max_rows,
           const MPI_Comm communicator);
 
-  /** Every message sent has been received when all ranks have done their last step. */
+  /** All messages have been received once every rank has done its last step. */
   ~MPIHalo() override;
   MPIHalo(const MPIHalo &) = delete;
 
@@ -66,7 +69,7 @@ public:
   void progress() override;
 
 private:
-  /** Numbers on their way to and from one neighbour. */
+  /** Send and receive buffers for one neighbour. */
   struct Neighbour
   {
     std::vector<double> out, in;

@@ -10,7 +10,7 @@ namespace mesoslip
 {
 namespace
 {
-/** In the order of InstructionSet. */
+/** Names in the order of InstructionSet. */
 const char *const set_names[] = {"auto",
 #ifdef __x86_64__
                                  "x86-64",

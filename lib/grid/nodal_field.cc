@@ -13,7 +13,8 @@ namespace
 {
 constexpr std::size_t cache_line = 64, large = 1 << 16;
 
-// Only advice: where the system does not know it, pages come when they are written.
+// The call is advice only: if the system ignores it, pages are mapped at their first
+// write.
 void make_pages_present(void *memory, const std::size_t bytes)
 {
 #ifdef MADV_POPULATE_WRITE

@@ -15,68 +15,68 @@ namespace mesoslip
 namespace internal
 {
 /**
- * At least @p bytes of memory that begin on a cache line. All pages of a large piece are
- * asked for at once: one by one, when first written, they take twice as long.
- * @throws std::bad_alloc
+ * Returns at least @p bytes of memory aligned to a cache line. All pages of a large piece
+ * are mapped at once; mapping at the first write takes twice as long. @throws
+ * std::bad_alloc
  */
 void *line_memory(const std::size_t bytes);
 } // namespace internal
 
-/** Allocates numbers that begin on a cache line. */
+/** Allocator of memory aligned to cache lines. */
 template <typename Number>
 struct LineAllocator
 {
-  using value_type = Number; ///< for the container
+  using value_type = Number; ///< value type of the container
 
   LineAllocator() = default;
 
-  /** Allocators of other numbers are the same. */
+  /** Conversion from the allocator of another type; there is no state. */
   template <typename Other>
   LineAllocator(const LineAllocator<Other> &)
   {
   }
 
-  /** @p n numbers. @throws std::bad_alloc */
+  /** Allocates @p n numbers. @throws std::bad_alloc */
   Number *allocate(const std::size_t n)
   {
     return static_cast<Number *>(internal::line_memory(n * sizeof(Number)));
   }
 
-  /** What allocate() gave. */
+  /** Frees memory from allocate(). */
   void deallocate(Number *memory, const std::size_t)
   {
     std::free(memory);
   }
 
-  /** All are equal. */
+  /** True: all allocators are equal. */
   friend bool operator==(const LineAllocator &, const LineAllocator &)
   {
     return true;
   }
 
-  /** Never. */
+  /** False: all allocators are equal. */
   friend bool operator!=(const LineAllocator &, const LineAllocator &)
   {
     return false;
   }
 };
 
-/** Numbers that begin on a cache line. */
+/** Vector aligned to a cache line. */
 template <typename Number>
 using LineVector = std::vector<Number, LineAllocator<Number>>;
 
-/** Numbers in the widest vector of the row kernels. */
+/** Number of values in the widest vector of the row kernels. */
 template <typename Number>
 constexpr unsigned int lanes = 64 / sizeof(Number);
 
-/** @p n rounded up to whole vectors. */
+/** @p n rounded up to a multiple of the vector length. */
 template <typename Number>
 constexpr unsigned int whole_vectors(const unsigned int n)
 {
   return (n + lanes<Number> - 1) / lanes<Number> * lanes<Number>;
 }
 
-/** The place of a node in a field. */
+/** Position of a node in a field. */
 struct NodeIndex
 {
   unsigned int i = 0; ///< column
@@ -84,17 +84,17 @@ struct NodeIndex
 };
 
 /**
- * Numbers on rows of nodes (or cells) with some components, two for displacements, as the
- * row kernels want them: the components of a row are arrays side by side, each of which
- * starts on a cache line and is followed by at least one full vector of zeros, so that a
- * kernel may read and write past the last node without a mask.
+ * Values at rows of nodes (or cells) with several components, two for displacements, in
+ * the layout of the row kernels. The components of a row are separate arrays. Each array
+ * starts on a cache line and ends with at least one full vector of zeros, so that kernels
+ * may read and write past the last node without a mask.
  *
- * There is one more row at either end, but not of points without rows, and one more column
- * on the left: there and behind the last column a multigrid cycle has the values of neighbours
- * across a periodic side, all others zeros.
+ * There is one ghost row at either end (none for fields of points without rows) and one
+ * ghost column on the left. A multigrid cycle stores the neighbours across a periodic
+ * side there and behind the last column; otherwise they are zero.
  *
- * Rows are numbered locally; a field that belongs to a slab of the grid holds the
- * slab's node rows (ghost rows included).
+ * Rows are numbered locally; a field of a slab of the grid has the node rows of the slab,
+ * ghost rows included.
  */
 template <typename Number>
 class NodalField
@@ -102,7 +102,7 @@ class NodalField
 public:
   NodalField() = default;
 
-  /** @p n_columns nodes a row, @p n_rows rows, all zero. */
+  /** Zero field with @p n_columns nodes per row and @p n_rows rows. */
   NodalField(const unsigned int n_columns,
              const unsigned int n_rows,
              const unsigned int n_components = 2)
@@ -110,13 +110,13 @@ public:
   {
   }
 
-  /** One row of @p n_points points of a mesh, with none beside it, all zero. */
+  /** Zero field with @p n_points points of a mesh in one row, without ghost rows. */
   static NodalField of_points(const std::size_t n_points, const unsigned int n_components)
   {
     return {static_cast<unsigned int>(n_points), 1, n_components, 0};
   }
 
-  /** A field of the same extents, all zero. */
+  /** A zero field of the same size. */
   NodalField zeros_alike() const
   {
     return {columns, rows, components, ghost_rows};
@@ -134,7 +134,7 @@ public:
     return rows;
   }
 
-  /** Numbers a node. */
+  /** Number of components per node. */
   unsigned int n_components() const
   {
     return components;
@@ -181,7 +181,10 @@ public:
     return row(c, node.j)[node.i];
   }
 
-  /** All values, padding included: for vector updates that treat every entry alike. */
+  /**
+   * First value; all values are contiguous, padding included, for vector updates of all
+   * entries.
+   */
   Number *begin()
   {
     return data.data();
@@ -193,30 +196,34 @@ public:
     return data.data();
   }
 
-  /** Numbers from begin() on, padding included. */
+  /** Number of values from begin() on, padding included. */
   std::size_t size() const
   {
     return data.size();
   }
 
-  /** Padding included. */
+  /** Sets all values to zero, padding included. */
   void set_zero()
   {
     std::fill(data.begin(), data.end(), Number(0));
   }
 
-  /** Takes the numbers of a field of the same extents, ghosts included; what lies further
-   *  out becomes zero. */
+  /**
+   * Copies the values of a field of the same size, ghosts included; padding beyond the
+   * ghosts becomes zero.
+   */
   template <typename Other>
   void convert_from(const NodalField<Other> &other);
 
-  /** Fills columns -1 and n_columns() (if @p x) and rows -1 and n_rows() (if @p y), which have to be
-   * there. */
+  /**
+   * Fills ghost columns -1 and n_columns() if @p x, and ghost rows -1 and n_rows() if
+   * @p y. The field must have them.
+   */
   void fill_ghosts(const bool x, const bool y);
 
   /**
-   * Saves or restores extents and all values (Boost.Serialization). @throws
-   * std::length_error when a field of other extents was saved
+   * Saves or restores size and all values (Boost.Serialization). @throws
+   * std::length_error if the saved field has another size
    */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
@@ -246,7 +253,7 @@ private:
   unsigned int components  = 0;
   unsigned int rows        = 0;
   unsigned int columns     = 0;
-  unsigned int ghost_rows  = 1; ///< at either end
+  unsigned int ghost_rows  = 1; ///< ghost rows at either end
   std::size_t array_stride = 0;
   LineVector<Number> data;
 };

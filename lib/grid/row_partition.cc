@@ -23,7 +23,7 @@ NodeRows rows_of(const unsigned int n_rows,
                  const unsigned int size,
                  const unsigned int ghosts)
 {
-  // Kernels advance three rows at once, from row 1 on: odd ones cost twice as much.
+  // Kernels advance three rows at once, from row 1 on; remaining rows cost twice as much.
   const bool many  = n_rows / size >= 12;
   const auto begin = [&](const unsigned int r) {
     const unsigned int even =
@@ -33,13 +33,16 @@ NodeRows rows_of(const unsigned int n_rows,
   return {n_rows, begin(rank), begin(rank + 1), ghosts};
 }
 
-/** Numbers of @p n_rows whole rows, which lie one after the other, padding included. */
+/** Number of values in @p n_rows contiguous rows, padding included. */
 int count(const NodalField<double> &field, const unsigned int n_rows)
 {
   return static_cast<int>(n_rows * field.stride());
 }
 
-/** Rows from @p first_from of @p from to rows from @p first_to of @p to. */
+/**
+ * Copies @p n_rows rows of @p from, starting at row @p first_from, to rows of @p to,
+ * starting at @p first_to.
+ */
 void copy_rows(const NodalField<double> &from,
                const unsigned int first_from,
                NodalField<double> &to,
@@ -54,7 +57,7 @@ constexpr std::size_t row_bytes_per_node = 4 * sizeof(double);
 
 std::size_t second_level_cache()
 {
-#ifdef _SC_LEVEL2_CACHE_SIZE // of glibc alone
+#ifdef _SC_LEVEL2_CACHE_SIZE // glibc only
   const long size = sysconf(_SC_LEVEL2_CACHE_SIZE);
   if (size > 0)
     return size;
@@ -68,12 +71,13 @@ suggested(const unsigned int n_columns, const unsigned int n_rows, const bool is
   const std::size_t cache = second_level_cache(), row = n_columns * row_bytes_per_node;
   if (row * n_rows < (is_slab ? cache / 8 * 7 : cache / 2))
     return 1;
-  // What a stage has just written is read by the next one, so more stages pay even when
-  // they do not all fit: measured on rows of 0.6 to 36 kB. A stage is at five rows.
+  // A stage reads the rows that the previous one has just written. More stages therefore
+  // pay off even if they do not all fit into the cache (measured on rows of 0.6 to 36
+  // kB). A stage works on five rows.
   const std::size_t stages = std::clamp<std::size_t>(cache / 2 / (5 * row), 8, 16);
   if (!is_slab)
     return stages;
-  // (n - 1) / 2 more rows a step on each side.
+  // (n - 1) / 2 additional rows per step on each side.
   return std::min<std::size_t>(stages, 1 + n_rows * 3 / 100);
 }
 } // namespace
@@ -84,7 +88,7 @@ unsigned int choose_steps_at_once(const unsigned int n_columns,
                                   const unsigned int requested)
 {
   const unsigned int of_a_rank = n_rows / n_ranks;
-  // Every rank has to own what its neighbours ask for; slabs differ by two rows.
+  // Every rank must own the rows that its neighbours need; slabs differ by two rows.
   const unsigned int most = n_ranks > 1 ? std::clamp(of_a_rank, 3u, 66u) - 2 : 64u;
   if (n_rows < 3)
     return 1;
@@ -130,7 +134,7 @@ void update_ghost_rows(NodalField<double> &field,
             above = rows.has_upper_ghost() ? rank + 1 : MPI_PROC_NULL;
   const int low   = static_cast<int>(rows.local(rows.begin)),
             high  = static_cast<int>(rows.local(rows.end));
-  // The neighbour of one direction sends while that of the other receives.
+  // While one neighbour is sent to, the other one is received from.
   const auto exchange = [&](const int sent, const int to, const int received,
                             const int from, const int tag) {
     MPI_Sendrecv(field.row(0, sent), count(field, 1), MPI_DOUBLE, to, tag,

@@ -10,17 +10,17 @@
 namespace mesoslip
 {
 /**
- * The node rows of a uniform grid that one rank works on: it owns [begin, end) of the
- * rows 0..n_global-1 and stores, in addition, ghost rows on each side that has a
- * neighbour. Fields on a slab hold n_local() rows, row `local(j)` being global row j.
+ * Node rows of a uniform grid on one rank. The rank owns rows [begin, end) of
+ * 0..n_global-1, and stores ghost rows on each side that has a neighbour. Fields on a
+ * slab have n_local() rows; row `local(j)` is global row j.
  */
 struct NodeRows
 {
   unsigned int n_global = 0; ///< rows of the whole grid
-  unsigned int begin    = 0; ///< first row owned
-  unsigned int end      = 0; ///< one beyond the last row owned
+  unsigned int begin    = 0; ///< first locally owned row
+  unsigned int end      = 0; ///< one past the last locally owned row
 
-  /** Ghost rows a side: one is enough for operators, n for n time steps at once. */
+  /** Ghost rows per side: one for operators, n for n time steps at once. */
   unsigned int ghosts = 1;
 
   /** All rows on one rank. */
@@ -53,7 +53,7 @@ struct NodeRows
     return n_global - end > ghosts ? end + ghosts : n_global;
   }
 
-  /** Owned rows and ghosts. */
+  /** Number of stored rows: locally owned rows and ghosts. */
   unsigned int n_local() const
   {
     return last() - first();
@@ -66,62 +66,66 @@ struct NodeRows
   }
 };
 
-/** How a sweep is run; never changes a bit of the result. */
+/** How a sweep is run; no option changes a bit of the result. */
 struct SweepOptions
 {
-  InstructionSet isa = InstructionSet::automatic; ///< of the row kernels
+  InstructionSet isa = InstructionSet::automatic; ///< instruction set of the row kernels
 
-  /** Time steps in one sweep of advance() (temporal blocking): 0 chooses by cache size, 1
-   *  is the plain sweep. On a slab it is the number of ghost rows that counts, see
-   *  partition_rows(). */
+  /**
+   * Time steps per sweep of advance() (temporal blocking): 0 chooses by cache size, 1 is
+   * the plain sweep. On a slab the number of ghost rows decides, see partition_rows().
+   */
   unsigned int steps_at_once = 0;
+
+  bool single_precision = false; ///< of the motion between the contact and the top
 };
 
 /**
- * Time steps in one sweep for a grid of @p n_columns x @p n_rows nodes over @p n_ranks
- * ranks:
- * @p requested or, if that is 0, what the size of the second-level cache suggests. A slab
- * needs as many ghost rows, and computes some rows twice: at most 3 % of them if chosen
- * here.
+ * Time steps per sweep for a grid of @p n_columns x @p n_rows nodes on @p n_ranks ranks:
+ * @p requested or, if it is 0, a value that fits the second-level cache. A slab needs as
+ * many ghost rows and computes some rows twice, at most 3 % of them if chosen here.
  */
 unsigned int choose_steps_at_once(const unsigned int n_columns,
                                   const unsigned int n_rows,
                                   const unsigned int n_ranks,
                                   const unsigned int requested);
 
-/** Over how many ranks @p n_rows node rows can be divided: two rows each, or one rank. */
+/** Largest number of ranks for @p n_rows node rows: two rows each, or one rank. */
 unsigned int largest_number_of_ranks(const unsigned int n_rows);
 
 /**
- * Contiguous slabs of node rows over the ranks of @p communicator, equal to two rows.
- * Rank 0 has the bottom. Every rank gets at least two rows: throws std::invalid_argument
- * when there are too many ranks. A stepper runs @p ghosts time steps at once, see
- * choose_steps_at_once().
+ * Contiguous slabs of node rows over the ranks of @p communicator; sizes differ by at
+ * most two rows. Rank 0 has the bottom. Every rank gets at least two rows; throws
+ * std::invalid_argument if there are too many ranks. A stepper runs @p ghosts time steps
+ * at once, see choose_steps_at_once().
  */
 NodeRows partition_rows(const unsigned int n_rows,
                         MPI_Comm communicator,
                         const unsigned int ghosts = 1);
 
-/** Slabs of a grid of @p n_columns x @p n_rows nodes for the steps at once of
- *  @p options. */
+/**
+ * Slabs of a grid of @p n_columns x @p n_rows nodes with the ghost rows that @p options
+ * needs.
+ */
 NodeRows partition_rows(const unsigned int n_columns,
                         const unsigned int n_rows,
                         MPI_Comm communicator,
                         const SweepOptions &options);
 
-/** Fill the nearest ghost rows of @p field from the neighbours (blocking, collective). */
+/** Updates the nearest ghost rows of @p field (blocking, collective). */
 void update_ghost_rows(NodalField<double> &field,
                        const NodeRows &rows,
                        MPI_Comm communicator);
 
-/** Collect the whole field on rank 0 (elsewhere the result is empty). */
+/** Gathers the whole field on rank 0; the result is empty on other ranks. */
 NodalField<double>
 gather_rows(const NodalField<double> &field, const NodeRows &rows, MPI_Comm communicator);
 
 /**
- * Saves or restores the own rows of @p field in their place (Boost.Serialization); all else is
- * zero then. How many ghost rows a run has depends on the steps at once, and changes no result.
- * @throws std::length_error when a field of other extents was saved
+ * Saves or restores the locally owned rows of @p field (Boost.Serialization); after
+ * loading, all other values are zero. The number of ghost rows depends on the steps at
+ * once and does not affect results. @throws std::length_error if the saved field has
+ * another size
  */
 template <class Archive>
 void serialize_own_rows(Archive &archive, NodalField<double> &field, const NodeRows &rows)
@@ -133,7 +137,7 @@ void serialize_own_rows(Archive &archive, NodalField<double> &field, const NodeR
   archive &saved;
   if (saved != size)
     throw std::length_error("a field of other extents was saved");
-  // Rows begin with the column on the left.
+  // Rows begin with the ghost column on the left.
   serialize_array(archive, field.row(0, rows.local(rows.begin)) - lanes<double>, size);
 }
 } // namespace mesoslip

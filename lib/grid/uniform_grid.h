@@ -10,8 +10,8 @@
 namespace mesoslip
 {
 /**
- * A box cut into equal cells. Cells and nodes are numbered with x fastest; row
- * means all cells (or nodes) of equal y in 2D. Lengths in metres.
+ * A box of equal cells. Cells and nodes are numbered with x fastest; in 2D a row has all
+ * cells (or nodes) of equal y. Lengths in metres.
  */
 template <int dim>
 struct UniformGrid
@@ -29,13 +29,13 @@ struct UniformGrid
     return n;
   }
 
-  /** Cells of a layer across the last axis: a row of a plane grid, a plane of a box. */
+  /** Cells in a layer across the last axis: a row of a plane grid, a plane of a box. */
   std::size_t cells_in_layer() const
   {
     return n_cells() / cells[dim - 1];
   }
 
-  /** Product of those plus one. */
+  /** Product of the numbers of cells plus one along the axes. */
   std::size_t n_nodes() const
   {
     std::size_t n = 1;
@@ -59,8 +59,10 @@ struct UniformGrid
     return measure;
   }
 
-  /** Corners of cell @p number, of which the bits of their index say whether they are at the
-   * upper end of each axis. */
+  /**
+   * Nodes at the corners of cell @p number; bit d of a corner is set at the upper end of
+   * axis d.
+   */
   std::array<unsigned int, 1U << dim> corners(const unsigned int number) const
   {
     std::array<unsigned int, 1U << dim> nodes = {};
@@ -96,14 +98,13 @@ struct UniformGrid
 };
 
 /**
- * The morphology on a uniform grid: one phase index for each cell, x fastest,
- * `id.size() == grid.n_cells()`.
+ * Phase index of each cell of a uniform grid, x fastest; `id.size() == grid.n_cells()`.
  */
 template <int dim>
 struct PhaseMap
 {
   UniformGrid<dim> grid;        ///< the cells
-  std::vector<std::uint8_t> id; ///< of each cell, x fastest
+  std::vector<std::uint8_t> id; ///< phase of each cell, x fastest
 };
 
 /** "560 x 160": two numbers of cells or pixels. */

@@ -18,18 +18,17 @@ namespace mesoslip
 {
 namespace
 {
-/** The means over two phases follow from the stiffness through the difference of the
- * phases, which magnifies its error. */
+/** The means over two phases follow from the stiffness and the difference of the phases,
+ * which magnifies the error. */
 constexpr double refuse_phase_means_above = 0.1;
 
-/** Dropped entries and differences of conditions that are worth a sentence. */
+/** Limits of dropped entries and of differences between conditions for a warning. */
 constexpr double largest_dropped = 0.01, largest_factor = 2.;
 
 template <int dim>
 bool is_positive_definite(const VoigtMatrix<dim> &D)
 {
-  // In the scale of its diagonal, as moduli may differ by more than the digits of a
-  // number.
+  // Scaled by the diagonal, as moduli may differ by more than double precision resolves.
   const VoigtVector<dim> scale  = D.diagonal().cwiseSqrt().cwiseInverse();
   const VoigtMatrix<dim> scaled = scale.asDiagonal() * D * scale.asDiagonal();
   return scaled.allFinite() &&
@@ -39,7 +38,8 @@ bool is_positive_definite(const VoigtMatrix<dim> &D)
 /** Below this a smaller tolerance does not make the solution more accurate. */
 constexpr double smallest_tolerance = 1e-12;
 
-/** What changes residuals. Means of strains follow from the sides, whatever the solution is. */
+/** Remedy for large residuals. Mean strains follow from the sides for any solution, so
+ * their residual is independent of the tolerance. */
 template <int dim>
 std::string remedy(const HomogenizedResponse<dim> &r, const double tolerance)
 {
@@ -86,7 +86,8 @@ std::string dropped_entries(const VoigtMatrix<dim> &D)
                                 (dim == 2 ? "x and y" : "x, y and z") + " are its axes";
 }
 
-/** What MUBC leave out where the axes are not those of orthotropy. */
+/** Warning on stress couplings that MUBC neglect if the axes are not axes of
+ * orthotropy. */
 template <int dim>
 std::string mixed_coupling(const std::vector<EnsembleMember<dim>> &members)
 {
@@ -112,7 +113,7 @@ std::string mixed_coupling(const std::vector<EnsembleMember<dim>> &members)
 template <int dim>
 std::string conditions_apart(const VoigtMatrix<dim> &kubc, const VoigtMatrix<dim> &subc)
 {
-  // Stationary values of the ratio of the two energies over all strains.
+  // Eigenvalues: stationary values of the ratio of the two energies over all strains.
   const Eigen::VectorXd ratios = symmetric_eigenvalues(kubc, subc);
   const double factor          = std::max(ratios[n_voigt<dim> - 1], 1. / ratios[0]);
   if (factor <= largest_factor)
@@ -181,7 +182,7 @@ morphology_warnings(const std::vector<EnsembleMember<dim>> &members)
 UniformMaterial make_material(const PhaseMap<2> &map, std::vector<ElasticPhase<2>> phases)
 {
   for (ElasticPhase<2> &phase : phases)
-    phase.density = 1.; // statics need none
+    phase.density = 1.; // statics do not use it
   try
     {
       return UniformMaterial(map.grid, phases, map.id);
@@ -252,7 +253,7 @@ std::string check_response(const HomogenizedResponse<dim> &r, const double toler
   const double error = std::max(r.hill_mandel_residual, r.mean_residual);
   if (error <= tell_above)
     return {};
-  // Of 3000 random solutions, one was off by 35 times its residual.
+  // In a test with 3000 random solutions, one had an error 35 times its residual.
   text << ", so about " << static_cast<int>(-std::log10(error)) - 1
        << " digits hold, in the tensors " << tensor << " as well" << remedy(r, tolerance);
   return condition + ": " + text.str();

@@ -24,12 +24,13 @@ struct RveParameters
   MeshParameters mesh;                       ///< Dimension and section Mesh
   MicrostructureParameters microstructure;   ///< sections Grid, Phases, Microstructure
   std::vector<BoundaryCondition> conditions; ///< in the order of the .prm
-  MeanDilatation mean_dilatation = MeanDilatation::automatic; ///< phases that have it
+  MeanDilatation mean_dilatation = MeanDilatation::automatic; ///< which phases have it
   StaticSolverKind solver =
-    StaticSolverKind::multigrid; ///< which solver solves the load cases
+    StaticSolverKind::multigrid; ///< static solver used for all load cases
   double tolerance = 1e-8;       ///< relative residual of a solve
 
-  /** mean (of KUBC and SUBC), KUBC, SUBC, PBC or MUBC: what /stiffness/effective is. */
+  /** Definition of /stiffness/effective: mean (KUBC and SUBC), KUBC, SUBC, PBC or
+   * MUBC. */
   std::string effective = "mean";
 
   /** Whether the effective stiffness keeps the entries that couple shear to anything else,
@@ -38,16 +39,16 @@ struct RveParameters
 
   bool complex_loss =
     false;                  ///< loss factors from complex stiffnesses, not to first order
-  bool derivatives = false; ///< those with respect to constants of phases are written
-  bool write_concentration = true; ///< tensors of all cells into rve.h5
-  bool reuse               = true; ///< an rve.h5 of the same digest is not computed anew
+  bool derivatives = false; ///< whether derivatives by phase constants are written
+  bool write_concentration = true; ///< whether tensors of all cells are written to rve.h5
+  bool reuse               = true; ///< whether an rve.h5 of the same digest is reused
 
-  /** Number of morphologies: of the seeds seed, seed + 1, ..., or of the meshes. */
+  /** Number of morphologies: with the seeds seed, seed + 1, ..., or one per mesh. */
   unsigned int n_members = 1;
-  double confidence      = 0.95; ///< of the ensemble's intervals, 0 to 1
+  double confidence      = 0.95; ///< confidence level of the ensemble's intervals, 0 to 1
 
-  /** Stiffness that the results are compared with (Pa), see
-   * stiffness_from_coefficients(); empty: none. */
+  /** Reference stiffness (Pa) for comparison, see stiffness_from_coefficients(); empty:
+   * none. */
   std::vector<double> reference;
 
   LoadParameters loads; ///< section Loads
@@ -59,18 +60,19 @@ struct RveParameters
   void check() const;
 };
 
-/** One morphology and what was computed for it. */
+/** A morphology and its results. */
 template <int dim>
 struct EnsembleMember
 {
-  /** Where its morphology comes from: "seed 7" of the random numbers, or "mesh b.msh". */
+  /** Origin of the morphology: "seed 7" of the random numbers, or "mesh b.msh". */
   std::string origin;
-  std::vector<std::string> warnings; ///< about its morphology
+  std::vector<std::string> warnings; ///< warnings about its morphology
   std::vector<double> fractions;     ///< volume fractions of the phases
-  /** In the order of the conditions. */
+  /** Per boundary condition, in the order of the .prm. */
   std::vector<HomogenizedResponse<dim>> responses;
 
-  /** For each condition whose cases are superposed, in their order, each load. */
+  /** Results of all loads for each condition whose unit cases are superposed, in
+   * order. */
   std::vector<LoadResult<dim>> loads;
 
   /** Conductivities, in the order of the conditions; empty: not asked for. */
@@ -95,17 +97,17 @@ template <int dim>
 struct StiffnessStatistics
 {
   VoigtMatrix<dim> mean               = VoigtMatrix<dim>::Zero(); ///< Pa
-  VoigtMatrix<dim> standard_deviation = VoigtMatrix<dim>::Zero(); ///< Pa, of a member
+  VoigtMatrix<dim> standard_deviation = VoigtMatrix<dim>::Zero(); ///< Pa, of members
 
-  /** Pa, of the confidence interval of the mean (Student). */
+  /** Pa, half width of the confidence interval of the mean (Student). */
   VoigtMatrix<dim> half_width = VoigtMatrix<dim>::Zero();
 
   /** 2 s / (sqrt(n) mean), Kanit et al. (2003) [-]. */
   VoigtMatrix<dim> relative_error = VoigtMatrix<dim>::Zero();
 };
 
-/** Statistics for the boundary condition number @p condition; of a single member the mean
- * alone, all others are zero. */
+/** Statistics for the boundary condition number @p condition. With a single member only
+ * the mean is set, the rest is zero. */
 template <int dim>
 StiffnessStatistics<dim>
 stiffness_statistics(const std::vector<EnsembleMember<dim>> &members,
@@ -113,41 +115,41 @@ stiffness_statistics(const std::vector<EnsembleMember<dim>> &members,
                      const double confidence);
 
 /**
- * What there is to warn of in the morphologies: each sentence once, with the origins of
- * those that it is about unless it is about all.
+ * Warnings on the morphologies: each sentence once, with the origins of the members
+ * concerned unless all are.
  */
 template <int dim>
 std::vector<std::string>
 morphology_warnings(const std::vector<EnsembleMember<dim>> &members);
 
-/** The material of a morphology on its grid. */
+/** Material of the cells of a morphology on its grid. */
 UniformMaterial make_material(const PhaseMap<2> &map,
                               std::vector<ElasticPhase<2>> phases);
 
-/** Mean stiffness (Pa) over all members and those of their responses whose condition is
- * one of @p conditions; zero if there are none. */
+/** Mean stiffness (Pa) over the responses of all members under @p conditions; zero if
+ * there are none. */
 template <int dim>
 VoigtMatrix<dim> mean_stiffness(const std::vector<EnsembleMember<dim>> &members,
                                 const std::vector<BoundaryCondition> &conditions);
 
-/** Over which conditions the effective stiffness is the mean: the chosen one, or KUBC and
- * SUBC, or all if those two are not both there. */
+/** Conditions over which the effective stiffness is averaged: the chosen one; for "mean",
+ * KUBC and SUBC, or all conditions if either is missing. */
 std::vector<BoundaryCondition> effective_conditions(const RveParameters &parameters);
 
 /**
- * What the residuals say of a result: a sentence when fewer than five digits of the mean
- * stress (SUBC: strain) and of the concentration tensors hold, else nothing.
- * @throws NumericalFailure when not even two hold, or when the stiffness is not positive
- * definite: this is no result.
+ * Judges a result by its residuals: a sentence if fewer than five digits of the mean
+ * stress (SUBC: strain) and of the concentration tensors hold, else empty.
+ * @throws NumericalFailure if fewer than two digits hold or the stiffness is not
+ * positive definite
  */
 template <int dim>
 std::string check_response(const HomogenizedResponse<dim> &response,
                            const double tolerance);
 
 /**
- * check_response() of all members, with their origins if there are several, and what the
- * effective stiffness hides: entries that orthotropy drops, KUBC and SUBC of
- * which the mean is taken although they are far apart.
+ * Warnings of check_response() for all members (with their origins if there are
+ * several), and on the effective stiffness: entries dropped by orthotropy, and KUBC and
+ * SUBC too far apart for their mean.
  */
 template <int dim>
 std::vector<std::string> result_warnings(const std::vector<EnsembleMember<dim>> &members,

@@ -12,22 +12,22 @@ namespace mesoslip
 {
 namespace
 {
-/** Bytes of a cell that the ranks divide: phases, multigrid, vectors, load cases; as measured; and of its
- *  morphology, which rank 0 makes. */
+/** Bytes per cell if the ranks divide the rows, as measured: phases, multigrid, vectors,
+ * load cases; and its morphology, which rank 0 makes. */
 constexpr double bytes_per_divided_cell = 125. + 3.;
 
-/** Bytes of libraries that every rank loads. */
+/** Bytes of libraries per rank. */
 constexpr double bytes_of_rank = 150e6;
 
-/** Bytes of a rank that has a whole volume: libraries, solver, displacements of all load
- *  cases; as measured. With ml the ranks share the volume. */
+/** Bytes of a replicated volume on a rank, as measured: libraries, solver, displacements
+ * of all load cases. With ml the ranks share the volume. */
 struct WholeVolume
 {
-  double solver; ///< of every rank
-  double fields; ///< of those that keep results: rank 0, or each that has members
+  double solver; ///< per rank
+  double fields; ///< per rank that keeps results: rank 0, or each rank with members
 };
 
-/** More of such a cell where phases expand. */
+/** Additional bytes per cell with thermal expansion. */
 constexpr double bytes_of_heat = 28.;
 
 bool expands(const RveParameters &parameters)
@@ -48,7 +48,7 @@ WholeVolume bytes_of_whole(const RveParameters &parameters)
   return {n_cells * solver, n_cells * fields};
 }
 
-/** Bytes that all ranks on this machine need together. Collective. */
+/** Memory of all ranks on this machine (bytes). Collective. */
 double bytes_here(const RveParameters &parameters, const bool divided)
 {
   const double ranks = ranks_of_this_machine();
@@ -66,7 +66,7 @@ double bytes_here(const RveParameters &parameters, const bool divided)
          (parameters.n_members > 1 ? volumes : 1.) * whole.fields;
 }
 
-/** Why the ranks cannot divide the rows of a volume; empty if they can. */
+/** Reason why the ranks cannot divide the rows of a volume; empty if they can. */
 std::string not_divided(const RveParameters &parameters)
 {
   if (parameters.microstructure.phases.size() > VoxelVolume<2>::most_phases)
@@ -75,15 +75,17 @@ std::string not_divided(const RveParameters &parameters)
   return {};
 }
 
-/** Whether the ranks divide the rows, and why if that is not what the .prm asks for. */
+/** Whether the ranks divide the rows, and the reason if the choice differs from
+ * the .prm. */
 struct Division
 {
   bool divided       = false;
   std::string reason = {};
 };
 
-/** What is asked for or, instead of multigrid, what the memory allows. Collective.
- *  @throws UserError if nothing fits */
+/** The division asked for or, instead of multigrid, the division that the memory allows.
+ * Collective.
+ * @throws UserError if nothing fits */
 Division choose_division(const RveParameters &parameters)
 {
   const bool asked          = parameters.solver == StaticSolverKind::divided;
@@ -195,7 +197,7 @@ protected:
       member.fractions =
         area_fractions(microstructure->map, microstructure->phases.size());
     };
-    microstructure = Microstructure(); // not two at once
+    microstructure = Microstructure(); // avoids two in memory
     if (division.divided)
       on_root(MPI_COMM_WORLD, make);
     else
@@ -226,7 +228,7 @@ protected:
 
   ConductionCells<2> cells_for_conduction(const unsigned int /*m*/) const override
   {
-    const std::vector<std::uint8_t> &id = microstructure->map.id; // of the member at hand
+    const std::vector<std::uint8_t> &id = microstructure->map.id; // current member
     ConductionCells<2> cells            = conduction_cells(*grid);
     for (std::size_t k = 0; k < id.size(); ++k)
       cells.mesh.cells[k].material_id = id[k];
@@ -247,16 +249,16 @@ protected:
   }
 
 private:
-  /** What the cells of the rows of this rank are made of. */
+  /** Materials of the locally owned rows of cells. */
   CellPlanes planes() const
   {
     return {in_space(*grid), rows.view(), MPI_COMM_WORLD};
   }
 
-  const Division division;                      ///< of the rows
-  const double bytes;                           ///< that ranks on this machine need
-  std::optional<Microstructure> microstructure; ///< of the member at hand
-  CellIndices rows;                             ///< phases of the rows of this rank
+  const Division division;                      ///< division of the rows
+  const double bytes;                           ///< needed by the ranks of this machine
+  std::optional<Microstructure> microstructure; ///< current member
+  CellIndices rows;                             ///< phases of locally owned rows
 };
 } // namespace
 

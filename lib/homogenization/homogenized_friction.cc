@@ -97,8 +97,8 @@ double regularization_time_for(const double mean_coefficient,
           "mean friction coefficient", mean_coefficient,
           "between 0 and mu = " + to_text(friction_coefficient) +
             " (both excluded) for a regularization time to exist");
-  // x = T_G / delta; both shares are solved for so that neither limit loses digits, and
-  // 2 kept <= x <= 1 / lost brackets the root.
+  // x = T_G / delta. Uses the share (lost or kept) that has no cancellation; 2 kept <= x
+  // <= 1 / lost brackets the root.
   const double kept   = mean_coefficient / friction_coefficient;
   const double lost   = (friction_coefficient - mean_coefficient) / friction_coefficient;
   const auto residual = [kept, lost](const double x) {

@@ -6,16 +6,16 @@
 namespace mesoslip
 {
 /**
- * Friction coefficient averaged over a stretch of contact, eqs. (11-13),
+ * Mean friction coefficient over a contact duration, eqs. (11-13),
  *
  *     mu_bar = mu [1 + delta / T_G (exp(-T_G / delta) - 1)],
  *
  * with the limits mu (delta = 0) and mu T_G / (2 delta) (delta >> T_G); accurate to
  * round-off in between.
  *
- * @param friction_coefficient  local Coulomb coefficient mu, > 0
- * @param regularization_time   delta, s, >= 0
- * @param contact_duration      T_G, s, > 0
+ * @param friction_coefficient local Coulomb coefficient mu, > 0
+ * @param regularization_time delta, s, >= 0
+ * @param contact_duration T_G, s, > 0
  * @throws UserError outside these ranges
  */
 double mean_friction_coefficient(double friction_coefficient,
@@ -34,7 +34,7 @@ double regularization_time_for(double mean_coefficient,
                                double friction_coefficient,
                                double contact_duration);
 
-/** What a phase shows to the contact surface. */
+/** Contact properties of a phase. */
 struct ContactPhase
 {
   /** Area S_i in m^2, m per m of thickness, or as a fraction: only ratios matter. */

@@ -20,7 +20,7 @@ VoigtMatrix<2> voigt_mean(const ElasticBody<2> &body)
   return mean;
 }
 
-/** The components of the nodes on the sides that load case @p k prescribes. */
+/** Dirichlet components of the nodes on the sides in load case @p k. */
 DofMask held_boundary(const ElasticBody<2> &body,
                       const BoundaryCondition condition,
                       const unsigned int k)
@@ -67,7 +67,7 @@ NodalField<double> uniform_traction(const ElasticBody<2> &body, const unsigned i
   return f;
 }
 
-/** The solver of one kind of boundary condition, set up when first needed. */
+/** The solver for one boundary condition, set up at the first use. */
 class CaseSolver
 {
 public:
@@ -114,7 +114,7 @@ private:
       return solve_heat(condition, u);
     if (condition == BoundaryCondition::SUBC)
       {
-        // Exact in a homogeneous body, a fair guess in others.
+        // Initial guess: exact in a homogeneous body.
         const VoigtMatrix<2> compliance = inverse<2>(voigt_mean(body));
         set_up(condition, k);
         u = affine_displacement(body, VoigtVector<2>(compliance.col(k)));
@@ -124,8 +124,8 @@ private:
     if (homogeneous && (condition != BoundaryCondition::MUBC || orthotropic))
       return SolverReport();
 
-    // The unknown is the fluctuation: its forces, those of the heterogeneity alone, are
-    // what the tolerance refers to.
+    // The unknown is the fluctuation. The tolerance refers to its forces, which the
+    // heterogeneity alone causes.
     set_up(condition, k);
     NodalField<double> force = body.zero_field(), fluctuation = body.zero_field();
     body.vmult(force, u);
@@ -177,15 +177,15 @@ private:
   const ElasticBody<2> &body;
   const double tolerance;
   const NodalField<double> &of_heat;
-  bool homogeneous          = false; ///< one phase alone
-  bool orthotropic          = true;  ///< all phases along x and y
-  bool no_shear             = true;  ///< these, and no thermal shear stress
+  bool homogeneous          = false; ///< a single phase only
+  bool orthotropic          = true;  ///< all phases are orthotropic along x and y
+  bool no_shear             = true;  ///< orthotropic phases without thermal shear stress
   BoundaryCondition current = BoundaryCondition::KUBC;
   std::unique_ptr<ElasticBody<2>> periodic_body;
   std::unique_ptr<StaticSolver> solver;
 };
 
-// By rows, not as a whole object: fields are large, and MPI counts in int.
+// Row by row instead of the whole object: fields are large, and MPI counts in int.
 void bring_field_to_root(NodalField<double> &u, const int owner, const MPI_Comm comm)
 {
   int rank = 0;
@@ -234,8 +234,8 @@ solve_load_cases(const ElasticBody<2> &body,
 
   std::vector<LoadCaseSolutions> solutions(conditions.size());
   CaseSolver solver(body, tolerance, of_heat);
-  // Contiguous shares, so that a rank sets up as few kinds of boundary as possible. On a
-  // distributed body all ranks solve each case together.
+  // Contiguous ranges of cases, so that a rank sets up as few boundary conditions as
+  // possible. On a distributed body all ranks solve each case together.
   const auto owner = [&](const unsigned int n) {
     return static_cast<int>(n * n_ranks / n_cases);
   };

@@ -14,7 +14,7 @@
 
 namespace mesoslip
 {
-/** How a macroscopic strain or stress is applied to the volume. */
+/** Boundary condition that applies a macroscopic strain or stress to the volume. */
 enum class BoundaryCondition
 {
   KUBC, ///< u = E.x on the boundary
@@ -22,9 +22,9 @@ enum class BoundaryCondition
   PBC,  ///< u = E.x + periodic
 
   /** Mixed uniform conditions on a box, for axes of orthotropy along x, y (and z). Normal
-   * strains: u.n = (E.x).n on all sides, without tangential traction. A shear of two axes:
-   * tangential displacements of E.x on the sides across these axes, without normal traction,
-   * and u.n = 0 without tangential traction on the others. */
+   * strains: u.n = (E.x).n on all sides, tangential traction zero. A shear of two axes:
+   * on the sides across these axes tangential displacements of E.x, normal traction
+   * zero; on all other sides u.n = 0, tangential traction zero. */
   MUBC
 };
 
@@ -34,8 +34,8 @@ std::string to_string(const BoundaryCondition condition);
 /** @throws std::invalid_argument */
 BoundaryCondition boundary_condition(const std::string &name);
 
-/** Whether load case @p k (Voigt, or n_voigt: heat) of KUBC or MUBC prescribes the displacement along axis @p c
- * on the sides across axis @p across. */
+/** Whether load case @p k (Voigt, or n_voigt: heat) of KUBC or MUBC prescribes the
+ * displacement along axis @p c on the sides across axis @p across. */
 template <int dim>
 bool is_prescribed(const BoundaryCondition condition,
                    const unsigned int k,
@@ -50,8 +50,9 @@ bool is_prescribed(const BoundaryCondition condition,
   return (c == across) != antisymmetric;
 }
 
-/** The load cases in the order in which they are solved. That of one kelvin, number n_voigt, if it is @p heated, has
- * the prescribed displacements of normal strains and follows them. */
+/** Load cases in solution order. If the volume is @p heated, the case of one kelvin
+ * (number n_voigt) follows the normal strains, whose prescribed displacements it
+ * shares. */
 template <int dim>
 std::vector<unsigned int> order_of_cases(const bool heated)
 {
@@ -74,7 +75,8 @@ std::string name_of_case(const unsigned int k)
   return "heat";
 }
 
-/** Whether load case @p k has other prescribed displacements than the case before. */
+/** Whether load case @p k prescribes displacements on other components than the case
+ * before. */
 template <int dim>
 bool begins_group(const BoundaryCondition condition, const unsigned int k)
 {
@@ -84,7 +86,7 @@ bool begins_group(const BoundaryCondition condition, const unsigned int k)
 /** The three solutions for unit macroscopic strains (KUBC, PBC, MUBC) or stresses (SUBC). */
 struct LoadCaseSolutions
 {
-  BoundaryCondition condition = BoundaryCondition::KUBC; ///< on the boundary
+  BoundaryCondition condition = BoundaryCondition::KUBC; ///< for the solutions
 
   /**
    * Displacements (m) under xx, yy and xy = 1 (engineering shear for strains; 1 Pa for
@@ -92,10 +94,11 @@ struct LoadCaseSolutions
    */
   std::array<NodalField<double>, 3> displacement;
 
-  /** Displacements (m) of one kelvin without macroscopic strain (SUBC: stress); empty where nothing expands. */
+  /** Displacements (m) of one kelvin without macroscopic strain (SUBC: stress); empty
+   * without thermal expansion. */
   NodalField<double> of_heat;
 
-  /** Displacements of load case @p k. */
+  /** Displacement field of load case @p k. */
   NodalField<double> &field(const unsigned int k)
   {
     if (k < displacement.size())
@@ -103,7 +106,7 @@ struct LoadCaseSolutions
     return of_heat;
   }
 
-  /** The same to read. */
+  /** Displacement field of load case @p k, read only. */
   const NodalField<double> &field(const unsigned int k) const
   {
     if (k < displacement.size())
@@ -112,16 +115,16 @@ struct LoadCaseSolutions
   }
 
   std::vector<SolverReport>
-    reports; ///< iterations and residuals of these solves, by load case
+    reports; ///< solver iterations and residuals of these solves, by load case
 };
 
 /**
  * Solves the three load cases of each condition. The cases are dealt out to the ranks of
  * @p communicator and collected on rank 0; the other ranks return reports only. On a
- * distributed body the ranks solve each case together and all return everything. @p of_heat are the nodal
- * forces (N/m) of one kelvin, without duplicates; empty: nothing expands.
- * @p case_done, if any, is called after each load case of this rank; @p timer, if any, gets a section for
- * each condition.
+ * distributed body the ranks solve each case together and all return everything.
+ * @p of_heat are the nodal forces (N/m) of one kelvin, without periodic copies; empty:
+ * no thermal expansion. @p case_done, if any, is called after each load case of this
+ * rank; @p timer, if any, gets a section for each condition.
  * @throws NotConverged
  */
 std::vector<LoadCaseSolutions>

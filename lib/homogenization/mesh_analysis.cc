@@ -10,15 +10,17 @@ namespace mesoslip
 {
 namespace
 {
-/** Bytes that a node costs all ranks together, measured with ML: cells, matrix, hierarchy, load
+/** Bytes per node on all ranks together, measured with ML: cells, matrix, hierarchy, load
  * cases. */
 template <int dim>
 constexpr double bytes_per_node = dim == 2 ? 3400. : 15000.;
-/** More where several boundary conditions or members are computed one after the other. */
+/** Additional bytes per node if several boundary conditions or members are computed one
+ * after the other. */
 template <int dim>
 constexpr double bytes_of_several = dim == 2 ? 1200. : 6000.;
 
-/** Nodes of the displacements of @p degree; of the second one about as many as Euler's formulas say. */
+/** Number of nodes for displacements of @p degree; for degree 2 estimated by Euler's
+ * formulas. */
 template <int dim>
 std::uint64_t n_nodes(const Mesh<dim> &mesh, const unsigned int degree)
 {
@@ -98,7 +100,7 @@ protected:
   {
     number = m;
     if (volumes.empty())
-      return {}; // of another rank
+      return {}; // rank other than 0
     const MeshMorphology<dim> &volume = volumes[m];
     member.origin    = "mesh " + std::filesystem::path(volume.file).filename().string();
     member.warnings  = volume.warnings;
@@ -117,7 +119,7 @@ protected:
               const std::function<void()> & /*case_done*/,
               Timer & /*timer*/) override
   {
-    const Mesh<dim> none; // of other ranks
+    const Mesh<dim> none; // for ranks other than 0
     return std::make_unique<MeshVolume<dim>>(
       volumes.empty() ? none : volumes[number].mesh, phases, MPI_COMM_WORLD,
       parameters.mesh.degree);
@@ -134,16 +136,16 @@ protected:
 private:
   using VolumeAnalysis<dim>::parameters;
 
-  /** What the first mesh takes on all ranks together (bytes). */
+  /** Memory of the first mesh on all ranks together (bytes). */
   double bytes_of_volume() const
   {
     const bool several  = parameters.conditions.size() > 1 || parameters.n_members > 1;
     const double more   = several ? bytes_of_several<dim> : 0.;
-    const double denser = parameters.mesh.degree > 1 ? 1.12 : 1.; // matrices
+    const double denser = parameters.mesh.degree > 1 ? 1.12 : 1.; // matrices are denser
     return denser * (bytes_per_node<dim> + more) * static_cast<double>(sizes[0]);
   }
 
-  // Whatever may be wrong with a later mesh is found before the first is computed.
+  // Reads all meshes first, so that errors in a later mesh appear before any computation.
   void read_all()
   {
     const bool periodic = std::count(parameters.conditions.begin(),
@@ -172,9 +174,9 @@ private:
   }
 
   std::vector<MeshMorphology<dim>> volumes; ///< on rank 0
-  unsigned int number = 0;                  ///< of the member at hand
+  unsigned int number = 0;                  ///< current member
 
-  /** Points and cells of the first, everywhere. */
+  /** Broadcasts points and cells of the first mesh. */
   std::vector<std::uint64_t> sizes = {0, 0};
 };
 } // namespace

@@ -13,15 +13,16 @@
 
 namespace mesoslip
 {
-/** Five digits are what the other programs and the pages count on. */
+/** Residuals above this limit get a warning: the other programs and the pages rely on
+ * five digits. */
 constexpr double tell_above = 1e-5;
 
-/** A percent is about what the moduli of phases are known to: what is not sure to that is
- * no result. */
+/** Residuals above this limit are errors: phase moduli are known to about one percent, so
+ * a less certain result is useless. */
 constexpr double refuse_above = 1e-2;
 
-/** Mean of @p value, a vector or matrix of a response, over all members and those of their @p responses whose
- * condition is one of @p conditions; zero if there are none. */
+/** Mean of @p value, a vector or matrix of a response, over the @p responses of all
+ * members under @p conditions; zero if there are none. */
 template <int dim, typename Response, typename Value>
 auto mean_over(const std::vector<EnsembleMember<dim>> &members,
                std::vector<Response> EnsembleMember<dim>::*responses,
@@ -43,8 +44,9 @@ auto mean_over(const std::vector<EnsembleMember<dim>> &members,
   return sum;
 }
 
-/** A sentence for each of the @p responses whose @p residual, by which @p what differ relatively, is above tell_above.
- * @throws NumericalFailure where it is above refuse_above or no number */
+/** A warning for each of the @p responses whose @p residual exceeds tell_above; @p what
+ * names the quantities that differ.
+ * @throws NumericalFailure if the residual exceeds refuse_above or is not a number */
 template <int dim, typename Response, typename Residual>
 std::vector<std::string>
 residual_warnings(const std::vector<EnsembleMember<dim>> &members,

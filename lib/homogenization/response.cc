@@ -10,7 +10,7 @@ namespace mesoslip
 {
 namespace
 {
-// Means of the tensors over two phases against what the stiffness says they are.
+// Compares the mean tensors of two phases with the exact relation to the stiffness.
 template <int dim>
 std::optional<double> two_phase_residual(const VolumeSums<dim> &sums,
                                          const std::vector<ElasticPhase<dim>> &phases,
@@ -25,7 +25,7 @@ std::optional<double> two_phase_residual(const VolumeSums<dim> &sums,
     return {};
   const bool stresses = response.condition == BoundaryCondition::SUBC,
              mixed    = response.condition == BoundaryCondition::MUBC;
-  // Of MUBC the orthotropic part of the means alone is known beforehand.
+  // For MUBC only the orthotropic part of the means is known beforehand.
   if (mixed && !(is_orthotropic<dim>(phases[present[0]].stiffness) &&
                  is_orthotropic<dim>(phases[present[1]].stiffness)))
     return {};
@@ -34,7 +34,7 @@ std::optional<double> two_phase_residual(const VolumeSums<dim> &sums,
   };
   const Tensor C_m = tensor(phases[present[0]].stiffness),
                C_i = tensor(phases[present[1]].stiffness), D = tensor(response.stiffness);
-  // The difference has to be invertible, with digits to spare.
+  // The difference has to be invertible with a margin.
   const Tensor inverse = mesoslip::inverse<dim>(C_i - C_m);
   if (!(inverse.norm() * C_m.norm() < 1e6))
     return {};
@@ -51,8 +51,8 @@ VoigtMatrix<dim> symmetric_part(const VoigtMatrix<dim> &A)
   return 0.5 * (A + A.transpose());
 }
 
-/** @p mean: of the stress per unit strain, or (SUBC) of the strain per unit stress. @p
- * energy: u_k.K u_l / V. */
+/** @p mean: stress per unit strain, or (SUBC) strain per unit stress. @p energy: u_k.K
+ * u_l / V. */
 template <int dim>
 void set_stiffness(HomogenizedResponse<dim> &response,
                    const VoigtMatrix<dim> &mean,
@@ -67,7 +67,7 @@ void set_stiffness(HomogenizedResponse<dim> &response,
     scaled_difference<dim>(response.stiffness_from_mean, response.stiffness);
   response.symmetry_residual = scaled_difference<dim>(D, D.transpose());
 }
-/** All but ThermalResponse::held. */
+/** Computes all members except ThermalResponse::held. */
 template <int dim>
 ThermalResponse<dim> thermal_response(const VolumeSums<dim> &sums,
                                       const std::vector<ElasticPhase<dim>> &phases,
@@ -87,7 +87,7 @@ ThermalResponse<dim> thermal_response(const VolumeSums<dim> &sums,
       heat.work += phase.strain.transpose() * beta / sums.volume;
       strain += of_heat / sums.volume;
       stress += (phases[p].stiffness * of_heat - phase.volume * beta) / sums.volume;
-      // What cannot cancel, unlike the results.
+      // The scale sums absolute values, which cannot cancel.
       if (phase.volume > 0. && !beta.isZero(0.))
         scale +=
           phase.volume / sums.volume *
@@ -151,7 +151,7 @@ HomogenizedResponse<dim> homogenize(const VolumeSums<dim> &sums,
   Tensor energy   = sums.energy;
   if (sums.condition == BoundaryCondition::MUBC)
     {
-      // The energies of cases with different constraints say nothing of a stiffness.
+      // Energies between cases with different constraints are no stiffness entries.
       energy = orthotropic_part<dim>(energy);
       strain = orthotropic_part<dim>(strain);
       response.coupling =

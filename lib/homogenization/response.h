@@ -12,48 +12,50 @@
 
 namespace mesoslip
 {
-/** Sums over the cells of one phase under the unit load cases, one a column, and of one kelvin. */
+/** Sums over the cells of one phase under the unit load cases (a column each) and under
+ * one kelvin. */
 template <int dim>
 struct PhaseSums
 {
-  UnitStrains<dim> strain = UnitStrains<dim>::Zero(); ///< integral, in the unit of volume
+  UnitStrains<dim> strain = UnitStrains<dim>::Zero(); ///< integral (VolumeSums' unit)
   double volume           = 0.;                       ///< in any unit, see VolumeSums
 };
 
-/** What the load cases of one boundary condition sum up to over the volume. */
+/** Volume sums of the load cases of one boundary condition. */
 template <int dim>
 struct VolumeSums
 {
-  BoundaryCondition condition = BoundaryCondition::KUBC; ///< on the boundary
-  std::vector<PhaseSums<dim>> phases;                    ///< for each phase
-  double volume = 0.; ///< of all phases; in the unit that the phases have
+  BoundaryCondition condition = BoundaryCondition::KUBC; ///< for the load cases
+  std::vector<PhaseSums<dim>> phases;                    ///< per phase
+  double volume = 0.; ///< total volume, in the unit of PhaseSums::volume
 
   /** Volume mean of strain_k . C strain_l (Pa, for SUBC 1/Pa). */
   VoigtMatrix<dim> energy = VoigtMatrix<dim>::Zero();
 
-  std::vector<SolverReport> reports; ///< of the solves, by load case, that of heat last
+  std::vector<SolverReport> reports; ///< solver reports per load case, heat last
 };
 
-/** What one kelvin does to the volume under a boundary condition, which holds the mean strain (SUBC: stress) at zero. */
+/** Response to one kelvin under a boundary condition that keeps the mean strain (SUBC:
+ * stress) zero. */
 template <int dim>
 struct ThermalResponse
 {
   bool exists = false; ///< whether a phase expands
 
-  /** Effective thermal stress (Pa/K): S = D E - this times the change of temperature. By reciprocity the mean of
-   * A^T beta with the strains A of the unit load cases and the thermal stress beta of the phases (SUBC: that is
-   * the expansion). MUBC: without shears. */
+  /** Effective thermal stress beta (Pa/K): S = D E - beta T. By reciprocity it is the
+   * mean of A^T beta with the strains A of the unit load cases and the thermal stress
+   * beta of the phases (SUBC: this mean is the expansion). MUBC: without shears. */
   VoigtVector<dim> stress = VoigtVector<dim>::Zero();
 
   VoigtVector<dim> expansion =
     VoigtVector<dim>::Zero(); ///< D^-1 stress (1/K, engineering shear)
 
-  /** Largest distance of stress from the mean stress (SUBC: of the expansion from the mean strain) of the solved case,
-   * over the mean of the phases. */
+  /** Largest difference between stress and the mean stress (SUBC: between expansion and
+   * mean strain) of the solved case, over the mean of the phases. */
   double residual = 0.;
 
-  /** Mean of a_k . beta with the strains a_k of the unit cases (Pa/K, SUBC: 1/K) and, last, a_T . beta with those
-   * of one kelvin (Pa/K^2). */
+  /** Mean of a_k . beta with the strains a_k of the unit cases (Pa/K, SUBC: 1/K) and,
+   * last, of a_T . beta with the strains a_T of one kelvin (Pa/K^2). */
   Eigen::Matrix<double, n_voigt<dim> + 1, 1> work =
     Eigen::Matrix<double, n_voigt<dim> + 1, 1>::Zero();
 
@@ -68,11 +70,11 @@ struct ThermalResponse
   }
 };
 
-/** What the load cases of one boundary condition say about the volume. */
+/** Effective properties from the load cases of one boundary condition. */
 template <int dim>
 struct HomogenizedResponse
 {
-  BoundaryCondition condition = BoundaryCondition::KUBC; ///< on the boundary
+  BoundaryCondition condition = BoundaryCondition::KUBC; ///< for the load cases
 
   /**
    * Effective stiffness (Pa) from the energy that the boundary condition makes extremal:
@@ -83,15 +85,16 @@ struct HomogenizedResponse
    */
   VoigtMatrix<dim> stiffness = VoigtMatrix<dim>::Zero();
 
-  /** The same from the means, of first order: mean of C:L, or inverse of the mean of S:B
-   * (SUBC). */
+  /** Effective stiffness from means, of first order: mean of C:L, or inverse of the mean
+   * of S:B (SUBC). */
   VoigtMatrix<dim> stiffness_from_mean = VoigtMatrix<dim>::Zero();
 
-  /** Largest difference of the two, zero by Hill and Mandel, see scaled_difference(). */
+  /** Largest difference between stiffness and stiffness_from_mean, zero by Hill and
+   * Mandel, see scaled_difference(). */
   double hill_mandel_residual = 0.;
 
-  /** Largest entry of D - D^T for stiffness_from_mean, in the same scale, before
-   * symmetrization. */
+  /** Largest entry of D - D^T for stiffness_from_mean before symmetrization, see
+   * scaled_difference(). */
   double symmetry_residual = 0.;
 
   /** Norm of (mean of L) - I (KUBC, PBC; MUBC: of its orthotropic part) or (mean of B) - I
@@ -102,27 +105,28 @@ struct HomogenizedResponse
    * scale of scaled_difference(): zero when x, y (and z) are axes of orthotropy. */
   double coupling = 0.;
 
-  /** VolumeSums::energy. */
+  /** See VolumeSums::energy. */
   VoigtMatrix<dim> energy = VoigtMatrix<dim>::Zero();
 
   /**
-   * With two phases their mean tensors follow from the stiffness alone: (C_i - C_m)^-1
-   * (D - C_m) / f, and the like with compliances for B. Relative distance of the stiffer
-   * one from that; empty for other numbers of phases or phases that do not differ enough.
+   * Two phases: relative distance of the stiffer phase's mean tensor from the exact (C_i
+   * - C_m)^-1 (D - C_m) / f (for B the same with compliances), which the stiffness alone
+   * determines. Empty for other numbers of phases or phases that do not differ enough.
    */
   std::optional<double> two_phase_residual;
 
   /**
-   * Volume mean of the concentration tensor over each phase, Voigt components of the row local, of the
-   * column macroscopic: strain L (KUBC, PBC, MUBC) or stress B (SUBC); zero for absent phases.
+   * Volume mean of the concentration tensor over each phase (row: local, column:
+   * macroscopic Voigt component): strain L (KUBC, PBC, MUBC) or stress B (SUBC); zero
+   * for absent phases.
    */
   std::vector<VoigtMatrix<dim>> phase_means;
 
   /** Derivatives of the stiffness (Pa over the unit of the constant), see variations_of(). */
   std::vector<VoigtMatrix<dim>> derivatives;
 
-  ThermalResponse<dim> heat; ///< of one kelvin
-  double volume = 0.;        ///< of all phases, in the unit of VolumeSums
+  ThermalResponse<dim> heat; ///< response to one kelvin
+  double volume = 0.;        ///< total volume, in the unit of VolumeSums
 
   std::vector<SolverReport>
     reports; ///< iterations and residuals, by load case, heat last
@@ -135,19 +139,20 @@ struct HomogenizedResponse
   }
 };
 
-/** Largest |a_ij - b_ij| / sqrt(b_ii b_jj): the same in any units, and where one modulus
- * is far below the others. */
+/** Largest |a_ij - b_ij| / sqrt(b_ii b_jj): independent of units, and meaningful where
+ * one modulus is far below the rest. */
 template <int dim>
 double scaled_difference(const VoigtMatrix<dim> &a, const VoigtMatrix<dim> &b);
 
-/** What the response follows from. @p phases are those of the sums (stiffness in Pa). */
+/** Effective properties from @p sums. @p phases are the phases of the sums (stiffness in
+ * Pa). */
 template <int dim>
 HomogenizedResponse<dim> homogenize(const VolumeSums<dim> &sums,
                                     const std::vector<ElasticPhase<dim>> &phases);
 
-/** Where the cells of a phase are several materials, these in orientations of their own: takes the means
- * over the @p n_parts phases in place of those over the materials, of which number m belongs to phase
- * @p part [m]. @p sums are what the response follows from. */
+/** Replaces means over materials by means over the @p n_parts phases, where the cells of
+ * a phase are several materials (orientations of the phase). Material m belongs to phase
+ * @p part [m]. @p sums are the sums from which @p response follows. */
 template <int dim>
 void gather_parts(HomogenizedResponse<dim> &response,
                   const VolumeSums<dim> &sums,

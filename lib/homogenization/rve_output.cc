@@ -82,8 +82,9 @@ json ensemble_json(const RveParameters &parameters, const RveResults<dim> &resul
   return ensemble;
 }
 
-/** A line of the table on the console: a name and entries, or their names; in 3D those of
- * an orthotropic stiffness, or the others, which couple a shear to anything else. */
+/** A row of the console table: a name and entries, or the names of entries. In 3D either
+ * the orthotropic entries or, with @p couplings, the entries that couple a shear to
+ * another component. */
 template <int dim, typename Entry>
 std::string row_text(const std::string &name,
                      const int digits,
@@ -107,7 +108,7 @@ std::string stiffness_text(const std::string &name, const bool couplings, const 
 {
   return row_text<dim>(
     name, 3, couplings, [&](std::ostream &line, const StiffnessEntry &place) {
-      // Whole MPa; what rounds to zero loses its sign.
+      // Rounded to MPa; adding 0 removes the sign of -0.
       line << std::round(D[place.row][place.column].get<double>() * 1e-6) * 1e-3 + 0.;
     });
 }
@@ -125,7 +126,7 @@ std::string difference_text(const bool couplings, const json &D, const json &ref
     });
 }
 
-// What every solve has to fulfil, and how well it does.
+// Logs the residuals of the identities that every solve has to fulfil.
 template <int dim>
 void log_identities(const EnsembleMember<dim> &member, RunContext &context)
 {
@@ -224,7 +225,8 @@ void write_rve_tables(const RveParameters &parameters,
     write_rectangles(context.file("rectangles.csv"), results.rectangles);
 }
 
-/** Entries that couple a shear to anything else, in 3D, or all others. */
+/** Logs in 3D the entries that couple a shear to another component (@p couplings), or all
+ * remaining entries. */
 template <int dim>
 void log_entries(RunContext &context, const bool couplings)
 {

@@ -14,7 +14,7 @@ namespace mesoslip
 {
 namespace
 {
-/** Keys that a mesh makes pointless. */
+/** Refuses keys that have no effect with a mesh. */
 void refuse_keys_of_grids(const Keys &keys, const RveParameters &parameters)
 {
   const bool grid          = parameters.mesh.files.empty();
@@ -29,7 +29,8 @@ void refuse_keys_of_grids(const Keys &keys, const RveParameters &parameters)
                       : reason + " and meshes are solved with ml",
                voxels ? "set it to multigrid" : "set it to ml");
 }
-/** @throws UserError unless all phases have a conductivity or none, within a range that is solved accurately */
+/** @throws UserError unless all phases or no phase has a conductivity, within the range
+ * of accurate solutions */
 void check_conductivities(const std::vector<PhaseParameters> &phases)
 {
   constexpr double most = 1e10;

@@ -11,13 +11,13 @@ namespace mesoslip
 {
 namespace
 {
-// To be raised when the same parameters come to have other results: an rve.h5 of before
-// is then made again. 2: ensembles on several ranks had been wrong. 3: cells coarser than
-// the pixels of an image took the pixel at their centre, and gamma changed a PNG.
+// Raise this when the same parameters get different results: existing rve.h5 files are
+// then computed again. 2: ensembles on several ranks had been wrong. 3: cells coarser
+// than the pixels of an image took the pixel at their centre, and gamma changed a PNG.
 constexpr double revision = 3.;
 
-// What determines rve.h5: the computation, the parameters that matter and the content of
-// the input file.
+// Digest of the inputs of rve.h5: the computation, the parameters that matter and the
+// content of the input file.
 std::string inputs_digest(const Keys &keys, const RveParameters &parameters)
 {
   Digest digest;
@@ -41,7 +41,7 @@ std::string inputs_digest(const Keys &keys, const RveParameters &parameters)
 
 std::unique_ptr<Analysis> make_volume_analysis(Keys &keys)
 {
-  resolve(InstructionSet::automatic); // tells what is wrong with MESOSLIP_ISA
+  resolve(InstructionSet::automatic); // reports an invalid MESOSLIP_ISA
   RveParameters parameters;
   parameters.bind(keys);
   parameters.check();

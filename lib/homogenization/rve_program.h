@@ -9,50 +9,51 @@ namespace mesoslip
 {
 class RunContext;
 
-/** Everything a run of rve_homogenization has found out; on rank 0. */
+/** Results of a run of rve_homogenization; on rank 0. */
 template <int dim>
 struct RveResults
 {
   /** Morphology and materials of the first member. */
   RveContent<dim> first;
-  std::vector<Rectangle> rectangles; ///< of the first member, if it is made of them
+  std::vector<Rectangle> rectangles; ///< rectangles of the first member, if it has any
 
-  std::vector<EnsembleMember<dim>> members; ///< one a morphology
-  /** Stiffness (Pa), mean over the members. */
+  std::vector<EnsembleMember<dim>> members; ///< per morphology
+  /** Effective stiffness (Pa), mean over the members. */
   VoigtMatrix<dim> effective = VoigtMatrix<dim>::Zero();
 
-  /** Thermal expansion (1/K) by condition, and "effective"; empty: nothing expands. */
+  /** Thermal expansion (1/K) by condition, and "effective"; empty: no phase expands. */
   std::map<std::string, VoigtVector<dim>> expansion;
 
-  /** Conductivity by condition, and "effective", in the unit of the phases; empty: not asked for. */
+  /** Conductivity by condition, and "effective", in the unit of the phases; empty: not
+   * asked for. */
   std::map<std::string, Tensor2<dim>> conductivity;
 
   /** Number of nodes of the first member. */
   std::size_t n_nodes = 0;
 };
 
-/** rve.h5 (with the summary written before) and rve.xdmf. */
+/** Writes rve.h5 (with the summary written before) and rve.xdmf. */
 template <int dim>
 void write_rve_results(RveResults<dim> &results, RunContext &context);
 
 /**
- * Takes over the summary of the run that wrote the rve.h5 in the output folder.
- * @return false if it holds none
+ * Restores the summary of the run that wrote the rve.h5 in the output folder.
+ * @return false if the file has none
  */
 bool restore_rve_summary(RunContext &context);
 
-/** The table of stiffnesses of the summary, new or restored, on the console. */
+/** Prints the table of stiffnesses of the summary, new or restored, on the console. */
 template <int dim>
 void log_stiffness(RunContext &context);
 
-/** stiffness.csv, engineering_constants.csv, phase_means.csv, ensemble.csv,
+/** Writes stiffness.csv, engineering_constants.csv, phase_means.csv, ensemble.csv,
  * rectangles.csv. */
 template <int dim>
 void write_rve_tables(const RveParameters &parameters,
                       const RveResults<dim> &results,
                       const RunContext &context);
 
-/** summary.json, and the key numbers on the console. */
+/** Writes summary.json, and the key numbers to the console. */
 template <int dim>
 void write_rve_summary(const RveParameters &parameters,
                        const RveResults<dim> &results,

@@ -24,10 +24,10 @@ namespace mesoslip
 {
 namespace
 {
-// With a tolerance above this, hardly a result is as accurate as check_response() asks for.
+// Above this tolerance hardly any result passes check_response().
 constexpr double largest_useful_residual = 1e-4;
 
-// As this program has written it, with this digest.
+// Whether this version of the program wrote the file with this digest.
 bool is_up_to_date(const std::string &path,
                    const std::string &format,
                    const std::string &digest)
@@ -42,7 +42,7 @@ bool is_up_to_date(const std::string &path,
     }
   catch (const UserError &)
     {
-      return false; // Something else of that name, or damaged: it is made again.
+      return false; // not an rve.h5, or damaged: it is computed again
     }
 }
 } // namespace
@@ -81,7 +81,8 @@ void VolumeAnalysis<dim>::describe(std::ostream &out) const
       out << "warning: " << warning << '\n';
 }
 
-/** rve.h5 with empty concentration tensors; the stiffness is Hill's mean, between the bounds. */
+/** Writes rve.h5 with empty concentration tensors; the stiffness is Hill's mean of the
+ * bounds. */
 template <int dim>
 void VolumeAnalysis<dim>::write_draft(const std::string &folder) const
 {
@@ -158,7 +159,7 @@ std::string VolumeAnalysis<dim>::advice(const NotConverged &failure) const
     return std::string("check the moduli of Phases and ") +
            (grid ? "Grid/Size, which are in Pa and m" : "Mesh/Scale") +
            ": forces or displacements are beyond the range of numbers";
-  // The worst angles of the cells of a mesh are among the lines on it.
+  // For a mesh the lines on its cells already state the worst angles.
   double aspect = 1.;
   if (grid)
     {

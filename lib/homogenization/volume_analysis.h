@@ -16,8 +16,8 @@
 
 namespace mesoslip
 {
-/** What rve_homogenization does whatever the volume lies on. Plane grids, voxels and meshes differ in how they
- * make their morphologies and the volume elements of these. */
+/** The analysis of rve_homogenization, independent of the discretization. Derived classes
+ * for plane grids, voxels and meshes make the morphologies and their volume elements. */
 template <int dim>
 class VolumeAnalysis : public Analysis
 {
@@ -28,8 +28,8 @@ public:
   void write_draft(const std::string &folder) const override;
 
 protected:
-  /** @p digest identifies parameters and input files; @p grid is that of the cells, unless they are those of
-   * a mesh. */
+  /** @p digest identifies parameters and input files; @p grid is the grid of the cells,
+   * empty for a mesh. */
   VolumeAnalysis(const RveParameters &parameters,
                  const std::string &digest,
                  const std::optional<UniformGrid<dim>> &grid)
@@ -51,80 +51,83 @@ protected:
     return false;
   }
 
-  /** How much memory the load cases take, and what the ranks divide, for --validate. */
+  /** Memory of the load cases and its division among the ranks, as text for
+   * --validate. */
   virtual std::string memory() const = 0;
 
-  /** Lines on the morphologies, for --validate, and sentences of warning on them. On rank 0. */
+  /** Lines on the morphologies for --validate; appends to @p warnings. On rank 0. */
   virtual std::vector<std::string>
   describe_morphologies(std::vector<std::string> &warnings) const = 0;
 
-  /** Grid or mesh of the first member, its phases, where they are and their fractions, its rectangles and
-   * number of nodes; on rank 0. */
+  /** Grid or mesh of the first member with its phases, phase map, volume fractions,
+   * rectangles and number of nodes; on rank 0. */
   virtual RveResults<dim> morphology() const = 0;
 
-  /** Whether the ranks write what their cells are made of, which morphology() then leaves out in a run. */
+  /** Whether each rank writes the phases of its cells; morphology() then leaves them out
+   * in a run. */
   virtual bool are_cells_divided() const = 0;
 
-  /** Writes what the cells of the first member are made of into room that was made for it in @p path:
-   * their phases and, if @p with_orientations, which of the oriented materials they are. Collective. */
+  /** Writes phases and, if @p with_orientations, material numbers of the cells of the
+   * first member into the datasets reserved in @p path. Collective. */
   virtual void write_cells(const std::string & /*path*/,
                            const bool /*with_orientations*/) const
   {
   }
 
-  /** The rank that solves member @p m alone; empty: all solve it together. */
+  /** The rank that solves member @p m alone; empty: all ranks solve it together. */
   virtual std::optional<int> owner(const unsigned int /*m*/) const
   {
     return std::nullopt;
   }
 
-  /** Makes the morphology of member @p m, after which the one before is not needed; sets where it comes from,
-   * its fractions and warnings, and returns lines for the log. Collective among the ranks that solve it;
-   * what is set and returned is that of rank 0. */
+  /** Makes the morphology of member @p m and releases the morphology before it. Sets
+   * origin, fractions and warnings of @p member, and returns lines for the log.
+   * Collective among the ranks that solve the member; results are valid on rank 0. */
   virtual std::vector<std::string> make_morphology(const unsigned int m,
                                                    EnsembleMember<dim> &member) = 0;
 
-  /** The volume element of the morphology that was made last, of @p materials (stiffness in Pa). Collective among those that
-   * solve it. */
+  /** The volume element of the current morphology with @p materials (stiffness in Pa).
+   * Collective among the ranks that solve it. */
   virtual std::unique_ptr<VolumeElement<dim>>
   make_volume(const std::vector<ElasticPhase<dim>> &materials,
               const std::function<void()> &case_done,
               Timer &timer) = 0;
 
-  /** What the cells are made of, as LocalFields needs it: the phases, or these in all orientations of the
-   * morphology that was made last. */
+  /** Materials of the cells as LocalFields needs them: the phases, or the phases in all
+   * orientations of the current morphology. */
   virtual std::vector<LoadedPhase<dim>> materials() const
   {
     return loaded_phases<dim>(parameters.microstructure.phases);
   }
 
-  /** A stiffness, or a change of it (Pa), of material @p material, from that of its phase. */
+  /** Rotates a stiffness or its change (Pa) from the axes of the phase to the orientation
+   * of @p material. */
   virtual VoigtMatrix<dim> turned(const std::size_t /*material*/,
                                   const VoigtMatrix<dim> &of_phase) const
   {
     return of_phase;
   }
 
-  /** The cells of member @p m and, in the order of their materials, their conductivities; on one rank, which
-   * has or makes all of its morphology. */
+  /** The cells of member @p m and their conductivities by material; on one rank, which
+   * holds or makes the whole morphology. */
   virtual ConductionCells<dim> cells_for_conduction(const unsigned int m) const = 0;
 
-  /** What explains a solve that failed, or helps; empty: nothing is known. */
+  /** Likely cause or remedy of a failed solve; empty: unknown. */
   virtual std::string advice(const NotConverged &failure) const;
 
   const RveParameters parameters;             ///< checked
-  const std::string digest;                   ///< of all inputs
-  const std::optional<UniformGrid<dim>> grid; ///< of the cells; empty: a mesh
+  const std::string digest;                   ///< digest of all inputs
+  const std::optional<UniformGrid<dim>> grid; ///< grid of the cells; empty: a mesh
 
 private:
-  /** Number of load cases of a member, but those of solve_loss(). */
+  /** Number of load cases of a member without the cases of solve_loss(). */
   std::uint64_t n_first_cases() const
   {
     return (std::uint64_t{n_voigt<dim>} + (expands() ? 1 : 0)) *
            parameters.conditions.size();
   }
 
-  /** Number of all of them. */
+  /** Number of all load cases of a member. */
   std::uint64_t n_cases() const
   {
     return n_first_cases() + (parameters.complex_loss ? std::uint64_t{2} * n_voigt<dim> *
@@ -135,34 +138,35 @@ private:
   /** Whether a phase expands. */
   bool expands() const;
 
-  /** Of an array with a number for each cell. */
+  /** Shape of an array with a number for each cell. */
   Shape shape() const
   {
     return grid ? shape_of_cells(*grid) : Shape{n_cells()};
   }
 
-  /** For sentences on locking; on rank 0. */
+  /** Kinds of cells for sentences on locking; on rank 0. */
   CellKinds kinds_of_cells() const;
 
-  /** On the phases with mean dilatation; on rank 0. */
+  /** Lines on the phases with mean dilatation; on rank 0. */
   std::vector<std::string> lines_of_cells() const;
 
-  /** Sentences on what looks like another unit. */
+  /** Warnings on values that look like another unit. */
   std::vector<std::string> slips() const;
 
-  /** Conditions whose concentration tensors are written, in the order of their names. */
+  /** Conditions whose concentration tensors are written, sorted by name. */
   std::vector<std::string> reserved_conditions() const;
 
-  /** Computes conductivities of member @p m, if they are asked for, on the rank that has its results; fields are kept
-   * of the first one. */
+  /** Computes the conductivities of member @p m, if asked for, on the rank that holds its
+   * results; keeps the fields of the first member. */
   void solve_conduction(const unsigned int m,
                         EnsembleMember<dim> &member,
                         RunContext &context);
 
-  /** Sets the complex stiffnesses of @p member, whose load cases were solved. Collective among those that did. */
+  /** Computes the complex stiffnesses of @p member from solved load cases. Collective
+   * among the ranks that solved them. */
   void solve_loss(const unsigned int m, EnsembleMember<dim> &member, RunContext &context);
 
-  /** The changes of each of these materials with the @p variations. */
+  /** Changes of each material in @p of_cells along the @p variations. */
   std::vector<StiffnessChanges<dim>>
   changes_of(const std::vector<LoadedPhase<dim>> &of_cells,
              const std::vector<Variation<dim>> &variations) const;
@@ -173,23 +177,25 @@ private:
   /** Bytes of ConductionVolume on the ranks of this machine; 0: no conductivity is asked for. */
   double bytes_of_conduction(const unsigned int n_ranks) const;
 
-  /** Makes room in rve.h5 and loads.h5 for what the ranks write of the first member; returns where the fields
-   * of loads go (empty: nowhere). Collective. */
+  /** Reserves rve.h5 and loads.h5 for the rows of the first member that the ranks write.
+   * @return the file for load fields, empty if there are none. Collective. */
   std::string reserve_fields(const RunContext &context) const;
 
-  /** Makes the morphology of member @p m and tells of it; @p results get that of the first one. */
+  /** Makes the morphology of member @p m and logs it; stores the first morphology in
+   * @p results. */
   void begin_member(const unsigned int m,
                     EnsembleMember<dim> &member,
                     RveResults<dim> &results,
                     RunContext &context);
 
-  /** Solves its load cases; fields are written of the first one, those of loads to @p loads_file. */
+  /** Solves all load cases of @p member; writes the fields of the first member, load
+   * fields into @p loads_file. */
   void solve_member(const unsigned int m,
                     const std::string &loads_file,
                     EnsembleMember<dim> &member,
                     RunContext &context);
 
-  /** Solves all load cases of all members. Collective; results are those of rank 0.
+  /** Solves all load cases of all members. Collective; results are valid on rank 0.
    * @throws NotConverged */
   RveResults<dim> compute(RunContext &context);
 };
@@ -198,8 +204,9 @@ private:
 std::unique_ptr<Analysis> make_grid_analysis(const RveParameters &parameters,
                                              const std::string &digest);
 
-/** Collective. @throws UserError, with the number of cells that would fit, unless the machine
- * has the memory for these voxels; before anything is read but what a file says of itself */
+/** Checks that the machine has the memory for these voxels; reads file headers only.
+ * Collective.
+ * @throws UserError with the number of cells that would fit */
 void require_voxel_memory(const RveParameters &parameters);
 
 /** The analysis of volumes of voxels. Collective. @throws UserError */

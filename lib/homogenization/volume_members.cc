@@ -15,12 +15,12 @@ namespace mesoslip
 {
 namespace
 {
-/** Bytes of a cell with its node in ConductionVolume, as measured: mesh, matrix, multigrid. */
+/** Bytes per cell of ConductionVolume, as measured: mesh, matrix, multigrid. */
 template <int dim>
 constexpr double bytes_per_conducting_cell = dim == 2 ? 600. : 1200.;
 
-/** Writes the concentration tensors of the cells for the @p condition that @p volume has solved last.
- * Collective among the ranks that have them. */
+/** Writes the concentration tensors of the cells for the @p condition that @p volume has
+ * solved last. Collective among the ranks that have them. */
 template <int dim>
 void write_concentration(const VolumeElement<dim> &volume,
                          const BoundaryCondition condition,
@@ -37,7 +37,8 @@ void write_concentration(const VolumeElement<dim> &volume,
                });
 }
 
-/** Writes the stress of the cells for one kelvin in the same way, in 2D @p with_transverse with sigma_zz. */
+/** Like write_concentration(), for the cell stress at one kelvin; in 2D
+ * @p with_transverse adds sigma_zz. */
 template <int dim>
 void write_thermal_stress(const VolumeElement<dim> &volume,
                           const BoundaryCondition condition,
@@ -105,7 +106,7 @@ void VolumeAnalysis<dim>::begin_member(const unsigned int m,
       if (are_cells_divided())
         results.first.phase_id.clear();
     }
-  if (parameters.n_members == 1) // those of several are told apart when all are known
+  if (parameters.n_members == 1) // several members are told apart when all are known
     for (const std::string &warning : member.warnings)
       context.warn(warning);
 }
@@ -129,7 +130,7 @@ double VolumeAnalysis<dim>::bytes_of_conduction(const unsigned int n_ranks) cons
 {
   if (!further_fields().conduction)
     return 0.;
-  // Members that are dealt out are solved side by side.
+  // Members with an owner are solved side by side.
   return bytes_per_conducting_cell<dim> * static_cast<double>(n_cells()) *
          (owner(0) ? std::min(n_ranks, parameters.n_members) : 1U);
 }
@@ -170,13 +171,13 @@ void VolumeAnalysis<dim>::solve_conduction(const unsigned int m,
         }
       catch (const NotConverged &e)
         {
-          // NotConverged is that of the ranks together.
+          // Not passed on as NotConverged, which all ranks have to throw together.
           throw NumericalFailure(
             e.what() + std::string("; check Phases/.../Conductivity, whose values "
                                    "should not differ by many orders of magnitude"));
         }
   };
-  if (owner(m)) // of this rank alone
+  if (owner(m)) // solved by this rank only
     solve();
   else
     on_root(context.communicator(), solve);
@@ -195,7 +196,7 @@ void VolumeAnalysis<dim>::solve_member(const unsigned int m,
   std::vector<unsigned int> part;
   for (const LoadedPhase<dim> &material : of_cells)
     {
-      phases.push_back( // at rest
+      phases.push_back( // density 0: statics
         {material.stiffness, 0.,
          has_mean_dilatation<dim>(material.stiffness, parameters.mean_dilatation),
          material.thermal_stress});

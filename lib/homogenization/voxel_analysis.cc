@@ -11,19 +11,21 @@ namespace mesoslip
 {
 namespace
 {
-/** Bytes of a node, divided among the ranks: phases, multigrid, vectors, load cases; as
- *  measured. */
+/** Bytes per node, divided among the ranks, as measured: phases, multigrid, vectors, load
+ * cases. */
 constexpr double bytes_per_voxel = 210.;
-/** More where a phase is not isotropic. */
+/** Additional bytes per voxel if a phase is not isotropic. */
 constexpr double anisotropic_bytes = 30.;
-/** More where orientations are read: two bytes more for each cell, and in the solver one more. */
+/** Additional bytes per voxel with orientations: two for the material of each cell, one
+ * in the solver. */
 constexpr double orientation_bytes = 5.;
-/** More where phases expand: the case of heat, its forces. */
+/** Additional bytes per voxel with thermal expansion: the case of heat and its forces. */
 constexpr double heat_bytes = 42.;
-/** More for MUBC, whose multigrid is made anew while load cases are kept, with three diagonals. */
+/** Additional bytes per voxel for MUBC: the multigrid is rebuilt while load cases are
+ * kept, with three diagonals. */
 constexpr double mixed_bytes = 25.;
 
-/** What all ranks together need (bytes). */
+/** Memory of the solver on all ranks together (bytes). */
 double bytes_of_solver(const RveParameters &parameters)
 {
   const MicrostructureParameters &microstructure = parameters.microstructure;
@@ -56,7 +58,8 @@ public:
 
   unsigned int useful_ranks() const override
   {
-    // Some seconds of one core; eight planes hide what ranks tell each other.
+    // Some seconds on one core; with eight planes per rank computation hides
+    // communication.
     constexpr double long_solve = 6e6;
     const auto n_solves =
       static_cast<double>(6 * parameters.conditions.size() * parameters.n_members);
@@ -88,7 +91,7 @@ protected:
     content.phases          = volume.phases;
     content.fractions       = volume.fractions;
     content.orientations    = volume.orientations;
-    content.orientations.id = {}; // the ranks write them, as phase_id
+    content.orientations.id = {}; // the ranks write them like phase_id
     results.n_nodes         = grid->n_nodes();
     return results;
   }
@@ -115,7 +118,7 @@ protected:
     const MicrostructureParameters &p = parameters.microstructure;
     if (m > 0)
       {
-        volume = VoxelMorphology(); // not two at once
+        volume = VoxelMorphology(); // avoids two in memory
         volume = make_voxels(p.member(m), MPI_COMM_WORLD);
       }
     member.origin    = p.is_random() ? "seed " + std::to_string(p.seed() + m) : "voxels";
@@ -159,7 +162,7 @@ protected:
 
   ConductionCells<3> cells_for_conduction(const unsigned int m) const override
   {
-    // Each rank has its planes alone, so that rank 0 reads or makes all of them once more.
+    // Each rank has only its planes, so rank 0 reads or makes the whole volume again.
     const VoxelMorphology whole =
       make_voxels(parameters.microstructure.member(m), MPI_COMM_SELF);
     ConductionCells<3> cells = conduction_cells(whole.grid);
@@ -182,7 +185,7 @@ protected:
   }
 
 private:
-  VoxelMorphology volume; ///< of the member at hand
+  VoxelMorphology volume; ///< current member
 };
 } // namespace
 

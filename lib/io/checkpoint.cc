@@ -15,8 +15,8 @@ namespace mesoslip
 {
 namespace
 {
-/** What the first line of a file says of the state behind it, but for size and CRC. Archives of one
- * release of Boost are not those of another. */
+/** First line of a file: describes the state, without size and CRC. Archives of different
+ * Boost releases are incompatible. */
 std::string heading(const std::string &kind)
 {
   const std::uint16_t one = 1;
@@ -25,7 +25,7 @@ std::string heading(const std::string &kind)
          (little ? "little" : "big") + " endian";
 }
 
-/** Size and CRC of the state, as the first line ends. */
+/** Size and CRC of the state: the end of the first line. */
 std::string checksum(const std::string &state)
 {
   boost::crc_32_type crc;

@@ -8,11 +8,11 @@ namespace mesoslip
 {
 namespace
 {
-/** Of the process, which is one run of a program. */
+/** State of the process, which is one run of a program. */
 struct DraftState
 {
   bool accepted = false, marked = false, empty = false;
-  std::string path = {}; ///< of the draft that is being written
+  std::string path = {}; ///< path of the draft being written
 };
 DraftState draft_state;
 } // namespace
@@ -34,7 +34,7 @@ std::string path_of_draft(const std::string &folder, const std::string &name)
     if (std::filesystem::exists(found))
       throw UserError("--draft: there is a file " + found +
                       " already; name a folder without one");
-  std::error_code ignored; // writing tells what is wrong
+  std::error_code ignored; // a later write reports the error
   std::filesystem::create_directories(folder, ignored);
   draft_state.path = path;
   return path;

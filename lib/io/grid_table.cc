@@ -24,13 +24,13 @@ std::size_t place_in(const std::vector<double> &axis, const double value)
                                   axis.begin());
 }
 
-/** "slip rate" of "slip rate [m/s]". */
+/** "slip rate" from "slip rate [m/s]". */
 std::string quantity_of(const std::string &heading)
 {
   return heading.substr(0, heading.find(" ["));
 }
 
-/** "slip rate = 2 m/s" of "slip rate [m/s]". */
+/** "slip rate = 2 m/s" from "slip rate [m/s]". */
 std::string pair_text(const std::string &heading, const double value)
 {
   const std::string unit = heading.substr(heading.find('[') + 1);

@@ -8,18 +8,18 @@
 
 namespace mesoslip
 {
-/** What a CSV table says for each pair of values of two of its columns. */
+/** A function of two variables on a grid, from three columns of a CSV table. */
 struct GridTable
 {
-  std::vector<double> first;  ///< all its values, in ascending order
-  std::vector<double> second; ///< likewise; a single 0 where there is no such column
+  std::vector<double> first;  ///< distinct values of the first column, ascending
+  std::vector<double> second; ///< distinct, ascending; a single 0 without the column
   std::vector<double> values; ///< [first][second]
 };
 
 /**
- * The column @p value of @p table over its columns @p first and, where there is one, @p second, whose rows may come
- * in any order. Headings are as "slip rate [m/s]". @throws UserError without rows, for a pair that is there twice
- * and for one that is not
+ * The column @p value of @p table over its columns @p first and, if it exists,
+ * @p second; rows may have any order. Headings are as "slip rate [m/s]".
+ * @throws UserError for a table without rows, and for a repeated or missing pair
  */
 GridTable grid_table(const CsvTable &table,
                      const std::string &first,

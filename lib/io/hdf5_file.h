@@ -11,18 +11,18 @@ namespace mesoslip
 /** Extents of an n-dimensional array, slowest axis first; empty for a scalar. */
 using Shape = std::vector<std::size_t>;
 
-/** Stands for "any" in an expected Shape. */
+/** Matches any extent in an expected Shape. */
 constexpr std::size_t any_extent = static_cast<std::size_t>(-1);
 
-/** What the line at the begin of a file says of the bytes after it. */
+/** Result of comparing a file with its signature. */
 enum class Signature
 {
-  missing, ///< there is none: the file is older, or of another program
-  valid,   ///< they are those that were signed
-  broken   ///< they have changed
+  missing, ///< no signature: the file is older, or of another program
+  valid,   ///< the content is unchanged
+  broken   ///< the content has changed
 };
 
-/** How a dataset that is filled row by row keeps its numbers. */
+/** Number type of a dataset that is filled row by row. */
 enum class StoredNumber
 {
   float64,
@@ -33,13 +33,13 @@ enum class StoredNumber
 std::string to_text(const Shape &shape);
 
 /**
- * An identifier of the HDF5 library (its hid_t), which is closed at the end of its life;
- * negative if there is none.
+ * An identifier of the HDF5 library (hid_t), closed by the destructor; negative if there
+ * is none.
  */
 class Hdf5Handle
 {
 public:
-  /** Owns @p identifier from now on. */
+  /** Takes ownership of @p identifier. */
   explicit Hdf5Handle(const std::int64_t identifier = -1)
     : id(identifier)
   {
@@ -60,15 +60,15 @@ public:
     close();
   }
 
-  /** Closes what the identifier stands for; false if that fails. */
+  /** Closes the identifier; false if that fails. */
   bool close();
 
-  /** The identifier, as the functions of the library take it. */
+  /** The identifier for functions of the library. */
   operator std::int64_t() const
   {
     return id;
   }
-  /** Whether it stands for anything. */
+  /** Whether there is an identifier. */
   bool valid() const
   {
     return id >= 0;
@@ -81,17 +81,17 @@ private:
 /**
  * One HDF5 file. A file being written has the name `<path>.part` until close() (or the
  * destructor, unless an exception is under way) gives it its name, so that a file of the
- * right name is complete. Only rank 0 writes files, but for ParallelRows.
+ * right name is complete. Only rank 0 writes files, except with ParallelRows.
  *
  * Types of values: double, float, int, unsigned int, std::int64_t, std::uint64_t,
  * std::uint8_t and std::string. Reading converts between number types, except floating
  * point to integer; numbers that are not finite and texts that are not UTF-8 are errors.
- * Texts are written with a fixed length and read with a fixed or a variable one.
- * Names are absolute paths ("/grid"); missing groups are created.
+ * Texts are written with a fixed length and read with a fixed or a variable one. Names
+ * are absolute paths ("/grid"); missing groups are created.
  *
  * Every failure is a UserError that names file and dataset. The @p hint of a reading
  * function is added when the object is missing: "was rve_homogenization run with KUBC?".
- * The first bytes of a file are a checksum of the others (hdf5/internal.h), which open()
+ * The first bytes of a file are a checksum of the rest (hdf5/internal.h), which open()
  * compares: see change_note(). Numbers that are not finite are not written:
  * NumericalFailure.
  * After a failure in writing (the disk is full) the file remains `<path>.part`, and a
@@ -100,25 +100,26 @@ private:
 class Hdf5File
 {
 public:
-  /** Begins a new file, replacing one of that name when closed. */
+  /** Creates a new file; close() replaces an existing one of that name. */
   static Hdf5File create(const std::string &path);
 
   /** Opens for reading. */
   static Hdf5File open(const std::string &path, const std::string &hint = "");
 
-  /** Opens for reading what rank 0 has opened, without comparing the checksum once more. */
+  /** Opens a file for reading that rank 0 has already opened, without checking the
+   * checksum again. */
   static Hdf5File open_too(const std::string &path);
 
   /**
-   * Opens a file for more to be written: `<path>.part` as flush() or an interruption has
-   * left it, or a completed one, which becomes `<path>.part` again.
+   * Opens a file to continue writing: `<path>.part` as left by flush() or an
+   * interruption, or a completed one, which becomes `<path>.part` again.
    * @throws UserError also if the process that wrote it was killed during flush() or
    * close().
    */
   static Hdf5File resume(const std::string &path, const std::string &hint = "");
 
   /**
-   * Whether the writing of any file has failed. The library crashes when it closes such a
+   * Whether writing of any file has failed. The library crashes when it closes such a
    * file, at the latest in MPI_Finalize or exit: the process has to end with std::_Exit.
    */
   static bool writing_has_failed();
@@ -127,19 +128,19 @@ public:
   Hdf5File(Hdf5File &&other) = default;
   ~Hdf5File();
 
-  /** Writes what is buffered, closes, and gives a written file its final name. */
+  /** Writes buffers, closes, and gives a written file its final name. */
   void close();
 
   /**
-   * Writes what is buffered, so that a process that dies after it, and writes only
-   * write_row() before it does, leaves a file that resume() takes.
+   * Writes buffers. If the process dies later, having written only by write_row() since,
+   * resume() accepts the file.
    */
   void flush();
 
-  /** Waits until what was written is on the disk. */
+  /** Waits until written data are on the disk. */
   void sync();
 
-  /** flush(), and closes the file as `<path>.part`, for ParallelRows or resume(). */
+  /** flush(), then closes the file as `<path>.part`, for ParallelRows or resume(). */
   void leave();
 
   /** The final name. */
@@ -155,14 +156,15 @@ public:
   std::vector<std::string> list(const std::string &group,
                                 const std::string &hint = "") const;
 
-  /** Extents of a dataset. @throws UserError also if numbers of it lie in another file, as those of
-   * virtual datasets do, which is not there or too short. */
+  /** Shape of a dataset.
+   * @throws UserError also if its numbers lie in another file (virtual datasets) that is
+   * missing or too short. */
   Shape shape(const std::string &name, const std::string &hint = "") const;
 
   /** Whether a dataset holds floating point numbers. */
   bool is_floating(const std::string &name) const;
 
-  /** Does nothing if it exists. */
+  /** Creates a group unless it exists. */
   void create_group(const std::string &name);
 
   /** Removes a group or dataset, if it exists. */
@@ -177,16 +179,17 @@ public:
   void
   write_attribute(const std::string &object, const std::string &name, const T &value);
 
-  /** T as for write_attribute(); missing or of another type or number: an error. */
+  /** T as for write_attribute().
+   * @throws UserError if it is missing or of another type or number of values */
   template <typename T>
   T read_attribute(const std::string &object,
                    const std::string &name,
                    const std::string &hint = "") const;
 
-  /** False as well when there is no such object. */
+  /** Whether the object exists and has the attribute. */
   bool has_attribute(const std::string &object, const std::string &name) const;
 
-  /** Whether the header says that it is a draft. */
+  /** Whether the header marks the file as a draft. */
   bool is_draft() const;
 
   /** Attribute `unit` of a dataset: SI symbols, "-" for pure numbers. */
@@ -200,19 +203,20 @@ public:
    * @name Datasets
    * @{
    */
-  /** Writes @p data, as many values as the shape says; replaces one of the same name. */
+  /** Writes @p data of this @p shape; replaces a dataset of the same name. */
   template <typename T>
   void write(const std::string &name, const Shape &shape, const std::vector<T> &data);
 
-  /** Creates a dataset of numbers T of this shape for ParallelRows or write_row() to fill. */
+  /** Creates a dataset of numbers T of this shape, to be filled by ParallelRows or
+   * write_row(). */
   template <typename T = double>
   void reserve(const std::string &name, const Shape &shape);
 
   /**
-   * Creates a dataset of numbers to be filled with write_row(), or gives one that exists
-   * another number of rows; its first axis counts the rows. All its
-   * space is reserved at once, so that writing a row changes nothing else in the file.
-   * Short rows are kept together, @p n_together of them.
+   * Creates a dataset of numbers to be filled with write_row(), or changes the number of
+   * rows of an existing one; the first axis is the row. All its space is reserved at
+   * once, so writing a row changes nothing else in the file. @p n_together short rows
+   * form a chunk.
    */
   void reserve_rows(const std::string &name,
                     const Shape &shape,
@@ -225,15 +229,16 @@ public:
   write_row(const std::string &name, const std::size_t row, const std::vector<T> &values);
 
   /**
-   * All values, row-major. A dataset of another shape than @p expected (if not empty;
-   * any_extent matches all) or with values that are not finite is an error.
+   * All values, row-major.
+   * @throws UserError if the shape differs from @p expected (if not empty; any_extent
+   * matches all) or values are not finite
    */
   template <typename T>
   std::vector<T> read(const std::string &name,
                       const Shape &expected   = {},
                       const std::string &hint = "") const;
 
-  /** Part of a dataset: @p count values from @p offset along each axis. */
+  /** Reads a part of a dataset: @p count values from @p offset along each axis. */
   template <typename T>
   std::vector<T> read_block(const std::string &name,
                             const Shape &offset,
@@ -242,15 +247,16 @@ public:
   /** @} */
 
   /**
-   * A sentence for the user if the file is not known to be as @p program wrote it (its
-   * checksum differs or is missing); empty otherwise.
+   * A sentence for the user if the file may differ from the one that @p program wrote
+   * (its checksum differs or is missing); empty otherwise.
    */
   std::string change_note(const std::string &program) const;
 
-  /** The checksum of the bytes where change_note() has something to say; else empty, as the digest tells the content. */
+  /** The checksum of the content if change_note() is not empty; else empty, as the digest
+   * identifies the content. */
   std::string changed_content() const;
 
-  /** @throws UserError if the attribute `unit` of @p dataset is there and another one. */
+  /** @throws UserError if @p dataset has an attribute `unit` other than @p unit. */
   void require_unit(const std::string &dataset, const std::string &unit) const;
 
   /** Root attributes `format`, `format_version`, `dim`, `program_version`, `digest`. */
@@ -262,7 +268,7 @@ public:
   /**
    * Checks that this is a @p format file of version 1 to @p max_version; @p dim 0
    * accepts any. @p hint says where such a file comes from.
-   * @return the digest of what determines its content
+   * @return the digest of the input that determines its content
    */
   std::string check_header(const std::string &format,
                            const int max_version,
@@ -286,7 +292,7 @@ private:
   std::string file_path;
   Hdf5Handle file;
   bool writable = false;
-  /** What the checksum said of a file that was opened for reading. */
+  /** Result of the checksum of a file that was opened for reading. */
   Signature signature    = Signature::valid;
   int pending_exceptions = 0;
 };

@@ -22,7 +22,7 @@ namespace mesoslip
 {
 namespace
 {
-/** What the first bytes of some other kinds of files say. */
+/** Throws if the first bytes identify another kind of file. */
 void refuse_other_kinds(const std::string &path, const std::string &bytes)
 {
   static const std::pair<std::string, const char *> kinds[] = {
@@ -40,7 +40,7 @@ void refuse_other_kinds(const std::string &path, const std::string &bytes)
                            "numbers; save it as PNG");
 }
 
-/** "0011" is hardly the number eleven. */
+/** A leading zero, as in "0011", indicates a row of digits. */
 bool has_leading_zero(const std::string &word)
 {
   const std::size_t first = word[0] == '-' || word[0] == '+' ? 1 : 0;
@@ -48,13 +48,13 @@ bool has_leading_zero(const std::string &word)
          std::isdigit(static_cast<unsigned char>(word[first + 1])) != 0;
 }
 
-/** False if @p word is no whole number; NumPy writes them as 1.000000000000000000e+00. */
+/** False if @p word is no whole number, also as NumPy's 1.000000000000000000e+00. */
 bool parse_whole(const std::string &word, double &value)
 {
   return parse_number(word, value) && value == std::floor(value);
 }
 
-/** Throws if nothing stands before a comma of the line; the last one may end it. */
+/** Throws if a comma of the line has no number before it; it may end with a comma. */
 void require_no_gaps(const std::string &line, const std::string &where)
 {
   std::size_t begin = 0, end = 0;
@@ -64,7 +64,7 @@ void require_no_gaps(const std::string &line, const std::string &where)
                       "'; write the number of its phase");
 }
 
-/** Whole numbers of one line; commas count as blanks. */
+/** Whole numbers of one line; commas are treated as blanks. */
 std::vector<int> parse_line(std::string line, const std::string &where)
 {
   line.resize(std::min(line.size(), line.find('#')));
@@ -93,7 +93,7 @@ std::vector<int> parse_line(std::string line, const std::string &where)
   return values;
 }
 
-/** Digits of every number of the first column; 0 when they differ. */
+/** Common number of digits of the first column; 0 if they differ. */
 unsigned int common_digits(const std::vector<std::vector<int>> &rows)
 {
   const auto digits = [](const std::vector<int> &row) {
@@ -136,13 +136,13 @@ Image read_text(const std::string &path, const std::string &text)
   return image;
 }
 
-/** Rows from the top; a value of 16 bits has its higher byte first. */
+/** Rows from the top; 16-bit values have the higher byte first. */
 struct Pixels
 {
   unsigned int width    = 0;
   unsigned int height   = 0;
   unsigned int channels = 0; ///< grey, grey and alpha, RGB, or RGB and alpha
-  unsigned int bits     = 0; ///< of a channel: 8 or 16
+  unsigned int bits     = 0; ///< per channel: 8 or 16
   std::vector<unsigned char> bytes;
 
   /** Channel @p c of pixel number @p i. */
@@ -153,7 +153,7 @@ struct Pixels
   }
 };
 
-/** Keeps the message of an error, which libpng hands over before it gives up. */
+/** Stores the message of an error, which libpng passes before it aborts. */
 [[noreturn]] void note_error(png_structp png, const char *text)
 {
   *static_cast<std::string *>(png_get_error_ptr(png)) = text;
@@ -166,24 +166,24 @@ void ignore_warning(png_structp, const char *)
 
 /**
  * Reads the whole image. libpng reports errors by longjmp(), which runs no destructors:
- * there are no objects behind the mark that it returns to. False if it did.
+ * no objects are created after setjmp(). False after an error.
  */
 bool read_all(png_structp png, png_infop info, std::FILE *file)
 {
   if (info == nullptr || file == nullptr || setjmp(png_jmpbuf(png)) != 0)
     return false;
   png_init_io(png, file);
-  // All chunks but those that hold the pixels, the palette and its transparency.
+  // Ignores all chunks except pixels, palette and its transparency.
   png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
-  // Palettes to RGB, 1, 2, 4 bits to 8, transparent colours to alpha.
+  // Converts palettes to RGB, 1, 2, 4 bits to 8, transparent colours to alpha.
   png_read_png(png, info, PNG_TRANSFORM_EXPAND, nullptr);
   return true;
 }
 
-/** Deflate shrinks to 1/1032 at best: nothing may make us ask for all memory. */
+/** Deflate compresses to 1/1032 at best: refuses larger sizes before allocation. */
 void require_possible_size(const std::string &path, const std::string &bytes)
 {
-  // Width and height follow the signature, the length and the name of the first chunk.
+  // Width and height follow the signature and the length and name of the first chunk.
   const auto number = [&bytes](const std::size_t at) {
     double value = 0.;
     for (std::size_t i = at; i < at + 4 && i < bytes.size(); ++i)
@@ -230,7 +230,7 @@ Pixels decode(const std::string &path, const std::string &bytes)
   return pixels;
 }
 
-/** Many programs write an alpha channel even where nothing is transparent. */
+/** Many programs write an alpha channel even if the image is fully opaque. */
 void require_opaque(const std::string &path, const Pixels &pixels)
 {
   const std::size_t n = static_cast<std::size_t>(pixels.width) * pixels.height;
@@ -249,8 +249,8 @@ bool is_png(const std::string &bytes)
 }
 
 /**
- * Values are those in the file: chunks about gamma and colour spaces, which ask for other
- * values on a screen, are not heeded.
+ * Values are those of the file: chunks on gamma and colour spaces, which change values
+ * on a screen, are ignored.
  */
 Image read_png(const std::string &path, const std::string &bytes)
 {

@@ -8,11 +8,11 @@
 
 namespace nlohmann
 {
-/** A value that may be absent: null in JSON. */
+/** Converts an optional value: null in JSON if it is absent. */
 template <typename T>
 struct adl_serializer<std::optional<T>>
 {
-  /** Called by `json = value`. */
+  /** Conversion for `json = value`. */
   static void to_json(json &target, const std::optional<T> &value)
   {
     target = value ? json(*value) : json();
@@ -22,13 +22,13 @@ struct adl_serializer<std::optional<T>>
 
 namespace mesoslip
 {
-/** null for an empty text. */
+/** The text, or null if it is empty. */
 inline nlohmann::json text_or_null(const std::string &text)
 {
   return text.empty() ? nlohmann::json() : nlohmann::json(text);
 }
 
-/** null for what is not finite. */
+/** The number, or null if it is not finite. */
 inline nlohmann::json number_or_null(const double value)
 {
   return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json();

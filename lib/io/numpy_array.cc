@@ -25,7 +25,7 @@ std::uint64_t little_endian(const std::string &bytes, const std::size_t n)
   return value;
 }
 
-/** The dictionary that describes the array, as Python would print it. */
+/** The dictionary that describes the array, in Python syntax. */
 std::string dictionary_of(std::ifstream &in, const std::string &path, std::size_t &offset)
 {
   const std::string broken = path + " is no array of NumPy; save one with numpy.save";

@@ -8,21 +8,22 @@
 
 namespace mesoslip
 {
-/** What the header of a .npy says about an array of numbers. */
+/** Header of a .npy file with an array of numbers. */
 struct NumpyHeader
 {
-  std::vector<std::size_t> shape; ///< extents of the axes, as NumPy has them
+  std::vector<std::size_t> shape; ///< extents of the axes, in NumPy's order
   bool fortran_order = false;     ///< whether the first axis is the fastest
-  NumberType type;                ///< of the numbers
-  std::size_t offset = 0;         ///< bytes in front of the numbers
+  NumberType type;                ///< number type
+  std::size_t offset = 0;         ///< file offset of the numbers (bytes)
 
-  /** Product of the extents. */
+  /** Number of values. */
   std::size_t size() const;
 };
 
 /**
- * The header of a .npy (format 1 to 3). @throws UserError beginning with @p path unless it
- * is an array of numbers or truth values and the file has as many as it says
+ * Reads the header of a .npy (format 1 to 3).
+ * @throws UserError beginning with @p path unless it is an array of numbers or truth
+ * values and the file contains all of them
  */
 NumpyHeader read_numpy_header(const std::string &path);
 } // namespace mesoslip

@@ -8,11 +8,11 @@
 namespace mesoslip
 {
 /**
- * A dataset of Hdf5File::reserve() or reserve_rows() into which all ranks write together, each a piece
- * of a row or some rows, through MPI-IO (on one rank through the file as it is). Rank 0 has left the
- * file with Hdf5File::leave() and takes it back with Hdf5File::resume() when this object is
- * gone. Nothing but the rows changes in the file, so it stays one that resume() takes.
- * All members are collective.
+ * Collective writer for a dataset of Hdf5File::reserve() or reserve_rows(): each rank
+ * writes a piece of a row or some rows through MPI-IO (a single rank through the file as
+ * it is). Before, rank 0 calls Hdf5File::leave(); after destruction it calls
+ * Hdf5File::resume(), which accepts the file since only rows change. All members are
+ * collective.
  */
 class ParallelRows
 {
@@ -23,19 +23,21 @@ public:
                const MPI_Comm communicator);
 
   /**
-   * Writes the @p values of this rank into row @p row from place @p first on along the
-   * second axis; the pieces of the ranks do not overlap. @throws NumericalFailure for
-   * numbers that are not finite, UserError if the file cannot be written, on all ranks
+   * Writes the @p values of this rank into row @p row from index @p first on along the
+   * second axis; pieces of different ranks do not overlap.
+   * @throws NumericalFailure for numbers that are not finite, UserError if the file
+   * cannot be written, on all ranks
    */
   void write(const std::size_t row,
              const std::size_t first,
              const std::vector<double> &values);
 
-  /** Writes the @p values of this rank, whole rows from row @p first on; those of the ranks do
-   * not overlap. @throws as write() */
+  /** Writes the @p values of this rank, whole rows from row @p first on; rows of
+   * different ranks do not overlap.
+   * @throws as write() */
   void write_rows(const std::size_t first, const std::vector<double> &values);
 
-  /** Waits until what was written is on the disk. */
+  /** Waits until written data are on the disk. */
   void sync();
 
 private:
@@ -47,7 +49,7 @@ private:
   const std::string path, name;
   const MPI_Comm communicator;
   bool parallel = false;    ///< whether there are several ranks
-  Hdf5Handle file, dataset; ///< the first is closed last
+  Hdf5Handle file, dataset; ///< file is closed last
 };
 } // namespace mesoslip
 

@@ -40,7 +40,7 @@ std::vector<std::string> pictures_in(const std::string &folder)
   return files;
 }
 
-/** Throws unless a file of a stack of files has one picture. */
+/** Throws unless a file in a stack of files has a single picture. */
 void require_one_page(const std::string &path)
 {
   if (const std::size_t n = tiff_pages(path, false); n != 1)
@@ -50,7 +50,7 @@ void require_one_page(const std::string &path)
       "as a file, or name a file that has all pages");
 }
 
-/** Pictures of one size, one a plane. */
+/** A stack of pictures of equal size, one per plane. */
 class PictureStack : public VoxelFile
 {
 public:
@@ -91,15 +91,15 @@ private:
     return files[files.size() == 1 ? 0 : z];
   }
 
-  /** For messages: a file, or a page of the only one, and a blank. */
+  /** Text for messages: a file, or a page of the only file, and a blank. */
   std::string name_of(const std::size_t z) const
   {
     return file_of(z) +
            (files.size() == 1 ? ", page " + std::to_string(z + 1) + ", " : " ");
   }
 
-  /** The values of picture @p z, from the top row, whose size goes to width and height, and what is
-   * said of its numbers to depth. */
+  /** The values of picture @p z, from the top row; sets width and height, and depth to a
+   * description of its numbers. */
   std::vector<double> picture(const std::size_t z)
   {
     if (is_tiff_name(file_of(z)))
@@ -132,8 +132,8 @@ private:
   }
 
   const std::vector<std::string> files;
-  std::size_t width = 0, height = 0; ///< of the picture read last
-  std::string depth, first_depth;    ///< of its numbers, and of those of the first one
+  std::size_t width = 0, height = 0; ///< size of the last picture
+  std::string depth, first_depth;    ///< description of the last and the first picture
 };
 } // namespace
 

@@ -21,15 +21,14 @@ char lower(const char c)
   return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
 }
 
-/** Whether a minus stands in front of a number at @p at, and behind no number. */
+/** Whether there is a minus at @p at before a number, but not after one. */
 bool is_minus(const std::string &text, const std::size_t at)
 {
   return text[at] == '-' && is_digit(text, at + 1) &&
          (at == 0 || !is_digit(text, at - 1));
 }
 
-/** The digits of @p text from @p at on, which it leaves behind them, without zeros in
- *  front. */
+/** Digits of @p text from @p at on without leading zeros; moves @p at behind them. */
 std::string number_from(const std::string &text, std::size_t &at)
 {
   const std::size_t end = std::min(text.find_first_not_of("0123456789", at), text.size());
@@ -38,7 +37,7 @@ std::string number_from(const std::string &text, std::size_t &at)
   return digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size()));
 }
 
-/** Where @p a and @p b differ first, capitals aside. */
+/** Index of the first difference of @p a and @p b, ignoring case. */
 std::size_t first_difference(const std::string &a, const std::string &b)
 {
   std::size_t at = 0;
@@ -47,7 +46,7 @@ std::size_t first_difference(const std::string &a, const std::string &b)
   return at;
 }
 
-/** Whether one of @p names has a minus where the next one has a digit. */
+/** Whether two consecutive @p names differ by a minus in place of a digit. */
 bool have_signs(const std::vector<std::string> &names)
 {
   for (std::size_t k = 0; k + 1 < names.size(); ++k)
@@ -59,7 +58,8 @@ bool have_signs(const std::vector<std::string> &names)
   return false;
 }
 
-/** The order in which numbers count as numbers: 9 before 10, and -1 before 0 with signs. */
+/** Compares names with their numbers by value: 9 before 10, and, with signs, -1
+ * before 0. */
 struct NumberOrder
 {
   bool signs = false;
@@ -82,7 +82,7 @@ struct NumberOrder
   }
 };
 
-/** How to name files so that the two are in the order of their numbers. */
+/** Advice on naming two files so that they sort by their numbers. */
 std::string remedy(const std::string &a, const std::string &b, const bool signs)
 {
   const std::size_t at =
@@ -93,7 +93,7 @@ std::string remedy(const std::string &a, const std::string &b, const bool signs)
                : "write numbers with leading zeros";
 }
 
-/** The numbers of a name and what stands between them. */
+/** The numbers of a name and the text between them. */
 struct NameParts
 {
   explicit NameParts(const std::string &name)
@@ -112,12 +112,12 @@ struct NameParts
         text += lower(name[at++]);
   }
 
-  std::string text; ///< with a 0 for each number, and small letters
+  std::string text; ///< lower case, with a 0 for each number
   std::vector<std::size_t> begins, ends;
   std::vector<double> numbers;
 };
 
-/** The one number that tells the names apart; none: -1. */
+/** Index of the single number that distinguishes the names; -1: there is none. */
 long counting_number(const std::vector<NameParts> &names)
 {
   long counts = -1;
@@ -137,7 +137,7 @@ long counting_number(const std::vector<NameParts> &names)
   return counts;
 }
 
-/** @p name with the number @p value, of as many digits, in the place of number @p k. */
+/** @p name with @p value, padded to as many digits, in place of number @p k. */
 std::string with_number(const std::string &name, const std::size_t k, const double value)
 {
   const NameParts parts(name);
@@ -147,7 +147,7 @@ std::string with_number(const std::string &name, const std::size_t k, const doub
   return name.substr(0, parts.begins[k]) + digits + name.substr(parts.ends[k]);
 }
 
-/** Throws if one of the numbers is missing, or there twice. */
+/** Throws if a number is missing or repeated. */
 void require_all_numbers(const std::string &folder, const std::vector<std::string> &names)
 {
   std::vector<NameParts> parts;

@@ -7,9 +7,10 @@
 namespace mesoslip
 {
 /**
- * Compares the order of @p names, sorted byte by byte, with the numbers in them: capitals count as
- * small letters, and a minus as a sign where other names have none there. Where one number alone
- * tells the names apart, none may be missing or there twice; steps of all may be larger than one.
+ * Checks that the order of @p names, sorted byte by byte, agrees with the numbers in
+ * them, ignoring case; a minus is a sign if other names have none there. If a single
+ * number distinguishes the names, none may be missing or repeated (a constant step above
+ * one is allowed).
  * @throws UserError beginning with @p folder
  */
 void require_slices_in_order(const std::string &folder,

@@ -27,7 +27,7 @@ std::string quoted_if_needed(const std::string &text)
   return '"' + boost::algorithm::replace_all_copy(text, "\"", "\"\"") + '"';
 }
 
-/** The cells of one line; quoted ones may contain the separator, "" stands for a quote. */
+/** The cells of a line; quoted cells may contain the separator, "" is a quote. */
 std::vector<std::string>
 split_line(const std::string &line, const char separator, const std::string &where)
 {
@@ -125,7 +125,7 @@ CsvTable CsvTable::read(const std::string &path)
       if (line.empty() || line.front() == '#')
         continue;
       const std::string where = path + ":" + std::to_string(number) + ": ";
-      // Programs in languages with a decimal comma separate by semicolons.
+      // Languages with a decimal comma use semicolons as separators.
       if (table.headings.empty())
         table.separator =
           line.find(',') == std::string::npos && line.find(';') != std::string::npos

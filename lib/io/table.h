@@ -10,7 +10,7 @@ namespace mesoslip
 /**
  * A CSV file written row by row. The first line names the columns with their units,
  * "time [s]"; numbers have the fewest digits that read back unchanged. Under a DraftMark
- * the line draft_line stands before it.
+ * the line draft_line comes first.
  */
 class TableWriter
 {
@@ -18,17 +18,18 @@ public:
   /** @p columns are complete headings, such as "time [s]". */
   TableWriter(const std::string &path, const std::vector<std::string> &columns);
 
-  /** A number for a row of texts; empty for NaN. @throws NumericalFailure for an infinite
-   * one. */
+  /** A number as text for a row; empty for NaN.
+   * @throws NumericalFailure for an infinite one. */
   std::string cell(const double value) const;
 
-  /** One number for each column, as cell() writes them. */
+  /** Adds a row of numbers, one per column, formatted by cell(). */
   void add_row(const std::vector<double> &values);
 
-  /** One text for each column; quoted where needed. */
+  /** Adds a row of texts, one per column; quoted where needed. */
   void add_row(const std::vector<std::string> &values);
 
-  /** Writes what is buffered and checks that it was written. @throws UserError. */
+  /** Writes buffers and checks for success.
+   * @throws UserError. */
   void flush();
 
 private:
@@ -36,7 +37,7 @@ private:
 
   std::string path;
   std::size_t n_columns = 0;
-  std::size_t rows      = 0; ///< added so far
+  std::size_t rows      = 0; ///< rows added so far
   std::ofstream out;
 };
 
@@ -45,9 +46,10 @@ class CsvTable
 {
 public:
   /**
-   * Reads a file with a heading line, separated by commas or semicolons. Empty lines and lines beginning with # are
-   * skipped. @throws UserError naming file, line and column; also for a draft, unless
-   * drafts are accepted (io/drafts.h).
+   * Reads a file with a heading line, separated by commas or semicolons. Empty lines and
+   * lines beginning with # are skipped.
+   * @throws UserError naming file, line and column; also for a draft, unless drafts are
+   * accepted (io/drafts.h).
    */
   static CsvTable read(const std::string &path);
 
@@ -57,7 +59,7 @@ public:
     return headings;
   }
 
-  /** Its path. */
+  /** Path of the file. */
   const std::string &file() const
   {
     return path;
@@ -69,15 +71,17 @@ public:
     return cells.size();
   }
 
-  /** Whether there is one with this heading. @throws UserError if there is one of the same name, but
-   * in another unit, or in other letters. */
+  /** Whether there is a column with this heading.
+   * @throws UserError if a column has the same name with another unit or other
+   * capitals */
   bool has_column(const std::string &heading) const;
 
-  /** A column as numbers. @throws UserError for a missing column or anything not finite.
-   */
+  /** A column as numbers.
+   * @throws UserError for a missing column or values that are not finite. */
   std::vector<double> numbers(const std::string &heading) const;
 
-  /** "rectangles.csv:12: <what>" as a UserError, for checks of what the numbers mean. */
+  /** Throws the UserError "rectangles.csv:12: <what>", for checks on the meaning of the
+   * numbers. */
   [[noreturn]] void fail(const std::size_t row, const std::string &what) const;
 
 private:
@@ -87,7 +91,7 @@ private:
   std::vector<std::string> headings;
   std::vector<std::vector<std::string>> cells;
   std::vector<unsigned int> lines;
-  char separator = ','; ///< or a semicolon, with which numbers may have decimal commas
+  char separator = ','; ///< or a semicolon, which allows decimal commas
 };
 } // namespace mesoslip
 

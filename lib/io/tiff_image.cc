@@ -26,8 +26,8 @@ struct CloseTiff
 
 using TiffFile = std::unique_ptr<TIFF, CloseTiff>;
 
-/** Whether the directory read last has a strip shorter than its rows: libtiff takes that for a wrong
- * number, goes on behind the strip, and says so in a warning alone. */
+/** Whether the last directory read has a strip shorter than its rows: libtiff assumes a
+ * wrong byte count, reads past the strip, and only warns. */
 bool strip_is_short = false;
 
 void note_short_strip(const char * /*module*/, const char *text, va_list /*values*/)
@@ -40,7 +40,7 @@ void note_short_strip(const char * /*module*/, const char *text, va_list /*value
 
 TiffFile open_tiff(const std::string &path)
 {
-  // What goes wrong is told by the values that functions return.
+  // Errors are detected by return values.
   TIFFSetErrorHandler(nullptr);
   TIFFSetWarningHandler(note_short_strip);
   require_readable_file("", path);
@@ -51,7 +51,8 @@ TiffFile open_tiff(const std::string &path)
   return file;
 }
 
-/** Throws if programs show the page otherwise than it is stored, or if it has lost its numbers. */
+/** Throws if viewers show the page differently from its stored numbers, or if it has no
+ * numbers. */
 void require_as_stored(TIFF *file, const std::string &path)
 {
   std::uint16_t orientation = ORIENTATION_TOPLEFT, compression = COMPRESSION_NONE;
@@ -68,7 +69,7 @@ void require_as_stored(TIFF *file, const std::string &path)
                            "save the original without loss, as LZW does");
 }
 
-/** The type of the numbers of a page with one of them a pixel. */
+/** The number type of a page with one number per pixel. */
 NumberType type_of_page(TIFF *file, const std::string &path)
 {
   require_as_stored(file, path);
@@ -91,7 +92,7 @@ NumberType type_of_page(TIFF *file, const std::string &path)
           *reinterpret_cast<const unsigned char *>(&probe) == 0};
 }
 
-/** The number behind @p key in a text; 0 if there is none. */
+/** The number after @p key in a text; 0 if there is none. */
 std::size_t number_behind(const std::string &text, const std::string &key)
 {
   const std::size_t at = text.find(key);
@@ -108,8 +109,8 @@ std::string description_of(TIFF *file)
            : "";
 }
 
-/** Number of images that the description of the first page tells of, as ImageJ and tifffile write
- * it, and others in OME files, which may be several for one body; 0: nothing. */
+/** Number of images stated in the description of the first page, as written by ImageJ and
+ * tifffile, or by OME (where several files may form one body); 0: none. */
 std::size_t announced_images(TIFF *file, const bool one_file)
 {
   std::uint32_t width = 0, height = 0;
@@ -133,7 +134,7 @@ std::size_t announced_images(TIFF *file, const bool one_file)
   return one_file ? std::max(images, number_behind(text, "SizeZ=\"")) : images;
 }
 
-/** Throws if the description @p text tells of several channels or times. */
+/** Throws if the description @p text announces several channels or times. */
 void require_one_series(const std::string &text,
                         const std::string &path,
                         const bool one_file)
@@ -152,8 +153,8 @@ void require_one_series(const std::string &text,
                            "says; save those of one time");
 }
 
-/** Where the numbers of the first page begin if they lie there one after the other as in memory; 0:
- * they do not. */
+/** Offset of the first page if its numbers are stored contiguously as in memory;
+ * else 0. */
 std::uint64_t begin_of_plain_page(TIFF *file, const std::uint64_t bytes)
 {
   std::uint16_t compression = COMPRESSION_NONE;
@@ -167,7 +168,7 @@ std::uint64_t begin_of_plain_page(TIFF *file, const std::uint64_t bytes)
   return offsets[last] + counts[last] == offsets[0] + bytes ? offsets[0] : 0;
 }
 
-/** Reads image @p page of those behind the only page; see tiff_pages(). */
+/** Reads image @p page of the images behind a single page; see tiff_pages(). */
 bool read_behind_page(TIFF *file,
                       const std::string &path,
                       const std::size_t page,
@@ -180,7 +181,8 @@ bool read_behind_page(TIFF *file,
          in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
 }
 
-/** Of rows of @p row bytes with a bit for each of @p width pixels: 1 where it is white. */
+/** Values of rows of @p row bytes with one bit per pixel, @p width pixels: 1 for
+ * white. */
 std::vector<double> values_of_bits(const std::string &bytes,
                                    const std::size_t width,
                                    const std::size_t row,
@@ -196,7 +198,8 @@ std::vector<double> values_of_bits(const std::string &bytes,
   return values;
 }
 
-/** No compression shrinks further: nothing may make us ask for all memory. */
+/** No compression has a higher ratio: a larger claimed size is refused before memory is
+ * allocated. */
 void require_possible_page(const std::string &path, const double bytes)
 {
   constexpr double most = 5000.;
@@ -207,8 +210,8 @@ void require_possible_page(const std::string &path, const double bytes)
                     " bytes of pixels, more than it can hold: it is damaged");
 }
 
-/** Whether the strips lie in the file and, uncompressed, have the bytes of their rows: libtiff takes
- * what follows a strip for its end. */
+/** Whether the strips lie in the file and, if uncompressed, contain all bytes of their
+ * rows: libtiff reads the bytes after a strip as its end. */
 bool has_all_strips(TIFF *file,
                     const std::string &path,
                     const std::size_t row,
@@ -258,7 +261,7 @@ std::size_t tiff_pages(const std::string &path, const bool one_file)
   std::error_code code;
   const std::uint64_t begin = begin_of_plain_page(file.get(), bytes),
                       size  = std::filesystem::file_size(path, code);
-  // The images of large stacks follow each other behind the one page.
+  // In large stacks the images follow behind a single page.
   if (has == 1 && begin > 0 && !code &&
       (size - begin) / std::max(bytes, std::uint64_t{1}) >= images)
     return images;

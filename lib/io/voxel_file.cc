@@ -22,7 +22,7 @@ std::string text_of_shape(const std::vector<std::size_t> &shape)
   return to_text(Shape(shape));
 }
 
-/** Numbers one after the other, the last axis fastest, or the first one. */
+/** Contiguous numbers, with the last or the first axis fastest. */
 class PlainVoxels : public VoxelFile
 {
 public:
@@ -56,7 +56,7 @@ public:
   }
 
 private:
-  /** From a map of the file, as the numbers of a plane lie all over it. */
+  /** Read from a memory map, as the numbers of a plane are scattered over the file. */
   std::vector<double> scattered_plane(const std::size_t z)
   {
     if (!all.is_open())

@@ -10,22 +10,22 @@
 
 namespace mesoslip
 {
-/** Where voxels lie, and what their file does not say. */
+/** Location of voxels, and properties that their file does not state. */
 struct VoxelSource
 {
-  /** A file, the folder of a stack of pictures or a pattern of their names. */
+  /** A file, the folder of a stack of pictures, or a pattern of their names. */
   std::string path;
-  std::string dataset; ///< path of it in an HDF5 file
+  std::string dataset; ///< path of the dataset in an HDF5 file
 
   /** Numbers of voxels of a .raw along x, y and z. */
   std::array<std::size_t, 3> raw_shape = {};
-  NumberType raw_type; ///< of the numbers of a .raw
+  NumberType raw_type; ///< number type of a .raw
 
-  unsigned int components = 1; ///< numbers a voxel: 1, or a fourth axis of so many
+  unsigned int components = 1; ///< numbers per voxel: 1, or the extent of a fourth axis
 
-  std::string dataset_key = "Microstructure/Dataset"; ///< for messages
+  std::string dataset_key = "Microstructure/Dataset"; ///< key named in messages
 
-  /** For messages as well. */
+  /** Keys named in messages on a .raw. */
   std::string raw_keys = "Microstructure/Raw shape or Raw type";
 
   /** The kinds of files. */
@@ -37,44 +37,48 @@ struct VoxelSource
     stack
   };
 
-  /** By the end of the name. @throws UserError beginning with the path if none is read. */
+  /** Kind by the extension of the name.
+   * @throws UserError beginning with the path if it is not supported. */
   Kind kind() const;
 
-  /** The file, or the pictures of the stack in the order of their names, without those that
-   * begin with a dot. @throws UserError beginning with the path if there is none, or as
+  /** The file, or the pictures of the stack sorted by name, without names that begin with
+   * a dot.
+   * @throws UserError beginning with the path if there is none, or as
    * require_slices_in_order() does */
   std::vector<std::string> files() const;
 };
 
-/** Whether a path is that of a file whose name ends in @p end, upper or lower case. */
+/** Whether a path ends in @p end, upper or lower case. */
 bool has_ending(const std::string &path, const std::string &end);
 
-/** Whether it ends as files of HDF5 do, also those of DREAM.3D, MATLAB and NetCDF. */
+/** Whether a name has an extension of HDF5 files, including DREAM.3D, MATLAB and
+ * NetCDF. */
 bool is_hdf5_name(const std::string &path);
 
-/** Numbers [z][y][x], or [z][y][x][component], of a file or of a stack of pictures, read plane
- *  by plane. */
+/** Reader of numbers [z][y][x], or [z][y][x][component], of a file or of a stack of
+ * pictures, plane by plane. */
 class VoxelFile
 {
 public:
   virtual ~VoxelFile() = default;
 
-  /** Reads what there is about the numbers. @throws UserError beginning with the path */
+  /** Reads the header.
+   * @throws UserError beginning with the path */
   static std::unique_ptr<VoxelFile> open(const VoxelSource &source);
 
-  /** Extents as stored, the slowest axis first; of voxels these are three, or four. */
+  /** Shape as stored, the slowest axis first; voxels have three or four axes. */
   const std::vector<std::size_t> &shape() const
   {
     return extents;
   }
 
-  /** Whether all values are whole numbers, by their type. */
+  /** Whether the number type holds only whole numbers. */
   bool is_whole() const
   {
     return whole;
   }
 
-  /** Of the numbers, for messages: "'<f8'". */
+  /** Number type in messages: "'<f8'". */
   const std::string &type_text() const
   {
     return type_name;
@@ -85,7 +89,7 @@ public:
   virtual std::vector<double> plane(const std::size_t z) = 0;
 
 protected:
-  /** Numbers of a plane. */
+  /** Numbers per plane. */
   std::size_t plane_size() const;
 
   std::vector<std::size_t> extents; ///< see shape()
@@ -93,8 +97,8 @@ protected:
   std::string type_name;            ///< see type_text()
 };
 
-/** A stack of pictures, PNG or TIFF, one a plane, or of the pages of one TIFF. Value (x, y)
- * is that of column x and row y, the top row being y = 0. */
+/** A stack of pictures, PNG or TIFF, one per plane, or of the pages of one TIFF. Value
+ * (x, y) belongs to column x and row y; the top row is y = 0. */
 std::unique_ptr<VoxelFile> open_picture_stack(const std::vector<std::string> &files);
 } // namespace mesoslip
 

@@ -7,8 +7,8 @@
 #include <cstddef>
 
 /**
- * Before a loop over one row of cells: the compiler vectorizes it for three instruction sets,
- * of which that of the processor is picked when the program starts.
+ * Put before a loop over one row of cells: the compiler vectorizes it for three
+ * instruction sets, and the program selects the variant for the processor at start.
  */
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 #  define MESOSLIP_CLONES \
@@ -17,17 +17,18 @@
 #  define MESOSLIP_CLONES
 #endif
 
-/** Before a loop that several of these functions share: it is compiled into each of them. */
+/** Put before a loop that several MESOSLIP_CLONES functions share: it is inlined into
+ * each of them. */
 #define MESOSLIP_INTO_CLONES __attribute__((always_inline)) inline
 
 namespace mesoslip
 {
-/** Some numbers of each cell of a row: array c, of as many numbers as the row has cells, begins at
- * values + c stride. */
+/** Numbers of the cells of a row: array c (one number per cell) begins at values + c
+ * stride. */
 struct CellRow
 {
-  const double *values; ///< of the first number of all cells
-  std::size_t stride;   ///< from one array to the next
+  const double *values; ///< first array of the row
+  std::size_t stride;   ///< distance between arrays
 
   /** Number @p c of cell @p i. */
   double operator()(const unsigned int c, const std::size_t i) const
@@ -37,17 +38,17 @@ struct CellRow
 };
 
 /**
- * Some numbers of each cell of a rank, all zero at first. The cells are in rows, those of a grid
- * along x, those of a mesh of a fixed length; of a row the first numbers of all cells stand side by
- * side, then the second ones, and so on, as loops over the cells want them.
+ * Numbers of the cells of a rank, initially zero. Cells are grouped in rows: on a grid
+ * along x, on a mesh of a fixed length. Layout [row][number][cell], so loops over cells
+ * are contiguous.
  */
 class CellRows
 {
 public:
   CellRows() = default;
 
-  /** @p of_cells cells with @p n_numbers each in rows of @p n_in_row, of which the last may be
-   * shorter. */
+  /** @p of_cells cells with @p n_numbers each, in rows of @p n_in_row; the last row may
+   * be shorter. */
   CellRows(const std::size_t of_cells,
            const std::size_t n_in_row,
            const std::size_t n_numbers)
@@ -71,7 +72,7 @@ public:
     return (cells + length - 1) / length;
   }
 
-  /** Cells of a row, except perhaps the last one. */
+  /** Cells per row; the last row may be shorter. */
   std::size_t n_in_row() const
   {
     return length;
@@ -83,19 +84,19 @@ public:
     return std::min(length, cells - j * length);
   }
 
-  /** Numbers from one array of a row to the next. */
+  /** Distance between two arrays of a row. */
   std::size_t stride() const
   {
     return distance;
   }
 
-  /** Number @p c of the cells of row @p j. */
+  /** Array of number @p c of the cells of row @p j. */
   double *array(const std::size_t c, const std::size_t j)
   {
     return data.data() + (j * numbers + c) * distance;
   }
 
-  /** Number @p c of the cells of row @p j, read only. */
+  /** Array of number @p c of the cells of row @p j, read only. */
   const double *array(const std::size_t c, const std::size_t j) const
   {
     return data.data() + (j * numbers + c) * distance;
@@ -107,8 +108,8 @@ public:
     return array(c, k / length)[k % length];
   }
 
-  /** Numbers that arrays of @p n take: of long ones an odd number of cache lines, as arrays at
-   * distances of powers of two displace each other from the cache. */
+  /** Padded length of an array of @p n numbers: long arrays get an odd number of cache
+   * lines, since distances of powers of two cause cache conflicts. */
   static std::size_t padded(const std::size_t n)
   {
     constexpr std::size_t line = lanes<double>;
@@ -119,10 +120,10 @@ public:
   }
 
 private:
-  std::size_t cells    = 0; ///< their number
-  std::size_t length   = 1; ///< cells of a row, except perhaps the last one
-  std::size_t distance = 1; ///< from one array of a row to the next
-  std::size_t numbers  = 0; ///< how many a cell has
+  std::size_t cells    = 0; ///< number of cells
+  std::size_t length   = 1; ///< cells per row; the last row may be shorter
+  std::size_t distance = 1; ///< distance between arrays of a row
+  std::size_t numbers  = 0; ///< numbers per cell
   LineVector<double> data;  ///< row after row
 };
 } // namespace mesoslip

@@ -15,7 +15,7 @@ namespace mesoslip
 {
 namespace
 {
-/** Times of the snapshots of a run in a window, of which there is one at least. */
+/** Times of the snapshots of a run in a window; at least one. */
 std::vector<double> times_in(const RunSnapshots &run, const TimeWindow &window)
 {
   return times_of(run.times, snapshots_in(run, window));
@@ -57,7 +57,7 @@ double relative(const double value, const double reference)
 /** Sums over cells: their number, squares of two fields and of their difference, weights. */
 using Sums = std::array<double, 5>;
 
-/** Of component @p c of @p components of a field, over a region. */
+/** Sums of component @p c of @p components of a field over a region. */
 Sums sums_over(const std::vector<double> &localized,
                const std::vector<double> &direct,
                const std::size_t components,
@@ -79,7 +79,7 @@ Sums sums_over(const std::vector<double> &localized,
   return sums;
 }
 
-/** The error of these sums, an array of five. */
+/** The error from @p sums, an array of five. */
 FieldError
 error_of(const std::string &quantity, const std::string &region, const double *sums)
 {

@@ -13,26 +13,26 @@
 
 namespace mesoslip
 {
-/** A run and under what it was made, nothing if its file does not tell. */
+/** A run and its conditions (loads and supports), which are empty if its file has
+ * none. */
 struct RunSource
 {
-  std::string path;                        ///< of dynamics.h5
-  std::optional<RunConditions> conditions; ///< see there
+  std::string path;                        ///< path of dynamics.h5
+  std::optional<RunConditions> conditions; ///< see RunConditions
 };
 
 /** The snapshots of a run. */
 struct RunSnapshots
 {
-  std::string path;          ///< of dynamics.h5
+  std::string path;          ///< path of dynamics.h5
   std::vector<double> times; ///< ascending (s)
 };
 
 /**
- * In what the conditions of the two runs differ, homogeneous run first; adds sentences on
- * it to @p notes and @p warnings.
- * @throws UserError, unless @p allow_different_loads, if the two were not made under the
- * same loads, supports and friction coefficient: then they differ for other reasons than
- * localization.
+ * Differences between the conditions of the two runs, homogeneous run first; adds
+ * sentences on them to @p notes and @p warnings.
+ * @throws UserError, unless @p allow_different_loads, if loads, supports or friction
+ * coefficients differ: then the stresses differ for reasons other than localization.
  */
 std::vector<ConditionDifference> compare_conditions(const RunSource &homogeneous,
                                                     const RunSource &direct,
@@ -41,15 +41,16 @@ std::vector<ConditionDifference> compare_conditions(const RunSource &homogeneous
                                                     std::vector<std::string> &warnings);
 
 /**
- * When a run is steady (s); minus infinity for a static analysis. @throws UserError
- * naming Window/From if the file does not tell.
+ * Start of the steady part of a run (s); minus infinity for a static analysis.
+ * @throws UserError naming Window/From if the file does not state it.
  */
 double steady_from(const RunSource &run);
 
 /**
- * The part of @p window in which both runs have snapshots, up to half of the longer
- * interval between them, so that averages are over the same time; @p window itself for
- * two static states. @throws UserError if there is none.
+ * The part of @p window in which both runs have snapshots (within half of the longer
+ * snapshot interval), so that both averages cover the same time; @p window itself for
+ * two static states.
+ * @throws UserError if there is none.
  */
 TimeWindow shared_snapshots(const RunSnapshots &one,
                             const RunSnapshots &other,
@@ -58,58 +59,61 @@ TimeWindow shared_snapshots(const RunSnapshots &one,
 /** "between 0.1 and 0.2 s", for a sentence. */
 std::string window_text(const TimeWindow &window);
 
-/** Snapshots of a run in the window. @throws UserError when there are none. */
+/** Snapshots of a run in the window.
+ * @throws UserError if there are none. */
 IndexRange snapshots_in(const RunSnapshots &run, const TimeWindow &window);
 
-/** One stress component of a probe; NaN where there is nothing to say. */
+/** Statistics of one stress component of a probe; NaN where undefined. */
 struct ComponentStatistics
 {
   /** Not a number. */
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-  double mean             = unknown; ///< of the localized series (Pa)
+  double mean             = unknown; ///< mean of the localized series (Pa)
   double deviation        = unknown; ///< standard deviation (Pa)
-  double direct_mean      = unknown; ///< of the direct series, at its own samples (Pa)
-  double direct_deviation = unknown; ///< standard deviation of the direct one (Pa)
+  double direct_mean      = unknown; ///< mean of the direct series (Pa)
+  double direct_deviation = unknown; ///< standard deviation of the direct series (Pa)
   /**
-   * localized / direct - 1: negative when too small in magnitude. They do not ask whether
-   * the two series are in step: limit cycles of two runs have arbitrary phases.
+   * Relative error of the mean, localized / direct - 1: negative if too small in
+   * magnitude. Independent of the phase between the two series, which is arbitrary for
+   * limit cycles of two runs.
    */
   double error_mean      = unknown;
-  double error_deviation = unknown; ///< of the standard deviations
+  double error_deviation = unknown; ///< the same for the standard deviations
   /** rms of the difference at equal times, relative to the rms of the direct series. */
   double rms_difference = unknown;
 };
 
 /**
- * Linear interpolation of a series at @p times, which lie within its own up to round-off.
- * A series of one sample holds at all times.
+ * Linear interpolation of a series at @p times, which lie within its range up to
+ * round-off. A series of one sample is constant.
  */
 std::vector<double> resample(const ProbeSeries &series, const std::vector<double> &times);
 
 /**
- * @p stress [k][n] against @p direct; @p resampled [k][n] is the latter at the times of
- * the former. An empty direct series leaves all but mean and deviation unknown.
+ * Compares @p stress [k][n] with @p direct; @p resampled [k][n] is @p direct at the
+ * times of @p stress. Without a direct series only mean and deviation are known.
  */
 std::vector<ComponentStatistics> compare_series(const std::vector<double> &stress,
                                                 const std::vector<double> &direct,
                                                 const std::vector<double> &resampled,
                                                 const std::size_t n = 3);
 
-/** Some cells of a body under a name. */
+/** A named set of cells of a body. */
 struct CellRegion
 {
-  std::string name;               ///< as in field_errors.csv
+  std::string name;               ///< name in field_errors.csv
   std::vector<std::size_t> cells; ///< indices, on a grid row by row from the bottom
 };
 
 /**
- * Regions of the cells with these centres, from the lower corner of the bounding box (m),
- * whose sides are @p extent: all; surface (centres nearer than @p surface_depth (m) to the
- * lower end of the last axis, the contact) and bulk (the others); interior: without the
- * cells whose centres are nearer than @p edge_distance (m) to any side of the box;
- * surface_inner: without those that near to a side across the other axes; for each phase NAME its cells, "NAME", and those in the
- * interior, "NAME_interior" ("phase_NAME..." if the phase is called like another region).
+ * Regions of the cells with these @p centres, measured from the lower corner of the
+ * bounding box (m), whose sides are @p extent. all; surface: centres nearer than
+ * @p surface_depth (m) to the lower end of the last axis, the contact; bulk: the rest;
+ * interior: centres at least @p edge_distance (m) from every side of the box;
+ * surface_inner: surface without cells that near to a side across the other axes; for
+ * each phase NAME its cells, "NAME", and its cells in the interior, "NAME_interior"
+ * ("phase_NAME..." if another region has the name of the phase).
  */
 template <int dim>
 std::vector<CellRegion> comparison_regions(const std::vector<dealii::Point<dim>> &centres,
@@ -119,22 +123,22 @@ std::vector<CellRegion> comparison_regions(const std::vector<dealii::Point<dim>>
                                            const double surface_depth,
                                            const double edge_distance);
 
-/** One quantity in one region. */
+/** Error of one quantity in one region. */
 struct FieldError
 {
   /** mean_von_mises, mean_sigma_xx, ..., deviation_sigma_xy. */
   std::string quantity;
   std::string region;      ///< name of the CellRegion
-  std::size_t n_cells = 0; ///< in the region
+  std::size_t n_cells = 0; ///< number of cells of the region
   /** Pa; root mean squares over the cells, on a mesh weighted with their volumes. */
   double rms        = 0.;
-  double direct_rms = 0.; ///< of the direct run
-  /** ||localized - direct|| / ||direct||; NaN when there is nothing to compare with. */
+  double direct_rms = 0.; ///< same for the direct run
+  /** ||localized - direct|| / ||direct||; NaN without a direct field. */
   double relative = 0.;
 };
 
-/** Every quantity of the @p fields in every region; @p volume is that of each cell, empty
- * if all are equal. Each rank has other cells; over all of them. Collective. */
+/** Errors of all quantities of @p fields in all regions; @p volume is the volume of each
+ * cell, empty if all are equal. Sums over the cells of all ranks. Collective. */
 std::vector<FieldError> field_errors(const unsigned int dim,
                                      const FieldSelection &fields,
                                      const StressFields &localized,
@@ -143,7 +147,7 @@ std::vector<FieldError> field_errors(const unsigned int dim,
                                      const std::vector<double> &volume = {},
                                      const MPI_Comm communicator       = MPI_COMM_SELF);
 
-/** localized - direct, of what both have. */
+/** localized - direct, for the fields that both have. */
 StressFields difference(const StressFields &localized, const StressFields &direct);
 } // namespace mesoslip
 

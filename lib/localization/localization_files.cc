@@ -21,7 +21,8 @@ LocalizationFiles<dim>::LocalizationFiles(const LocalizationParameters &p,
       is_root
         ? BodySnapshots<dim>(p.direct_run, "the direct run; run contact_dynamics first")
         : BodySnapshots<dim>::open_too(p.direct_run));
-  // A counter body is not where its volume was.
+  // A counter body is shifted against its volume: if both have the same size, the volume
+  // takes the body's origin.
   bool as_large = are_grids();
   for (unsigned int d = 0; d < dim && as_large; ++d)
     as_large = std::fabs(rve.grid.extent(d) - homogeneous.grid.extent(d)) <=

@@ -13,29 +13,30 @@ namespace mesoslip
 template <int dim>
 struct LocalizationFiles
 {
-  /** On rank 0, whose checksums count, or on another one once rank 0 has opened them. @throws
-   * UserError */
+  /** Opens the files. Rank 0 checks the checksums; other ranks open the files after rank
+   * 0.
+   * @throws UserError */
   LocalizationFiles(const LocalizationParameters &p, const bool is_root);
 
-  /** Extents of a field of the volume: [ny][nx], [nz][ny][nx] or, of a mesh, [n]. */
+  /** Shape of a cell field of the volume: [ny][nx], [nz][ny][nx] or, for a mesh, [n]. */
   const Shape &shape() const
   {
     return rve.materials.shape;
   }
 
-  /** Cells of a layer of the first axis of a field; of a mesh one. */
+  /** Cells per layer of the first axis of a field; for a mesh 1. */
   std::size_t cells_in_layer() const
   {
     return rve.is_mesh() ? 1 : rve.grid.cells_in_layer();
   }
 
-  /** The first layer of the cells of the volume that rank @p r of @p n_ranks has. */
+  /** First layer of the volume's cells on rank @p r of @p n_ranks. */
   std::size_t first_layer(const std::size_t r, const std::size_t n_ranks) const
   {
     return r * shape()[0] / n_ranks;
   }
 
-  /** The first of these cells. */
+  /** First cell on rank @p r of @p n_ranks. */
   std::size_t first_cell(const std::size_t r, const std::size_t n_ranks) const
   {
     return first_layer(r, n_ranks) * cells_in_layer();
@@ -47,7 +48,8 @@ struct LocalizationFiles
     return !rve.is_mesh() && homogeneous.is_grid;
   }
 
-  /** @throws UserError where the RVE file lacks what @p p applies to strains and temperature */
+  /** @throws UserError if the RVE file lacks the tensors that @p p applies to strains and
+   * temperature */
   void require_tensors(const LocalizationParameters &p) const
   {
     rve.concentration(p.concentration, 0, 1);
@@ -60,8 +62,9 @@ struct LocalizationFiles
   /** Names of the phases. */
   std::vector<std::string> phase_names() const;
 
-  /** sigma_zz / (sigma_xx + sigma_yy) of each phase, as asked for or Poisson's ratio of the
-   * closest isotropic solid. @throws UserError for another number of them */
+  /** sigma_zz / (sigma_xx + sigma_yy) of each phase: the given values, or Poisson's ratio
+   * of the closest isotropic solid.
+   * @throws UserError for a wrong number of values */
   std::vector<double> out_of_plane_ratios(const LocalizationParameters &parameters) const;
 
   RveFile<dim> rve;                           ///< stiffnesses, tensors

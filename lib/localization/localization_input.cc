@@ -17,7 +17,7 @@ namespace mesoslip
 {
 namespace
 {
-/** Whether two boxes are one, as far as grids or meshes that are made apart can be. */
+/** Whether two boxes agree within the accuracy of independently made grids and meshes. */
 template <int dim>
 bool same_box(const CellSet<dim> &one, const CellSet<dim> &other)
 {
@@ -43,7 +43,7 @@ RunSource source_of(const BodySnapshots<dim> &run)
   return {run.path(), run.conditions};
 }
 
-/** What looks like another unit. */
+/** Warnings on values that look like another unit. */
 template <int dim>
 std::vector<std::string> slips(const LocalizationParameters &parameters,
                                const dealii::BoundingBox<dim> &box)
@@ -82,10 +82,10 @@ LocalizationInput<dim>::LocalizationInput(const LocalizationParameters &p,
   , volume(files.rve, !files.rve.is_mesh())
   , body(files.homogeneous, files.homogeneous.is_grid)
 {
-  files.out_of_plane_ratios(p); // tells what is wrong with them
+  files.out_of_plane_ratios(p); // throws if the ratios are invalid
   if (!files.rve.change_note().empty())
     warnings.push_back(files.rve.change_note());
-  // These tell if there are none, or other phases.
+  // These throw if data are missing or phases differ.
   files.require_tensors(p);
   for_each_piece(volume.n_cells(), volume.cells_in_layer(),
                  [this](const std::size_t first, const std::size_t count) {
@@ -166,7 +166,7 @@ void LocalizationInput<dim>::compare_boxes(CellFinder<dim> &in_body)
 template <int dim>
 void LocalizationInput<dim>::find_cells(CellFinder<dim> &in_body)
 {
-  // Of a grid each rank finds those that hold its cells.
+  // For grids each rank finds the body cells of its own cells.
   if (body.is_grid && volume.is_grid)
     return;
   for (std::size_t k = 0; k < volume.n_cells(); ++k)
@@ -214,7 +214,7 @@ void LocalizationInput<dim>::check_material(const std::uint16_t ours,
                     "Body/Material = heterogeneous");
 }
 
-/** The cells of the run are those of the volume, in the same order. */
+/** Checks that the cells of the run are the cells of the volume, in the same order. */
 template <int dim>
 void LocalizationInput<dim>::check_direct_cells(const std::string &the_run)
 {
@@ -242,7 +242,7 @@ void LocalizationInput<dim>::check_direct_cells(const std::string &the_run)
   for_each_piece(volume.n_cells(), volume.cells_in_layer(), check);
 }
 
-/** The cells of the run are those of the volume or a whole number along each axis of one. */
+/** Checks that the grid of the run is that of the volume or an integer refinement. */
 template <int dim>
 void LocalizationInput<dim>::check_direct_grid(const std::string &the_run)
 {

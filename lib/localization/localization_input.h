@@ -11,30 +11,30 @@
 
 namespace mesoslip
 {
-/** A probe, without series yet, and where they come from. */
+/** A probe before its series are computed, with the source of its strain. */
 struct PlannedProbe : LocalizedProbe
 {
-  bool recorded          = false; ///< by the homogeneous run; else the snapshots are used
-  std::uint16_t material = 0;     ///< of its cell, see RveFile::constituents()
-  ProbeSeries strain;             ///< of a recorded probe, if its own strain is asked for
-  ProbeSeries direct; ///< stress of the direct run's probe at the place; may be empty
+  bool recorded          = false; ///< by the homogeneous run; else from snapshots
+  std::uint16_t material = 0;     ///< material of its cell, see RveFile::constituents()
+  ProbeSeries strain;             ///< recorded strain, if the local strain is requested
+  ProbeSeries direct; ///< stress of the direct run's probe at this place; may be empty
 };
 
-/** What rank 0 tells all ranks to do. */
+/** Plan of the localization, made by rank 0 and sent to all ranks. */
 template <int dim>
 struct LocalizationPlan
 {
-  /** Whether the volume is the body, so that the strain at a place counts. */
+  /** Whether the volume is the body; then the local strain is used. */
   bool is_body = false;
 
-  std::vector<std::size_t> probes;        ///< their cells in the volume
+  std::vector<std::size_t> probes;        ///< cells of the probes in the volume
   std::vector<std::size_t> followed;      ///< cells of the probes that were not recorded
-  std::vector<dealii::Point<dim>> points; ///< of the body (m)
-  std::vector<std::size_t> point_cells;   ///< that hold them
-  IndexRange snapshots;                   ///< of the homogeneous run, used
-  IndexRange direct_snapshots;            ///< of the direct run, used
+  std::vector<dealii::Point<dim>> points; ///< in the body (m)
+  std::vector<std::size_t> point_cells;   ///< cells that hold the points
+  IndexRange snapshots;                   ///< used snapshots of the homogeneous run
+  IndexRange direct_snapshots;            ///< used snapshots of the direct run
 
-  /** Of boost::serialization. */
+  /** For boost::serialization. */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
@@ -43,19 +43,20 @@ struct LocalizationPlan
 };
 
 /**
- * The files of a localization, found to belong together, and what is taken from them. Of rank 0,
- * which has the cells of meshes, but of grids nothing that grows with their cells.
+ * The files of a localization after consistency checks, and the data taken from them. On
+ * rank 0, which has the cells of meshes; for grids nothing grows with the number of
+ * cells.
  */
 template <int dim>
 class LocalizationInput
 {
 public:
   /**
-   * @throws UserError when the volume is neither the body nor asked for at points, when the
-   * body of the homogeneous run has several materials, when the direct run has other cells than
-   * the volume (on grids it may divide them), other materials or other loads; when there are no snapshots
-   * or samples in the window, and for unknown probes and places outside. What is only
-   * suspicious is added to warnings. The files must outlive it.
+   * @throws UserError if the volume is not the body and no points are given; if the body
+   * of the homogeneous run has several materials; if the direct run has different cells
+   * (on grids it may refine them), materials or loads; if the window has no snapshots or
+   * samples; and for unknown probes and places outside. Suspicious input is added to
+   * warnings. The files must outlive this object.
    */
   LocalizationInput(const LocalizationParameters &p,
                     const LocalizationFiles<dim> &the_files);
@@ -63,18 +64,18 @@ public:
   /** Files, snapshots, memory and disk, for --validate. */
   void describe(std::ostream &out) const;
 
-  const LocalizationParameters parameters;      ///< what is asked for
-  const LocalizationFiles<dim> &files;          ///< those that belong together
+  const LocalizationParameters parameters;      ///< input parameters
+  const LocalizationFiles<dim> &files;          ///< the checked files
   const CellSet<dim> volume;                    ///< cells of the RVE file
   const CellSet<dim> body;                      ///< cells of the homogeneous run
   CellSet<dim> direct_body;                     ///< cells of the direct run
-  std::vector<unsigned int> body_cell;          ///< of a mesh that holds each centroid
+  std::vector<unsigned int> body_cell;          ///< cell of a mesh at each centroid
   TimeWindow window;                            ///< times used (s)
-  std::vector<PlannedProbe> probes;             ///< those asked for
+  std::vector<PlannedProbe> probes;             ///< requested probes
   LocalizationPlan<dim> plan;                   ///< for all ranks
-  std::vector<double> times;                    ///< of the snapshots used (s)
-  std::vector<double> direct_times;             ///< of those of the direct run (s)
-  std::vector<ConditionDifference> differences; ///< of the runs, homogeneous first
+  std::vector<double> times;                    ///< used snapshots (s)
+  std::vector<double> direct_times;             ///< used snapshots of the direct run (s)
+  std::vector<ConditionDifference> differences; ///< between the runs
   std::vector<std::string> notes;               ///< sentences for the log, no warnings
   std::vector<std::string> warnings;            ///< sentences for the log
 
@@ -92,8 +93,9 @@ private:
   void choose_window();
   void choose_snapshots();
 
-  /** @name In probe_plan.cc
-   * @{ */
+  /** @name Defined in probe_plan.cc
+   * @{
+   */
   void find_points(CellFinder<dim> &in_body);
   void plan_probes(CellFinder<dim> &in_volume);
   void read_probe(PlannedProbe &probe);

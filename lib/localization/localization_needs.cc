@@ -12,15 +12,16 @@ namespace mesoslip
 namespace
 {
 constexpr double of_number    = 8.;    ///< bytes of a double
-constexpr double of_libraries = 160e6; ///< bytes of a program that holds nothing
+constexpr double of_libraries = 160e6; ///< memory of an idle program (bytes)
 
-/** Of a list on the heap, with what the allocator keeps beside its @p bytes. */
+/** Bytes of a list on the heap with a content of @p bytes, including the overhead of the
+ * allocator. */
 double block(const double bytes)
 {
   return sizeof(std::vector<unsigned int>) + bytes + 16.;
 }
 
-/** Of a mesh, which rank 0 has; of a grid nothing. */
+/** Bytes of a mesh, which rank 0 has; 0 for a grid. */
 template <int dim>
 double bytes_of(const CellSet<dim> &cells)
 {
@@ -32,7 +33,7 @@ double bytes_of(const CellSet<dim> &cells)
          static_cast<double>(mesh.cells.size()) * (block(corners) + 8.);
 }
 
-/** Of the @p n_numbers of a cell of the volume in CellRows. */
+/** Bytes per cell of the volume for @p n_numbers in CellRows. */
 template <int dim>
 double bytes_of_rows(const CellSet<dim> &volume, const unsigned int n_numbers)
 {
@@ -42,7 +43,8 @@ double bytes_of_rows(const CellSet<dim> &volume, const unsigned int n_numbers)
   return of_number * n_numbers * padded / n;
 }
 
-/** Of the strains of one cell of a body on a mesh, and the displacement at hand. */
+/** Bytes per cell of a body on a mesh: its strain operators, and the current
+ * displacement. */
 template <int dim>
 double bytes_of_strain(const CellSet<dim> &body, const bool at_centroids)
 {
@@ -56,7 +58,8 @@ double bytes_of_strain(const CellSet<dim> &body, const bool at_centroids)
   return gradients + (at_centroids ? 0. : slopes);
 }
 
-/** Of the strains in @p n_snapshots of the share of a body of which @p n_ranks have as much each. */
+/** Bytes of a rank's share of the strains in @p n_snapshots, if a body is divided evenly
+ * among @p n_ranks. */
 template <int dim>
 double bytes_of_share(const CellSet<dim> &body,
                       const CellSet<dim> &volume,
@@ -97,7 +100,7 @@ RankMemory memory_need(const LocalizationInput<dim> &input, const unsigned int n
     (is_body && !input.files.are_grids() ? vector + 2. * sizeof(unsigned int) : 0.) +
     (input.volume.is_grid ? 0. : of_number);
   const double fields_of_direct = with_direct ? statistics : 0.;
-  // The fields are taken from the statistics, of points from all at once.
+  // Fields are derived from the statistics; for points all at once.
   const double homogeneous =
     tensor + fields_of_direct +
     (n_points + n_variants + std::max(1., n_points)) * statistics;
@@ -108,7 +111,7 @@ RankMemory memory_need(const LocalizationInput<dim> &input, const unsigned int n
   const double meshes =
     bytes_of(input.volume) + bytes_of(input.body) + bytes_of(input.direct_body) +
     sizeof(unsigned int) * static_cast<double>(input.body_cell.size());
-  // Whole layers of the first axis.
+  // A rank has whole layers of the first axis.
   const double n_own = std::ceil(static_cast<double>(input.files.shape()[0]) / n_ranks) *
                        static_cast<double>(input.files.cells_in_layer());
   const bool has_points = !p.points.empty();
@@ -128,7 +131,7 @@ RankMemory memory_need(const LocalizationInput<dim> &input, const unsigned int n
 template <int dim>
 ResourceNeed disk_need(const LocalizationInput<dim> &input)
 {
-  // Names, units and the like of the file, a set of fields and a probe; as measured.
+  // Names, units and headers of the file, of a set of fields and of a probe; as measured.
   constexpr double of_file = 5e3, of_set = 1.5e3, of_series = 3e3;
   const LocalizationParameters &p = input.parameters;
   const double with_direct        = input.files.direct ? 1. : 0.;
@@ -149,7 +152,7 @@ ResourceNeed disk_need(const LocalizationInput<dim> &input)
               (1. + n_voigt<dim> * (compared ? 2. : 1.)) * static_cast<double>(n);
           }
       }
-  double mesh_bytes = 0.; // of points and cells; a grid takes none
+  double mesh_bytes = 0.; // points and cells; 0 for a grid
   if (!input.volume.is_grid)
     mesh_bytes =
       static_cast<double>(sizeof(double) * dim * input.volume.n_points() +

@@ -5,21 +5,21 @@
 
 namespace mesoslip
 {
-/** Most memory at a time of the ranks of a localization (bytes). */
+/** Peak memory per rank of a localization (bytes). */
 struct RankMemory
 {
-  double root;  ///< of rank 0, which has the meshes
-  double other; ///< of each other rank; 0 without any
+  double root;  ///< rank 0, which has the meshes
+  double other; ///< each other rank; 0 without any
 };
 
 /**
- * From the numbers of cells and points, of what is kept of each, and of the libraries. Rank
- * 0 has all meshes; of the rest, and of grids everything, each rank has its share.
+ * Memory estimate from the numbers of cells and points, their data, and the libraries.
+ * Rank 0 has all meshes; all other data are divided among the ranks.
  */
 template <int dim>
 RankMemory memory_need(const LocalizationInput<dim> &input, const unsigned int n_ranks);
 
-/** What localization.h5 takes. */
+/** Disk space of localization.h5. */
 template <int dim>
 ResourceNeed disk_need(const LocalizationInput<dim> &input);
 } // namespace mesoslip

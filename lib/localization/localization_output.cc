@@ -25,7 +25,7 @@ std::vector<std::string> stress_names(const unsigned int dim)
   return names;
 }
 
-/** A number that compares the series of a probe, in summary.json and in probes.csv. */
+/** A comparison result of a probe series, in summary.json and probes.csv. */
 struct Comparison
 {
   const char *name, *heading;
@@ -45,11 +45,11 @@ const Comparison comparisons[] = {
 /** Fields that are written together. */
 struct FieldGroup
 {
-  std::string name;           ///< of the group in localization.h5
-  const StressFields *fields; ///< of this rank
+  std::string name;           ///< group in localization.h5
+  const StressFields *fields; ///< fields of this rank
 };
 
-/** The same ones on all ranks, in their order. */
+/** Groups of fields, with the same order on all ranks. */
 std::vector<FieldGroup> field_groups(const LocalizationResult &result)
 {
   std::vector<FieldGroup> groups;
@@ -67,7 +67,7 @@ std::vector<FieldGroup> field_groups(const LocalizationResult &result)
   return groups;
 }
 
-/** Everything but the numbers of the fields. */
+/** Writes all data except the numbers of the fields. */
 void write_frame(LocalizationFile &file,
                  const LocalizationOrigin &origin,
                  const LocalizationResult &result)
@@ -283,7 +283,8 @@ void log_key_numbers(RunContext &context)
       const auto field = summary["field_errors"].find(quantity);
       if (field == summary["field_errors"].end())
         continue;
-      // Free sides may spoil the grains that they cut, and those only.
+      // Free sides may affect the grains that they cut; regions away from sides show the
+      // rest.
       std::vector<std::string> regions = {
         error_words(*field, "interior", "", ""),
         error_words(*field, "surface", "surface_inner", "without its ends")};

@@ -110,7 +110,7 @@ void bind_points(Keys &keys, LocalizationParameters &p)
     }
 }
 
-/** Checks the path in a key; that of a folder becomes that of the file @p name in it. */
+/** Checks the path in a key; a folder is replaced by the file @p name in it. */
 void check_input(std::string &path,
                  const std::string &key,
                  const std::string &name,
@@ -149,7 +149,8 @@ void LocalizationParameters::bind(Keys &keys)
     "out of the region interior [m]");
 }
 
-// Direct run = and Fields = switch off what an otherwise complete file asks for.
+// An empty Direct run or Fields switches off keys of an otherwise complete file, so these
+// are no errors.
 void LocalizationParameters::check_keys(const Keys &keys)
 {
   const auto fields    = split_list(keys.value("Localization/Fields"));

@@ -11,43 +11,45 @@ namespace mesoslip
 {
 class Keys;
 
-/** What stress_localization is asked for. */
+/** Parameters of stress_localization. */
 struct LocalizationParameters
 {
   std::string rve_file;        ///< path of rve.h5
   std::string homogeneous_run; ///< path of its dynamics.h5
-  /** Empty: no comparison. */
+  /** Folder or dynamics.h5 of the direct run; empty: no comparison. */
   std::string direct_run;
-  /** Compare with a direct run under other loads all the same. */
+  /** Whether to compare with a direct run under different loads. */
   bool allow_different_loads = false;
 
-  /** KUBC, PBC or MUBC. */
+  /** Boundary condition of the concentration tensors: KUBC, PBC or MUBC. */
   std::string concentration = "KUBC";
 
-  double heating = 0.; ///< change of temperature since the phases were free of stress (K)
-  /** Eq. 24: the macroscopic strain at the place. */
+  double heating = 0.; ///< change of temperature from the stress-free state (K)
+  /** Eq. 24: localize the macroscopic strain at the place. */
   bool local_strain = true;
-  /** Eq. 23: its mean over the body. */
+  /** Eq. 23: localize the mean strain of the body. */
   bool mean_strain = false;
-  FieldSelection fields; ///< averages over time to compute
+  FieldSelection fields; ///< time averages to compute
   /** sigma_zz / (sigma_xx + sigma_yy) by phase; empty: from the stiffnesses. */
   std::vector<double> out_of_plane_ratio;
 
-  /** Begin of the window (s); NaN: when the runs are steady, as their files tell. */
+  /** Start of the window (s); NaN: start of the steady parts of the runs, from their
+   * files. */
   double from = std::numeric_limits<double>::quiet_NaN();
   /** End of the window (s); NaN: the end of the runs. */
   double to = std::numeric_limits<double>::quiet_NaN();
 
   /** Names of probes of the homogeneous run, or "all". */
   std::vector<std::string> run_probes = {"all"};
-  std::vector<LocalizedProbe> further_probes; ///< places of one's own
+  std::vector<LocalizedProbe> further_probes; ///< further probes, given by position
 
-  /** Points of a body that is larger than the volume, whose fields are wanted there. */
+  /** Points of a body larger than the volume; the fields of the volume are computed for
+   * the strain at each point. */
   std::vector<LocalizedProbe> points;
 
-  /** Cells whose centres are nearer to the contact are the surface (m). */
+  /** Cells with centres nearer to the contact belong to the surface region (m). */
   double surface_depth = 0.4e-3;
-  /** Cells nearer to an edge are not in the interior (m). */
+  /** Cells nearer to a side do not belong to the interior (m). */
   double edge_distance = 1.6e-3;
 
   /** Whether every probe of the homogeneous run is wanted. */
@@ -59,11 +61,11 @@ struct LocalizationParameters
   /** Binds the keys of all sections. @throws UserError naming the key. */
   void bind(Keys &keys);
 
-  /** @throws UserError for keys that others leave without effect. */
+  /** @throws UserError for keys that have no effect with the other keys. */
   static void check_keys(const Keys &keys);
 
   /**
-   * Checks that the input files exist; a folder becomes the path of the file in it.
+   * Checks that the input files exist; replaces a folder by the file in it.
    * @throws UserError
    */
   void check();

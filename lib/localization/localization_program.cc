@@ -13,7 +13,7 @@ namespace mesoslip
 {
 namespace
 {
-/** Of volume and body; of rank 0, for all. */
+/** Dimension of volume and body, read on rank 0 and broadcast. */
 unsigned int dimension_of(const LocalizationParameters &parameters)
 {
   unsigned int dim = 0;
@@ -94,7 +94,7 @@ private:
     return monitor;
   }
 
-  /** Tells what there is to be told, once. */
+  /** Logs pending warnings and notes once. */
   void tell(RunContext &context)
   {
     if (!input)
@@ -107,9 +107,9 @@ private:
 
   const LocalizationParameters parameters;
   const std::string canonical;
-  std::unique_ptr<LocalizationFiles<dim>> files; ///< on rank 0, in a run on all
+  std::unique_ptr<LocalizationFiles<dim>> files; ///< on rank 0; in a run on all ranks
   std::unique_ptr<LocalizationInput<dim>> input; ///< on rank 0
-  LocalizationPlan<dim> plan;                    ///< of rank 0, in a run of all
+  LocalizationPlan<dim> plan;                    ///< made on rank 0, in runs on all
 };
 
 std::unique_ptr<Analysis> build_localization(Keys &keys)

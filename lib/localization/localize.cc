@@ -15,7 +15,7 @@ namespace mesoslip
 {
 namespace
 {
-/** One localization, from the files to the result. */
+/** Computes a localization, from the files to the result. */
 template <int dim>
 class Localizer
 {
@@ -54,13 +54,13 @@ public:
   }
 
 private:
-  /** On rank 0; on the others nothing. */
+  /** The cells of the volume on rank 0; empty on other ranks. */
   const CellSet<dim> &volume() const
   {
     return input != nullptr ? input->volume : nothing;
   }
 
-  /** What is asked for in the cells of this rank. */
+  /** Places requested in the cells of this rank. */
   StrainPlaces<dim> places(const BodySnapshots<dim> &run, const IndexRange &snapshots)
   {
     StrainPlaces<dim> where;
@@ -77,7 +77,7 @@ private:
     return where;
   }
 
-  /** Middles of the cells of this rank (m), which grids in grids do not need. */
+  /** Centroids of the cells of this rank (m); not needed if volume and body are grids. */
   std::vector<dealii::Point<dim>> middles() const
   {
     if (!share.middles.empty() || share.n_cells == 0)
@@ -99,7 +99,7 @@ private:
                                 where, cells, ranks);
   }
 
-  /** Passes the snapshots of a run, and tells of it. */
+  /** Passes the snapshots of a run and reports progress. */
   SnapshotHistories pass(StrainSource<dim> &source,
                          const std::string &role,
                          const SnapshotWork<dim> &work,
@@ -145,7 +145,7 @@ private:
       result.direct = statistics->fields();
   }
 
-  /** C L of each cell, and a warning if L is not what it should be. */
+  /** C L of each cell; warns if L is inaccurate. */
   StressMap<dim> localized_map()
   {
     const auto scope   = optional_scope(monitor.timer, "Stress map");
@@ -164,7 +164,8 @@ private:
     return map;
   }
 
-  /** The cells of the body that hold the places of this rank; of a mesh rank 0 knows them. */
+  /** Cells of the body that hold the places of this rank; for a mesh rank 0 knows
+   * them. */
   std::vector<unsigned int> cells_of_body(const bool with_middles) const
   {
     if (files.homogeneous.is_grid)
@@ -239,7 +240,7 @@ private:
     statistics.reset();
   }
 
-  /** C L in the cells of the probes, which one rank each has. */
+  /** C L in the cells of the probes; each cell is on one rank. */
   std::vector<VoigtMatrix<dim>> matrices_of_probes(const StressMap<dim> &map) const
   {
     constexpr std::size_t n = StressMap<dim>::n_entries;
@@ -258,7 +259,7 @@ private:
     return matrices;
   }
 
-  /** Stresses of heat there. */
+  /** Thermal stresses in the cells of the probes. */
   std::vector<VoigtVector<dim>> thermal_of_probes(const StressMap<dim> &map) const
   {
     std::vector<double> all(n_voigt<dim> * plan.probes.size());
@@ -288,7 +289,8 @@ private:
       }
   }
 
-  /** Probes and fields are sampled differently: how far apart are their means? */
+  /** Notes the difference of the means of probes and fields, which are sampled
+   * differently. */
   void tell_sampling()
   {
     if (result.variants.empty() || result.variants[0].name != "local strain" ||
@@ -313,7 +315,7 @@ private:
   LocalizationInput<dim> *const input;
   const MPI_Comm ranks;
   const LocalizationMonitor &monitor;
-  const CellSet<dim> nothing; ///< what ranks other than 0 have of meshes
+  const CellSet<dim> nothing; ///< mesh cells on ranks other than 0
   const VolumeShare<dim> share;
   ProbeHistories<dim> series;
   LocalizationResult result;

@@ -11,10 +11,10 @@
 namespace mesoslip
 {
 /**
- * What is wrong with concentration tensors L of @p condition, whose volume mean is @p mean;
- * empty: nothing. The mean is I for KUBC and PBC up to the accuracy of the solver. MUBC
- * prescribe its orthotropic part alone: the rest is zero where the axes of space are those of
- * orthotropy (doc/theory.md). @p file is named as their source.
+ * Warning on inaccurate concentration tensors L of @p condition with the volume mean
+ * @p mean; empty: none. The mean is I for KUBC and PBC up to the accuracy of the solver.
+ * MUBC prescribe only its orthotropic part: the rest vanishes if the coordinate axes are
+ * axes of orthotropy (doc/theory.md). @p file is named as the source.
  */
 template <int dim>
 std::string concentration_warning(const std::string &file,

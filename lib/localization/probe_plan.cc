@@ -10,7 +10,8 @@ namespace mesoslip
 {
 namespace
 {
-/** The cell @p number as localization.h5 has it: its places along the axes of a grid. */
+/** The cell @p number in the form of localization.h5: for a grid its indices along the
+ * axes. */
 template <int dim>
 std::vector<unsigned int> cell_in_file(const CellSet<dim> &cells,
                                        const std::size_t number)
@@ -35,7 +36,7 @@ bool is_inside(const UniformGrid<dim> &grid, const dealii::Point<dim> &point)
 }
 } // namespace
 
-/** In coordinates: a position on a grid is from its lower left corner. */
+/** Converts a position to coordinates: on a grid it counts from the lower left corner. */
 template <int dim>
 dealii::Point<dim>
 LocalizationInput<dim>::place_in(const CellSet<dim> &cells,
@@ -47,7 +48,8 @@ LocalizationInput<dim>::place_in(const CellSet<dim> &cells,
   return at;
 }
 
-/** The cell that holds what is asked for under @p key. @throws UserError */
+/** The cell that holds the position given by @p key.
+ * @throws UserError */
 template <int dim>
 std::size_t LocalizationInput<dim>::find_place(const LocalizedProbe &asked,
                                                const std::string &key,
@@ -107,8 +109,7 @@ void LocalizationInput<dim>::plan_probes(CellFinder<dim> &in_volume)
     }
   for (PlannedProbe &probe : probes)
     {
-      // A body on a mesh and a volume on a grid, or the other way round, have one system of
-      // coordinates.
+      // A mesh and a grid share one coordinate system.
       LocalizedProbe asked = static_cast<const LocalizedProbe &>(probe);
       if (probe.recorded)
         {
@@ -133,7 +134,7 @@ void LocalizationInput<dim>::plan_probes(CellFinder<dim> &in_volume)
     }
 }
 
-/** Reads what was recorded of a probe. */
+/** Reads the recorded series of a probe. */
 template <int dim>
 void LocalizationInput<dim>::read_probe(PlannedProbe &probe)
 {
@@ -155,7 +156,7 @@ void LocalizationInput<dim>::read_probe(PlannedProbe &probe)
     probe.direct = files.direct->probe(name, "stress", window);
 }
 
-/** The direct run's probe at the place of @p probe, the one of equal name first; or "". */
+/** The direct run's probe at the place of @p probe, preferring the same name; or "". */
 template <int dim>
 std::string LocalizationInput<dim>::direct_probe_at(const PlannedProbe &probe) const
 {

@@ -64,8 +64,8 @@ public:
   }
 
 private:
-  /** Widens the window of the result, which is empty at first: that of the snapshots, whose stresses
-   * are averaged, and without any that of the probes. */
+  /** Extends the window of the result (initially empty) by the times of the averaged
+   * snapshots, or of the probes if there are no snapshots. */
   void note_times(const std::vector<double> &times)
   {
     if (times.empty())
@@ -97,7 +97,7 @@ private:
                           histories.direct.cells[followed])};
   }
 
-  /** Cuts both to the time they share; without any, drops the direct one. */
+  /** Cuts both series to their common time; drops the direct one if there is none. */
   void
   restrict_to_common(ProbeSeries &series, ProbeSeries &direct, const std::string &name)
   {
@@ -121,7 +121,7 @@ private:
                        ProbeSeries direct)
   {
     ProbeResult r = {probe, {}};
-    // Two static states are compared whatever their times.
+    // Two static states are compared regardless of their times.
     if (!direct.time.empty() && (series.time.size() > 1 || direct.time.size() > 1))
       restrict_to_common(series, direct, probe.name);
     r.stress = stresses<dim>(matrix, series.values, thermal);

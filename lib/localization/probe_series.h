@@ -8,27 +8,27 @@
 
 namespace mesoslip
 {
-/** What the stresses of probes follow from. */
+/** Input for the stresses of probes. */
 template <int dim>
 struct ProbeHistories
 {
-  SnapshotHistories homogeneous;          ///< of the run whose strains are localized
-  SnapshotHistories direct;               ///< of the run to compare with
+  SnapshotHistories homogeneous;          ///< strains of the run that is localized
+  SnapshotHistories direct;               ///< strains of the direct run
   std::vector<VoigtMatrix<dim>> matrices; ///< C L (Pa) in the cell of each probe
-  std::vector<VoigtVector<dim>> thermal;  ///< stress of heat there (Pa)
+  std::vector<VoigtVector<dim>> thermal;  ///< thermal stress there (Pa)
 };
 
 /**
- * Sets the probes of the variants of @p result, and its window, from what @p input has recorded and
- * these histories; adds to the warnings of the input. On rank 0.
+ * Computes the probes of all variants of @p result, and its window, from the records of
+ * @p input and the histories; adds to the warnings of the input. On rank 0.
  */
 template <int dim>
 void evaluate_probes(LocalizationInput<dim> &input,
                      const ProbeHistories<dim> &histories,
                      LocalizationResult &result);
 
-/** Notes how far apart the mean normal stresses of recorded probes are from those of their cells,
- * @p of_field, which have other samples. */
+/** Adds a note on the difference between the mean normal stresses of recorded probes and
+ * of their cells, @p of_field; both are averaged over different samples. */
 template <int dim>
 void note_sampling(LocalizationInput<dim> &input,
                    const VariantResult &variant,

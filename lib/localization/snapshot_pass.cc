@@ -30,7 +30,7 @@ private:
   CellRows values;
 };
 
-/** Treats the snapshots at hand. */
+/** Processes the current batch of snapshots. */
 template <int dim>
 class SnapshotPass
 {
@@ -73,14 +73,14 @@ public:
                   [this, p](const std::size_t b) { return source.at_point(b, p); });
   }
 
-  /** Of @p n_snapshots, on all ranks. */
+  /** Histories of @p n_snapshots, on all ranks. */
   SnapshotHistories result(const std::size_t n_snapshots, const MPI_Comm ranks)
   {
     std::vector<double> all;
     const std::size_t size = n_snapshots * n_voigt<dim>;
     for (std::vector<double> &cell : histories.cells)
       {
-        cell.resize(size); // zeros of a cell that another rank has
+        cell.resize(size); // zeros for cells of other ranks
         all.insert(all.end(), cell.begin(), cell.end());
       }
     sum_over_ranks(all, ranks);

@@ -9,30 +9,32 @@
 
 namespace mesoslip
 {
-/** What is wanted from the snapshots of a run; null and empty things cost nothing. */
+/** Consumers of the snapshots of a run; null and empty members cost nothing. */
 template <int dim>
 struct SnapshotWork
 {
-  StressStatistics<dim> *local = nullptr; ///< fed with the strain at the place
+  StressStatistics<dim> *local = nullptr; ///< gets the local strain
   StressStatistics<dim> *uniform =
-    nullptr; ///< fed with the strain averaged over the body
-  std::vector<StressStatistics<dim>> *points = nullptr; ///< fed with the strain at points
-  bool mean = false; ///< history of the strain averaged over the body
+    nullptr; ///< gets the strain averaged over the whole body
+  std::vector<StressStatistics<dim>> *points = nullptr; ///< get the strain at points
+  bool mean = false; ///< whether the history of the body's mean strain is requested
   std::vector<std::size_t> followed = {}; ///< cells of the volume with a strain history
 };
 
-/** What pass_snapshots() returns: one entry a snapshot, on all ranks. */
+/** Result of pass_snapshots(): one entry per snapshot, on all ranks. */
 struct SnapshotHistories
 {
   std::vector<double> mean; ///< strain averaged over the body [k][components]
   std::vector<std::vector<double>>
-    cells; ///< strain [k][components] of each cell followed
+    cells; ///< strain [k][components] of each followed cell
 };
 
 /**
- * Goes once through the @p n_snapshots of @p source; each row of the cells of this rank is treated
- * for all that are at hand before the next row, so that what belongs to it stays in the cache. The
- * monitor tells waiting for snapshots from averaging. Collective. @throws UserError
+ * Passes once through the @p n_snapshots of @p source. Each row of the cells of this
+ * rank is processed for all snapshots in memory before the next row, so that its data
+ * stay in the cache. The monitor separates waiting for snapshots from averaging.
+ * Collective.
+ * @throws UserError
  */
 template <int dim>
 SnapshotHistories pass_snapshots(StrainSource<dim> &source,

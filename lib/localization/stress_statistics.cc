@@ -11,8 +11,8 @@ namespace mesoslip
 namespace
 {
 /**
- * sum += sqrt(square). With errno to be set, the compiler does not vectorize roots; wider
- * vectors would not be faster, the divider is the limit.
+ * sum += sqrt(square). If errno has to be set, the compiler does not vectorize roots;
+ * wider vectors would not be faster, as the divider is the limit.
  */
 void add_roots(const double *square, const std::size_t n, double *sum)
 {
@@ -43,7 +43,8 @@ void von_mises_squares_2(const double *__restrict__ stress,
     }
 }
 
-/** The same with sigma_zz = ratio (sigma_xx + sigma_yy) + thermal. */
+/** Squared von Mises stress in 2D with sigma_zz = ratio (sigma_xx + sigma_yy) +
+ * thermal. */
 MESOSLIP_CLONES
 void heated_von_mises_squares_2(const double *__restrict__ stress,
                                 const std::size_t stride,
@@ -61,7 +62,7 @@ void heated_von_mises_squares_2(const double *__restrict__ stress,
     }
 }
 
-/** In space. */
+/** 3D case. */
 MESOSLIP_CLONES
 void von_mises_squares_3(const double *__restrict__ stress,
                          const std::size_t stride,
@@ -89,7 +90,7 @@ MESOSLIP_INTO_CLONES void multiply(const double *__restrict__ m,
                                    double *__restrict__ stress,
                                    const std::size_t stress_stride)
 {
-  // The arrays of the stress do not overlap each other either.
+  // The stress arrays do not overlap either.
 #pragma GCC ivdep
   for (std::size_t i = 0; i < n; ++i)
     {
@@ -140,7 +141,7 @@ void add_row(const double *__restrict__ thermal,
     stress[i] += thermal[i];
 }
 
-/** Running mean after the sample number 1 / @p inverse. */
+/** Updates the running mean for sample number 1 / @p inverse. */
 MESOSLIP_CLONES
 void add_mean_row(const double *__restrict__ value,
                   const std::size_t n,
@@ -151,7 +152,7 @@ void add_mean_row(const double *__restrict__ value,
     mean[i] += inverse * (value[i] - mean[i]);
 }
 
-/** Running mean and sum of squared deviations from it (Welford). */
+/** Updates running mean and sum of squared deviations (Welford). */
 MESOSLIP_CLONES
 void add_moments_row(const double *__restrict__ value,
                      const std::size_t n,
@@ -167,7 +168,8 @@ void add_moments_row(const double *__restrict__ value,
     }
 }
 
-/** Arrays of a row of sums; behind the means of all components their squared deviations. */
+/** Array indices of a row of sums; squared deviations follow the means of all
+ * components. */
 constexpr unsigned int von_mises_sum = 0, means = 1;
 template <int dim>
 constexpr unsigned int squares = means + n_voigt<dim>;
@@ -241,7 +243,8 @@ void StressStatistics<dim>::add(const std::size_t j, const CellRow &strain)
       add_mean_row(scratch.array(c, 0), n, inverse, sums.array(means + c, j));
 }
 
-/** Arrays first to first + n - 1 by cells, or the roots of what they are a sample. */
+/** Arrays first to first + n - 1, interleaved by cell; with @p as_root the roots of their
+ * means per sample. */
 template <int dim>
 std::vector<double> StressStatistics<dim>::interleaved(const unsigned int first,
                                                        const unsigned int n,

@@ -23,15 +23,15 @@ void add_von_mises_row(const CellRow &stress,
                        double *sum);
 
 /**
- * From the macroscopic strain of each cell to its local stress, sigma = C L eps (eqs 22 to 24),
- * or without L to that of a run that resolves the phases. With it goes in 2D the ratio of
- * sigma_zz to sigma_xx + sigma_yy.
+ * Maps the macroscopic strain of each cell to its local stress, sigma = C L eps (eqs 22
+ * to 24); without L to the stress of a run that resolves the phases. In 2D it also has
+ * the ratio of sigma_zz to sigma_xx + sigma_yy.
  */
 template <int dim>
 class StressMap
 {
 public:
-  /** Of @p n_cells cells in rows of @p n_in_row, all zero. */
+  /** @p n_cells cells in rows of @p n_in_row, all zero. */
   StressMap(const std::size_t n_cells, const std::size_t n_in_row)
     : data(n_cells, n_in_row, n_numbers)
   {
@@ -61,8 +61,8 @@ public:
     return result;
   }
 
-  /** Sets the stress of heat (Pa) of cell @p i of row @p j, in 2D with the part of sigma_zz that is not the ratio times
-   * the others. */
+  /** Sets the thermal stress (Pa) of cell @p i of row @p j; @p zz (2D): part of sigma_zz
+   * not given by the ratio. */
   void set_thermal(const std::size_t j,
                    const std::size_t i,
                    const VoigtVector<dim> &stress,
@@ -76,28 +76,28 @@ public:
       thermal_data->array(n_voigt<dim>, j)[i] = zz;
   }
 
-  /** What set_thermal() was told, all components and in 2D zz; null: nothing. */
+  /** Thermal stresses set by set_thermal(), all components and in 2D zz; null: none. */
   const CellRows *thermal() const
   {
     return thermal_data ? &*thermal_data : nullptr;
   }
 
-  /** The ratio of the cells of row @p j; nothing that may be read in 3D. */
+  /** The ratios of the cells of row @p j; null in 3D. */
   const double *ratio(const std::size_t j) const
   {
     return dim == 2 ? data.array(n_entries, j) : nullptr;
   }
 
-  /** The entries of C L by rows, and behind them in 2D the ratio. */
+  /** The entries of C L by rows, then in 2D the ratio. */
   const CellRows &rows() const
   {
     return data;
   }
 
-  static constexpr unsigned int n_entries = n_voigt<dim> * n_voigt<dim>; ///< of C L
+  static constexpr unsigned int n_entries = n_voigt<dim> * n_voigt<dim>; ///< C L
   static constexpr unsigned int n_thermal =
-    n_voigt<dim> + (dim == 2 ? 1 : 0);                                      ///< of heat
-  static constexpr unsigned int n_numbers = n_entries + (dim == 2 ? 1 : 0); ///< of a cell
+    n_voigt<dim> + (dim == 2 ? 1 : 0); ///< per thermal stress
+  static constexpr unsigned int n_numbers = n_entries + (dim == 2 ? 1 : 0); ///< per cell
 
 private:
   CellRows data;                        ///< see rows()
@@ -105,8 +105,8 @@ private:
 };
 
 /**
- * Averages over time of the stresses of cells, fed row by row; the memory does not depend on
- * the number of samples. The map must outlive the object.
+ * Time averages of the stresses of cells, fed row by row; the memory does not depend on
+ * the number of samples. The map must outlive this object.
  */
 template <int dim>
 class StressStatistics
@@ -115,25 +115,25 @@ public:
   /** No samples yet; @p stress_map must outlive it. */
   StressStatistics(const StressMap<dim> &stress_map, const FieldSelection &fields);
 
-  /** The next sample of row @p j, as the macroscopic strain of its cells. */
+  /** Adds a sample of row @p j: the macroscopic strain of its cells. */
   void add(const std::size_t j, const CellRow &strain);
 
-  /** Fields [n], [n][components]. Every row must have been given the same number of samples, at
+  /** Fields [n], [n][components]. Every row must have the same number of samples, at
    * least one. */
   StressFields fields() const;
 
-  /** Numbers that are kept of each cell. */
+  /** Stored numbers per cell. */
   static unsigned int n_numbers(const FieldSelection &fields);
 
 private:
   std::vector<double>
   interleaved(const unsigned int first, const unsigned int n, const bool as_root) const;
 
-  const StressMap<dim> &map;        ///< of the cells
-  FieldSelection selection;         ///< the fields wanted
-  std::vector<std::size_t> samples; ///< of each row, so far
-  CellRows sums;                    ///< of von Mises stresses, means, squared deviations
-  CellRows scratch;                 ///< one row: the stress and a work array
+  const StressMap<dim> &map;        ///< stress map of the cells
+  FieldSelection selection;         ///< requested fields
+  std::vector<std::size_t> samples; ///< per row, so far
+  CellRows sums;                    ///< von Mises stresses, means, squared deviations
+  CellRows scratch;                 ///< buffers for a row: stress and work array
 };
 } // namespace mesoslip
 

@@ -11,14 +11,14 @@ namespace
 /** Cells of a row of a mesh: an odd number of cache lines. */
 constexpr std::size_t row_of_mesh = 504;
 
-/** Middles and sizes of some cells of a mesh. */
+/** Centroids and sizes of some cells of a mesh. */
 template <int dim>
 struct CellPlaces
 {
   std::vector<dealii::Point<dim>> middles; ///< m
   std::vector<double> measures;            ///< m^dim
 
-  /** Of boost::serialization. */
+  /** For boost::serialization. */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
@@ -96,7 +96,7 @@ VoigtMatrix<dim> multiply_by_concentration(StressMap<dim> &map,
 {
   constexpr std::size_t n             = n_voigt<dim> * n_voigt<dim>;
   const std::vector<Phase<dim>> parts = files.rve.constituents();
-  std::vector<double> sums(n + 1); // of L and of the volumes
+  std::vector<double> sums(n + 1); // sums of L and of volumes
   Eigen::Map<VoigtMatrix<dim>> sum(sums.data());
   std::size_t j = 0, i = 0;
   const auto multiply = [&](const std::size_t first, const std::size_t count) {
@@ -141,7 +141,7 @@ void add_heat(StressMap<dim> &map,
                           i           = cell % share.n_in_row;
         const VoigtVector<dim> held   = per_kelvin[k].template head<n_voigt<dim>>(),
                                stress = held + map.matrix(cell) * expansion;
-        // What the ratio does not know of sigma_zz; nothing where that is not known at all.
+        // Part of the thermal sigma_zz not given by the ratio; 0 if sigma_zz is unknown.
         double rest = 0.;
         if (dim == 2 && !std::isnan(per_kelvin[k][zz]))
           rest = per_kelvin[k][zz] - map.ratio(j)[i] * (held[0] + held[1]);
@@ -157,7 +157,8 @@ std::vector<CellRegion> regions_of(const LocalizationFiles<dim> &files,
                                    const LocalizationParameters &parameters,
                                    const VolumeShare<dim> &share)
 {
-  // From the lower corner; of a mesh, whose grid is its box, by its coordinates.
+  // On a grid centres count from the lower corner; on a mesh, whose grid is its box, they
+  // are coordinates.
   const UniformGrid<dim> &grid = files.rve.grid;
   UniformGrid<dim> at_zero     = grid;
   at_zero.origin               = {};
@@ -180,7 +181,7 @@ std::vector<CellRegion> regions_of(const LocalizationFiles<dim> &files,
       phase.push_back(
         static_cast<std::uint8_t>(files.rve.materials.phase_of(share.material[k])));
     }
-  // The surface is where the contact is.
+  // The surface region is at the contact: for a counter body at the upper end.
   if (files.homogeneous.conditions && is_below(*files.homogeneous.conditions))
     for (dealii::Point<dim> &centre : centres)
       centre[dim - 1] = size[dim - 1] - centre[dim - 1];

@@ -10,25 +10,25 @@
 
 namespace mesoslip
 {
-/** The cells of the volume that a rank has, one after the other in the file. */
+/** The cells of the volume on one rank, contiguous in the file. */
 template <int dim>
 struct VolumeShare
 {
-  std::size_t first_layer = 0;         ///< whole layers of the first axis of fields
+  std::size_t first_layer = 0;         ///< first layer along the first axis of fields
   std::size_t first       = 0;         ///< number of the first cell
   std::size_t n_cells     = 0;         ///< number of cells
-  std::size_t n_in_row    = 1;         ///< of the rows in which they are treated
-  std::vector<std::uint16_t> material; ///< of each cell, see RveFile::constituents()
+  std::size_t n_in_row    = 1;         ///< cells per row of CellRows
+  std::vector<std::uint16_t> material; ///< per cell, see RveFile::constituents()
 
-  /** Of the cells of a mesh that is the body (m), else empty. */
+  /** Centroids of the cells if a mesh is the body (m), else empty. */
   std::vector<dealii::Point<dim>> middles;
 
-  std::vector<double> measures; ///< of the cells (m^dim); of a grid none: all equal
+  std::vector<double> measures; ///< sizes of cells (m^dim); empty for a grid
 
-  /** The place of a cell that another rank has. */
+  /** Returned by place_of() for a cell of another rank. */
   static constexpr std::size_t elsewhere = std::numeric_limits<std::size_t>::max();
 
-  /** The number among these cells of cell @p cell of the volume, or elsewhere. */
+  /** Local number of cell @p cell of the volume, or elsewhere. */
   std::size_t place_of(const std::size_t cell) const
   {
     return cell >= first && cell < first + n_cells ? cell - first : elsewhere;
@@ -43,14 +43,15 @@ VolumeShare<dim> make_share(const LocalizationFiles<dim> &files,
                             const CellSet<dim> &of_root,
                             const MPI_Comm ranks);
 
-/** C of each cell, and the ratios that are asked for. */
+/** Map with C of each cell and the requested ratios. */
 template <int dim>
 StressMap<dim> plain_map(const LocalizationFiles<dim> &files,
                          const LocalizationParameters &parameters,
                          const VolumeShare<dim> &share);
 
-/** Makes C L of C; the volume mean of L, which is read piece by piece. Collective. @throws
- * UserError */
+/** Multiplies the map by L: C becomes C L.
+ * @return the volume mean of L, which is read in pieces. Collective.
+ * @throws UserError */
 template <int dim>
 VoigtMatrix<dim> multiply_by_concentration(StressMap<dim> &map,
                                            const LocalizationFiles<dim> &files,
@@ -58,8 +59,9 @@ VoigtMatrix<dim> multiply_by_concentration(StressMap<dim> &map,
                                            const VolumeShare<dim> &share,
                                            const MPI_Comm ranks);
 
-/** Adds to a map that has C L the stress of parameters.heating in a volume that expands freely. Collective. @throws
- * UserError if no phase expands */
+/** Adds the stress of parameters.heating in a freely expanding volume to a map that has C
+ * L. Collective.
+ * @throws UserError if no phase expands */
 template <int dim>
 void add_heat(StressMap<dim> &map,
               const LocalizationFiles<dim> &files,
@@ -67,7 +69,7 @@ void add_heat(StressMap<dim> &map,
               const VolumeShare<dim> &share,
               const MPI_Comm ranks);
 
-/** The regions of the cells of this rank in which fields are compared. */
+/** Regions of this rank's cells for the comparison of fields. */
 template <int dim>
 std::vector<CellRegion> regions_of(const LocalizationFiles<dim> &files,
                                    const LocalizationParameters &parameters,

@@ -9,9 +9,9 @@
 namespace mesoslip
 {
 /**
- * Voigt's bound, the mean of C (Pa), uniform strain: no composite is stiffer.
- * All functions here throw std::invalid_argument unless there is one fraction in [0, 1]
- * a phase and the fractions sum to one (1e-9).
+ * Voigt's bound, the mean of C (Pa), uniform strain: no composite is stiffer. All
+ * functions here throw std::invalid_argument unless there is one fraction in [0, 1] per
+ * phase and the fractions sum to one (1e-9).
  */
 template <int dim>
 VoigtMatrix<dim> voigt_bound(const std::vector<Phase<dim>> &phases,
@@ -26,7 +26,7 @@ VoigtMatrix<dim> reuss_bound(const std::vector<Phase<dim>> &phases,
 /** Bulk and shear modulus, Pa. */
 struct IsotropicModuli
 {
-  double bulk;  ///< k = lambda + 2 mu / dim, in 2D that of plane strain, lambda + mu
+  double bulk;  ///< k = lambda + 2 mu / dim; in 2D plane strain, lambda + mu
   double shear; ///< mu
 };
 

@@ -153,7 +153,7 @@ template <int dim>
 IsotropicProjection closest_isotropic(const VoigtMatrix<dim> &stiffness)
 {
   const VoigtMatrix<dim> M = stiffness_to_mandel<dim>(stiffness);
-  // Traces over the spaces of dilatations and of deviators.
+  // Traces over the subspaces of dilatations and of deviators.
   const double dilatation = M.template topLeftCorner<dim, dim>().sum() / dim;
   const double deviators  = M.trace() - dilatation;
 

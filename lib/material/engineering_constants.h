@@ -8,7 +8,7 @@
 
 namespace mesoslip
 {
-/** One constant of a material as it goes into tables and summaries. */
+/** An engineering constant for tables and summaries. */
 struct EngineeringConstant
 {
   /** Such as E_x, nu_xy or G_xy. */
@@ -16,7 +16,7 @@ struct EngineeringConstant
   /** "Pa", or "1" for pure numbers, "rad" for angles. */
   std::string unit;
   double value; ///< in that unit
-  /** One phrase. */
+  /** A phrase that explains the constant. */
   std::string meaning;
 };
 
@@ -44,7 +44,7 @@ struct IsotropicProjection
 {
   /** Pa, of the three-dimensional solid. */
   double young_modulus;
-  double poisson_ratio; ///< of the three-dimensional solid
+  double poisson_ratio; ///< three-dimensional solid
   /** Pa; plane bulk modulus lambda + mu in 2D, lambda + 2 mu / 3 in 3D. */
   double bulk_modulus;
   double shear_modulus; ///< Pa
@@ -75,8 +75,8 @@ struct OrthotropicProjection
  */
 OrthotropicProjection closest_orthotropic(const VoigtMatrix<2> &stiffness);
 
-/** The part with the axes of space: entries that couple a shear to anything else are set
- * to zero, in 2D 13 and 23. */
+/** The orthotropic part in the coordinate axes: entries that couple a shear to another
+ * component are set to zero, in 2D 13 and 23. */
 template <int dim>
 VoigtMatrix<dim> orthotropic_part(const VoigtMatrix<dim> &stiffness);
 } // namespace mesoslip

@@ -10,20 +10,20 @@
 
 namespace mesoslip
 {
-/** A phase with its axes turned. */
+/** A phase with rotated axes. */
 struct OrientedPhase
 {
-  unsigned int phase                 = 0;  ///< its index
+  unsigned int phase                 = 0;  ///< index of the phase
   std::array<double, 3> euler_angles = {}; ///< Bunge's phi1, Phi, phi2 (degrees)
 
-  /** Of boost::serialization. */
+  /** For boost::serialization. */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
     archive &phase &euler_angles[0] & euler_angles[1] & euler_angles[2];
   }
 
-  /** The stiffness @p of_phase turned by these angles (Pa). */
+  /** The stiffness @p of_phase (Pa) rotated by these angles. */
   VoigtMatrix<3> turned(const VoigtMatrix<3> &of_phase) const
   {
     constexpr std::array<double, 3> as_is = {{0., 0., 0.}};
@@ -38,7 +38,7 @@ struct OrientedPhase
     return turn_stress(of_phase, rotation());
   }
 
-  /** Columns are the axes of the material. */
+  /** Rotation matrix; columns are the axes of the material. */
   Eigen::Matrix3d rotation() const
   {
     constexpr double degree = 3.14159265358979323846 / 180.;
@@ -47,27 +47,28 @@ struct OrientedPhase
   }
 };
 
-/** Orientations that differ from cell to cell; without any the cells are as their phases. */
+/** Orientations that differ from cell to cell; if empty, the cells are their phases, not
+ * rotated. */
 struct Orientations
 {
-  /** More materials than these have no number. */
+  /** Largest number of materials. */
   static constexpr std::size_t most_materials = 65535;
 
   /** The distinct pairs of phase and orientation; every phase has one at least. */
   std::vector<OrientedPhase> materials;
 
-  std::vector<double> fractions; ///< of the volume; empty where nobody asks for them
+  std::vector<double> fractions; ///< volume fractions; empty if not requested
 
-  std::vector<std::uint16_t> id; ///< of each cell its material, x fastest
+  std::vector<std::uint16_t> id; ///< material of each cell, x fastest
 
-  /** Whether there are none. */
+  /** Whether there are no orientations. */
   bool empty() const
   {
     return materials.empty();
   }
 };
 
-/** The materials as phases of their own, with the names of their phases; without any the
+/** The materials as phases, with the names of their phases; without orientations the
  * phases themselves. */
 template <int dim>
 std::vector<Phase<dim>> oriented_phases(const std::vector<Phase<dim>> &phases,

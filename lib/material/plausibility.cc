@@ -11,15 +11,16 @@ namespace mesoslip
 namespace
 {
 constexpr double softest = 1e6, largest_contrast = 1e6; // Pa, -
-// Strains: below the smallest a pressure is a slip, above the largest a solid yields.
+// Strains: below the smallest a pressure looks like a slip, above the largest a solid
+// yields.
 constexpr double smallest_strain = 1e-9, largest_strain = 1e-2;
-// Of lambda / mu: 0.49 of Poisson's ratio.
+// Limit of lambda / mu: 0.49 of Poisson's ratio.
 constexpr double locks_from = 48.999;
-// From where on a solve takes long, in single precision in particular.
+// Above these limits a solve takes long, in single precision in particular.
 constexpr double hard_contrast = 1e4, hard_anisotropy = 1e3, hard_aspect = 30.;
 
-/** The largest against a strain along one axis that another makes up for; of isotropic phases 2 G,
- * which Poisson's ratio hardly changes. */
+/** Largest stiffness against a strain along one axis compensated along another; 2 G for
+ * isotropic phases, nearly independent of Poisson's ratio. */
 template <int dim>
 double stiffness(const Phase<dim> &phase)
 {
@@ -31,7 +32,7 @@ double stiffness(const Phase<dim> &phase)
   return largest;
 }
 
-/** The softest and the stiffest phase; there is one. */
+/** The softest and the stiffest phase; @p phases must not be empty. */
 template <int dim>
 auto extremes(const std::vector<Phase<dim>> &phases)
 {
@@ -49,15 +50,15 @@ double incompressibility(const Phase<dim> &phase)
   return 2. * ratio / (1. - 2. * ratio);
 }
 
-/** The apparent Poisson's ratio. */
+/** The apparent Poisson's ratio as text. */
 template <int dim>
 std::string ratio_text(const Phase<dim> &phase)
 {
   return brief_text(7, apparent_poisson_ratio<dim>(phase.stiffness));
 }
 
-/** The nearly incompressible phase with the largest Poisson's ratio among those that @p counts(); null: there is
- * none. */
+/** The nearly incompressible phase with the largest Poisson's ratio among the phases that
+ * @p counts() accepts; null: none. */
 template <int dim, typename Counts>
 const Phase<dim> *least_compressible(const std::vector<Phase<dim>> &phases,
                                      const Counts &counts)
@@ -205,7 +206,7 @@ std::vector<std::string> locking_warnings(const std::vector<Phase<dim>> &phases,
       which = "fully integrated cells";
       other = "; Mean dilatation = auto prevents it";
     }
-  // As measured around stiff inclusions, n cells from one to the next: doc/limits.md.
+  // Measured around stiff inclusions, n cells from one to the next: doc/limits.md.
   const double factor = 2. * incompressibility<dim>(*worst);
   return {brief_text(
     2, "phase '", worst->name, "' is nearly incompressible (Poisson's ratio ",

@@ -30,7 +30,7 @@ double shear_impedance(const VoigtMatrix<dim> &stiffness,
                        const std::array<double, 2> &direction)
 {
   const auto waves = impedance<dim>(stiffness, density);
-  // The side slides along itself, with no force across the direction.
+  // The side slides freely along itself: no force across the direction.
   const Eigen::Matrix<double, dim - 1, dim - 1> along =
     waves.template topLeftCorner<dim - 1, dim - 1>();
   const Eigen::Map<const Eigen::Matrix<double, dim - 1, 1>> unit(direction.data());

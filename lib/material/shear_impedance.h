@@ -9,9 +9,10 @@
 
 namespace mesoslip
 {
-/** The tractions on the flat side of a half-space over the velocities that they drive (Pa s/m): sqrt(rho)
- * Gamma^(1/2), see shear_impedance(); an isotropic solid has rho c_T along the side and rho c_L along the
- * @p normal, of length one, by default the last axis. */
+/** Impedance matrix (Pa s/m) of a half-space: tractions on its plane side over the
+ * velocities of the side, sqrt(rho) Gamma^(1/2), see shear_impedance(). An isotropic
+ * solid has rho c_T along the side and rho c_L along the @p normal, of length one, by
+ * default the last axis. */
 template <int dim>
 Eigen::Matrix<double, dim, dim> impedance(const VoigtMatrix<dim> &stiffness,
                                           const double density,
@@ -19,11 +20,11 @@ Eigen::Matrix<double, dim, dim> impedance(const VoigtMatrix<dim> &stiffness,
                                             Eigen::Matrix<double, dim, 1>::Unit(dim - 1));
 
 /**
- * Shear traction that moves the flat side of a half-space along @p direction at one speed, over
- * that speed (Pa s/m), the side moving neither along its normal, the last axis, nor pushed across
- * @p direction. With the tensor Gamma_ik = C_(i n k n) of the normal n waves into the body ask
- * for sqrt(rho) Gamma^(1/2) v; an isotropic solid has rho c_T. @p direction has length one, along
- * x and, in 3D, y.
+ * Shear traction that moves the plane side of a half-space along @p direction at
+ * constant speed, over that speed (Pa s/m); the side does not move along its normal, the
+ * last axis, and has no traction across @p direction. With the tensor Gamma_ik = C_(i n
+ * k n) of the normal n, waves into the body need the traction sqrt(rho) Gamma^(1/2) v;
+ * an isotropic solid has rho c_T. @p direction has length one, along x and, in 3D, y.
  */
 template <int dim>
 double shear_impedance(const VoigtMatrix<dim> &stiffness,

@@ -37,14 +37,14 @@ VoigtVector<dim> mandel_scale()
   return scale;
 }
 
-/** Turns stresses and strains in Mandel's notation about z; orthogonal. */
+/** Rotation about z for stresses and strains in Mandel's notation; orthogonal. */
 template <int dim>
 VoigtMatrix<dim> mandel_rotation(const double angle)
 {
   const double c  = std::cos(angle);
   const double s  = std::sin(angle);
   const double cs = std::sqrt(2.) * c * s;
-  // Of xx, yy and xy, which in 3D comes last.
+  // Rotation of xx, yy and xy, which is last in 3D.
   constexpr int xy   = n_voigt<dim> - 1;
   VoigtMatrix<dim> Q = VoigtMatrix<dim>::Identity();
   Q(0, 0) = Q(1, 1) = c * c;
@@ -54,7 +54,7 @@ VoigtMatrix<dim> mandel_rotation(const double angle)
   Q(xy, xy)           = c * c - s * s;
   if constexpr (dim == 3)
     {
-      // yz and xz turn as the vector (x, y) does.
+      // yz and xz rotate like the vector (x, y).
       Q(3, 3) = Q(4, 4) = c;
       Q(3, 4)           = s;
       Q(4, 3)           = -s;
@@ -206,7 +206,7 @@ VoigtMatrix<dim> with_poisson_ratio_at_most(const VoigtMatrix<dim> &stiffness,
 {
   if (!(apparent_poisson_ratio<dim>(stiffness) > ratio))
     return stiffness;
-  // With S' = S + k S m m^T S / (1 - k m.S m) for C - k m m^T.
+  // By S' = S + k S m m^T S / (1 - k m.S m) for C - k m m^T.
   const VoigtMatrix<dim> S = inverse<dim>(stiffness);
   const double share       = (1. - 2. * ratio) / (dim == 2 ? 1. - ratio : 1.),
                trace       = S.template topLeftCorner<dim, dim>().trace(),
@@ -248,7 +248,7 @@ VoigtMatrix<3> turn_stiffness(const VoigtMatrix<3> &stiffness,
 {
   constexpr unsigned int axes[6][2] = {{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}};
   const Eigen::Matrix3d &R          = rotation;
-  VoigtMatrix<3> Q; // of Mandel's notation, orthogonal
+  VoigtMatrix<3> Q; // rotation in Mandel's notation, orthogonal
   for (unsigned int row = 0; row < 6; ++row)
     for (unsigned int column = 0; column < 6; ++column)
       {

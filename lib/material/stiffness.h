@@ -23,14 +23,14 @@ VoigtMatrix<dim> isotropic_stiffness(const double young_modulus,
 struct OrthotropicConstants
 {
   double E1;   ///< Young's modulus along axis 1
-  double E2;   ///< along axis 2
-  double E3;   ///< along axis 3
+  double E2;   ///< Young's modulus along axis 2
+  double E3;   ///< Young's modulus along axis 3
   double nu12; ///< contraction along 2 by tension along 1
   double nu13; ///< contraction along 3 by tension along 1
   double nu23; ///< contraction along 3 by tension along 2
   double G12;  ///< shear modulus in the plane 1, 2
-  double G13;  ///< in the plane 1, 3
-  double G23;  ///< in the plane 2, 3
+  double G13;  ///< shear modulus in the plane 1, 3
+  double G23;  ///< shear modulus in the plane 2, 3
 };
 
 /**
@@ -59,9 +59,9 @@ template <int dim>
 void check_stiffness(const VoigtMatrix<dim> &stiffness);
 
 /**
- * Mandel's notation scales shear by sqrt(2), so that stress and strain live in the same
- * orthonormal basis: norms, eigenvalues and rotations of tensors are those of the
- * matrices. Voigt matrices with engineering shear lack all three.
+ * Converts to Mandel's notation. It scales shear by sqrt(2), so that stress and strain
+ * share an orthonormal basis: norms, eigenvalues and rotations of tensors are those of
+ * the matrices. Voigt matrices with engineering shear lack all three properties.
  */
 template <int dim>
 VoigtMatrix<dim> stiffness_to_mandel(const VoigtMatrix<dim> &voigt);
@@ -74,44 +74,48 @@ VoigtMatrix<dim> stiffness_from_mandel(const VoigtMatrix<dim> &mandel);
 template <int dim>
 VoigtVector<dim> stiffness_eigenvalues(const VoigtMatrix<dim> &stiffness);
 
-/** Compliance of a stiffness (1/Pa), or the other way round: Eigen's inverse, which takes seconds to compile. */
+/** Compliance of a stiffness (1/Pa), or the other way round: Eigen's inverse, which takes
+ * seconds to compile. */
 template <int dim>
 VoigtMatrix<dim> inverse(const VoigtMatrix<dim> &tensor);
 
 /**
- * P^T C P (Pa), P taking the mean of the normal strains from each of them: the stiffness against
- * strains without their change of volume, in 2D of area. Of an isotropic solid lambda becomes
+ * P^T C P (Pa), where P subtracts the mean of the normal strains: the stiffness against
+ * strains without volume change (2D: area change). For an isotropic solid lambda becomes
  * -2 mu / dim.
  */
 template <int dim>
 VoigtMatrix<dim> without_dilatation(const VoigtMatrix<dim> &stiffness);
 
 /**
- * Poisson's ratio of an isotropic solid; of another one that of the isotropic solid whose
- * compliance against pressure is as small a part of the sum of those against normal stresses.
+ * Poisson's ratio of an isotropic solid. For an anisotropic solid: ratio of the
+ * isotropic solid with the same quotient of bulk compliance to the sum of normal
+ * compliances.
  */
 template <int dim>
 double apparent_poisson_ratio(const VoigtMatrix<dim> &stiffness);
 
-/** The stiffness (Pa) less as much of k m m^T, the stiffness against changes of volume (in 2D of area) alone, as brings the
- * apparent Poisson's ratio down to @p ratio; unchanged where it is not larger. */
+/** Reduces the apparent Poisson's ratio to @p ratio by subtracting a multiple of k m
+ * m^T, the stiffness against volume change (2D: area change); unchanged if it is not
+ * larger. */
 template <int dim>
 VoigtMatrix<dim> with_poisson_ratio_at_most(const VoigtMatrix<dim> &stiffness,
                                             const double ratio);
 
-/** The phases in which the mean change of volume of a quadrilateral or hexahedron is that of all of it. */
+/** Phases whose quadrilaterals and hexahedra have mean dilatation (one volume change per
+ * cell). */
 enum class MeanDilatation
 {
-  automatic, ///< those that are nearly incompressible, see least_poisson_ratio
-  always,    ///< all
-  never      ///< none
+  automatic, ///< nearly incompressible phases, see least_poisson_ratio
+  always,    ///< all phases
+  never      ///< no phase
 };
 
-/** Apparent Poisson's ratio above which a phase counts as nearly incompressible: 0.45, and what keeps this number
- * itself out on all bodies. */
+/** Apparent Poisson's ratio from which a phase is nearly incompressible: 0.45, plus a
+ * margin so that a ratio of exactly 0.45 is never included because of round-off. */
 constexpr double least_poisson_ratio = 0.450001;
 
-/** Whether that holds for a phase. */
+/** Whether a phase with this stiffness has mean dilatation. */
 template <int dim>
 bool has_mean_dilatation(const VoigtMatrix<dim> &stiffness, const MeanDilatation choice)
 {
@@ -132,39 +136,42 @@ template <int dim>
 VoigtMatrix<dim> rotate_stiffness(const VoigtMatrix<dim> &stiffness, const double angle);
 
 /**
- * The stiffness of the same solid turned so that its axis k, once along axis k of space,
- * lies along column k of @p rotation, an orthogonal matrix.
+ * The stiffness of the same solid, rotated such that its axis k, originally along
+ * coordinate axis k, lies along column k of @p rotation, an orthogonal matrix.
  */
 VoigtMatrix<3> turn_stiffness(const VoigtMatrix<3> &stiffness,
                               const Eigen::Matrix3d &rotation);
 
-/** Expansions (1/K, engineering shear) of a solid that expands by @p along_axes along its axes, the columns of
- * @p rotation. */
+/** Expansions (1/K, engineering shear) of a solid that expands by @p along_axes along its
+ * axes, which are the columns of @p rotation. */
 VoigtVector<3> turned_expansion(const Eigen::Vector3d &along_axes,
                                 const Eigen::Matrix3d &rotation);
 
-/** The stress (Pa), or a tensor like it, of a solid that is turned as in turn_stiffness(). */
+/** The stress (Pa), or a similar tensor, of a solid that is rotated as in
+ * turn_stiffness(). */
 VoigtVector<3> turn_stress(const VoigtVector<3> &stress, const Eigen::Matrix3d &rotation);
 
 /**
- * Columns are the axes of a material with Bunge's Euler angles (rad): turned about its
- * axis 3 by @p phi_1, then about its axis 1 by @p Phi, then about its axis 3 by @p phi_2,
- * each counter-clockwise. Bunge's matrix g, from space to crystal, is the transpose.
+ * Rotation matrix of a material with Bunge's Euler angles (rad); columns are its axes.
+ * The material is rotated about its axis 3 by @p phi_1, then about its axis 1 by @p Phi,
+ * then about its axis 3 by @p phi_2, each counter-clockwise. Bunge's matrix g, from
+ * space to crystal, is the transpose.
  */
 Eigen::Matrix3d bunge_rotation(const double phi_1, const double Phi, const double phi_2);
 
 /**
- * Columns are the axes of a material whose axis 1 lies along @p axis_1 and axis 2 along
+ * Rotation matrix of a material whose axis 1 lies along @p axis_1 and axis 2 along
  * @p axis_2, vectors of any length. Throws std::invalid_argument unless they are
- * perpendicular to one degree; what is not of axis 2 is left out.
+ * perpendicular to one degree; the component of @p axis_2 along @p axis_1 is removed.
  */
 Eigen::Matrix3d rotation_from_axes(const Eigen::Vector3d &axis_1,
                                    const Eigen::Vector3d &axis_2);
 
-/** Whether lambda and mu say everything, to 1e-12 of the largest entry. */
+/** Whether lambda and mu determine the stiffness, to 1e-12 of the largest entry. */
 bool is_isotropic(const VoigtMatrix<3> &stiffness);
 
-/** Whether normal strains cause normal stresses alone, and shears the same shear alone. */
+/** Whether normal strains cause only normal stresses, and each shear only its own shear
+ * stress. */
 template <int dim>
 bool is_orthotropic(const VoigtMatrix<dim> &C)
 {

@@ -4,7 +4,7 @@ namespace mesoslip
 {
 namespace
 {
-/** Entries (i, j) and (j, i) alone. */
+/** Matrix with only the entries (i, j) and (j, i). */
 VoigtMatrix<3>
 pair_of_entries(const unsigned int i, const unsigned int j, const double value)
 {
@@ -32,7 +32,7 @@ orthotropic_derivatives(const OrthotropicConstants &constants)
 {
   const OrthotropicConstants &c = constants;
   const auto of_modulus         = [](const double E) { return -1. / (E * E); };
-  // Of the compliance: 1 / E_i and -nu_ij / E_i, and 1 / G.
+  // Derivatives of the compliance entries 1 / E_i, -nu_ij / E_i and 1 / G.
   VoigtMatrix<3> E1 = pair_of_entries(0, 0, of_modulus(c.E1)),
                  E2 = pair_of_entries(1, 1, of_modulus(c.E2));
   E1 += pair_of_entries(0, 1, c.nu12 / (c.E1 * c.E1)) +

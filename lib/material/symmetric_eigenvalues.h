@@ -5,10 +5,11 @@
 
 namespace mesoslip
 {
-/** Eigenvalues, ascending, of a small symmetric @p matrix by Eigen's solver, which takes seconds to compile. */
+/** Eigenvalues, ascending, of a small symmetric @p matrix by Eigen's solver, which takes
+ * seconds to compile. */
 Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd &matrix);
 
-/** Those of A x = lambda B x, B being positive definite. */
+/** Generalized eigenvalues of A x = lambda B x, ascending, with B positive definite. */
 Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd &A, const Eigen::MatrixXd &B);
 } // namespace mesoslip
 

@@ -24,25 +24,25 @@ using VoigtVector = Eigen::Matrix<double, n_voigt<dim>, 1>;
 template <int dim>
 using VoigtMatrix = Eigen::Matrix<double, n_voigt<dim>, n_voigt<dim>, Eigen::RowMajor>;
 
-/** Place in Voigt order of the component with the axes @p c and @p d. */
+/** Voigt index of the component with the axes @p c and @p d. */
 template <int dim>
 constexpr unsigned int voigt_index(const unsigned int c, const unsigned int d)
 {
   return c == d ? c : dim == 2 ? 2 : 6 - c - d;
 }
 
-/** Strains of a place under unit loads, one a column: those of the components in Voigt order and, last, of one
- * kelvin. */
+/** Strains at a place under unit loads, a column per load: the components in Voigt order
+ * and, last, one kelvin. */
 template <int dim>
 using UnitStrains = Eigen::Matrix<double, n_voigt<dim>, n_voigt<dim> + 1>;
 
 /** Names of the components in Voigt order. */
 template <int dim>
 inline constexpr std::array<const char *, n_voigt<dim>> voigt_names = {};
-/** In the plane. */
+/** 2D case. */
 template <>
 inline constexpr std::array<const char *, 3> voigt_names<2> = {{"xx", "yy", "xy"}};
-/** In space. */
+/** 3D case. */
 template <>
 inline constexpr std::array<const char *, 6> voigt_names<3> = {
   {"xx", "yy", "zz", "yz", "xz", "xy"}};
@@ -50,11 +50,11 @@ inline constexpr std::array<const char *, 6> voigt_names<3> = {
 /** An entry of the upper triangle of a stiffness. */
 struct StiffnessEntry
 {
-  unsigned int row;    ///< from 0
-  unsigned int column; ///< from 0, not below the row
-  std::string name;    ///< as in tables and messages: D11, D12, ...
+  unsigned int row;    ///< counts from 0
+  unsigned int column; ///< counts from 0, not below the row
+  std::string name;    ///< D11, D12, ... as in tables and messages
 
-  /** Whether it vanishes for an orthotropic solid whose axes are those of space. */
+  /** Whether it vanishes for an orthotropic solid with axes along the coordinate axes. */
   bool couples_shear(const unsigned int dim) const
   {
     return row != column && column >= dim;
@@ -72,8 +72,8 @@ std::vector<StiffnessEntry> stiffness_entries()
   return entries;
 }
 
-/** A VoigtVector that is zero at first: GCC 12 ends with an internal error where a list of aggregates leaves out a
- * member whose default is VoigtVector::Zero(). */
+/** A VoigtVector initialized with zeros: GCC 12 ends with an internal error if an
+ * aggregate initializer omits a member whose default is VoigtVector::Zero(). */
 template <int dim>
 struct ZeroedVector : VoigtVector<dim>
 {
@@ -82,7 +82,7 @@ struct ZeroedVector : VoigtVector<dim>
     this->setZero();
   }
 
-  /** Those numbers. */
+  /** Takes the numbers of @p other. */
   template <typename Other>
   ZeroedVector(const Eigen::MatrixBase<Other> &other)
     : VoigtVector<dim>(other)
@@ -98,7 +98,7 @@ struct ZeroedVector : VoigtVector<dim>
   }
 };
 
-/** One constituent of the composite. */
+/** A constituent of the composite. */
 template <int dim>
 struct Phase
 {
@@ -113,7 +113,7 @@ struct Phase
   /** Coulomb coefficient of contact nodes that lie in this phase. */
   double friction_coefficient = 0.;
 
-  /** C alpha (Pa/K): the stress is C strain less this times the change of temperature. */
+  /** C alpha (Pa/K): stress = C strain - thermal_stress * change of temperature. */
   ZeroedVector<dim> thermal_stress = {};
 };
 } // namespace mesoslip

@@ -14,13 +14,13 @@ namespace mesoslip
 {
 namespace
 {
-/** A face of a cell by its points in ascending order, the same for all that share it. */
+/** A face by its points in ascending order, the same for all cells that share it. */
 template <int dim>
 struct SortedFace
 {
   std::array<unsigned int, BoundaryFace<dim>::max_points> key;
   unsigned int cell;
-  unsigned int number; ///< of the face in the cell
+  unsigned int number; ///< face number in the cell
 
   bool operator<(const SortedFace &other) const
   {
@@ -60,8 +60,8 @@ unsigned int n_faces(const Cell &cell)
   return LinearCell<dim>(cell.vertices.size()).n_faces();
 }
 
-/** For each point the cells with a face of which it is the smallest, as often as they have
- * such: those of point p begin at first[p]. */
+/** For each point p the cells with a face whose smallest point is p, once per such face;
+ * they begin at first[p]. */
 struct CellsBySmallestPoint
 {
   template <int dim>
@@ -78,7 +78,7 @@ struct CellsBySmallestPoint
               k);
           }
     };
-    // Two places on, so that filling the lists leaves the numbers where they belong.
+    // Counted two places on, so that after filling the lists the offsets are in place.
     for_each([this](const unsigned int p, const unsigned int) { ++first[p + 2]; });
     std::partial_sum(first.begin(), first.end(), first.begin());
     cells.resize(first.back());
@@ -90,8 +90,8 @@ struct CellsBySmallestPoint
   std::vector<unsigned int> cells;
 };
 
-/** Calls @p visit with the cells' faces that have the same points, all places in the mesh one
- * after the other, in ascending order. No list has all faces: there are six of each hexahedron. */
+/** Calls @p visit with the cell faces that have equal points, for all faces of the mesh
+ * in ascending order. No list of all faces is stored: a hexahedron has six. */
 template <int dim, typename Visit>
 void visit_faces(const Mesh<dim> &mesh, const Visit &visit)
 {
@@ -121,7 +121,7 @@ void visit_faces(const Mesh<dim> &mesh, const Visit &visit)
     }
 }
 
-/** Outward normal times the Jacobian at the corner or, for a line, of it (m^(dim-1)). */
+/** Outward normal times the Jacobian of a line, or at a corner (m^(dim-1)). */
 dealii::Tensor<1, 2> normal(const std::array<dealii::Tensor<1, 2>, 1> &tangent)
 {
   return dealii::cross_product_2d(tangent[0]);
@@ -132,8 +132,8 @@ dealii::Tensor<1, 3> normal(const std::array<dealii::Tensor<1, 3>, 2> &tangent)
   return dealii::cross_product_3d(tangent[0], tangent[1]);
 }
 
-/** How far the middle of a cell lies from the plane of one of its faces, times the area of that;
- * negative on the other side of the face. */
+/** Distance of the cell centre from the plane of one of its faces times the area of the
+ * face; negative on the other side. */
 template <int dim>
 double
 height_over(const Mesh<dim> &mesh, const BoundaryFace<dim> &face, const unsigned int cell)
@@ -153,7 +153,7 @@ height_over(const Mesh<dim> &mesh, const BoundaryFace<dim> &face, const unsigned
   return height * normal(tangent);
 }
 
-/** Integrals of normal times shape function; their sign is not that of the outside. */
+/** Integrals of normal times shape function; their sign is not oriented outwards. */
 template <int dim>
 std::vector<dealii::Tensor<1, dim>> tributary_areas(const Mesh<dim> &mesh,
                                                     const BoundaryFace<dim> &face)
@@ -215,7 +215,7 @@ template <int dim>
 std::vector<std::array<unsigned int, 2>> neighbouring_cells(const Mesh<dim> &mesh)
 {
   std::vector<std::array<unsigned int, 2>> pairs;
-  pairs.reserve(mesh.cells.size() * dim); // of simplices fewer
+  pairs.reserve(mesh.cells.size() * dim); // fewer for simplices
   visit_faces(mesh, [&pairs](const std::vector<SortedFace<dim>> &same) {
     for (std::size_t k = 1; k < same.size(); ++k)
       pairs.push_back({{same[k - 1].cell, same[k].cell}});
@@ -231,7 +231,7 @@ BoundaryPoints<dim> boundary_points(const Mesh<dim> &mesh,
   for (const BoundaryFace<dim> &face : faces)
     {
       std::vector<dealii::Tensor<1, dim>> of_face = tributary_areas(mesh, face);
-      // Outwards is away from the middle of the cell.
+      // Outwards: away from the cell centre.
       const auto &corners = mesh.cells[face.cell].vertices;
       dealii::Tensor<1, dim> out, total;
       for (unsigned int v = 0; v < face.n_points; ++v)

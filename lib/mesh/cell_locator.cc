@@ -13,10 +13,10 @@ namespace mesoslip
 {
 namespace
 {
-/** How far from a cell a point may lie, in diameters of the cell. */
+/** Largest distance of a point from its cell, in diameters of the cell. */
 constexpr double reach = 0.25;
 
-/** What is nearer to a face than this, in diameters of the cell, is on it. */
+/** Points within this distance of a face, in diameters of the cell, are on the face. */
 constexpr double on_face = 1e-9;
 
 template <int dim>
@@ -64,7 +64,7 @@ dealii::Point<dim> mean_of(const std::vector<dealii::Point<dim>> &points)
 }
 } // namespace
 
-/** Cells and the boxes around them. */
+/** Cells with their bounding boxes. */
 template <int dim>
 struct CellLocator<dim>::Boxes
 {
@@ -127,7 +127,8 @@ std::optional<unsigned int> CellLocator<dim>::find(const dealii::Point<dim> &poi
   for (const auto &candidate :
        boxes->tree | index::adaptors::queried(index::intersects(point)))
     {
-      // Points in cells or on their faces are equally good: the number decides.
+      // Cells are equally good if the point is inside or on a face: the largest number
+      // decides.
       double inside = depth(candidate.second, point);
       if (inside > -on_face)
         inside = 1. + candidate.second;

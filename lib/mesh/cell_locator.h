@@ -13,17 +13,16 @@ template <int dim>
 class CellLocator
 {
 public:
-  /** The mesh must outlive it. */
+  /** The mesh must outlive this object. */
   explicit CellLocator(const Mesh<dim> &mesh);
 
-  /** Of some cells of the mesh. */
+  /** Searches only some cells of the mesh. */
   CellLocator(const Mesh<dim> &mesh, const std::vector<unsigned int> &cells);
 
   /**
-   * The cell that holds @p point; of several that share it, the one with the largest
-   * number. Near a curved boundary, which meshes approximate each in its own way, a point
-   * may lie outside all cells by a quarter of the diameter of the nearest one. Nothing
-   * if there is no such cell.
+   * The cell that holds @p point; of several the one with the largest number. A point
+   * may lie outside all cells by a quarter of the diameter of the nearest one, since
+   * meshes approximate curved boundaries differently. Empty if there is no such cell.
    */
   std::optional<unsigned int> find(const dealii::Point<dim> &point) const;
 
@@ -32,7 +31,7 @@ private:
 
   const Mesh<dim> &mesh;
 
-  struct Boxes; // takes seconds to compile
+  struct Boxes; // defined in the .cc file: takes seconds to compile
   std::shared_ptr<const Boxes> boxes;
 };
 } // namespace mesoslip

@@ -9,9 +9,10 @@
 namespace mesoslip
 {
 /**
- * The cells much in their order, but each simplex @p far_enough behind others that share a point with it, or as far as
- * some candidates allow: many share a point, and to add to a number that has just been
- * written takes a processor longer. Other cells gain nothing.
+ * Reorders cells slightly so that simplices with a common point are at least
+ * @p far_enough apart, or as far as the candidates allow. Adding to a number that has
+ * just been written stalls the processor, and simplices share many points. Other cells
+ * gain nothing.
  */
 template <int dim>
 std::vector<std::size_t> spread_out(const std::vector<Cell> &cells,

@@ -19,8 +19,8 @@ std::array<unsigned int, dim> neighbours(const unsigned int v, const bool is_sim
   std::array<unsigned int, dim> result;
   for (unsigned int d = 0; d < dim; ++d)
     result[d] = is_simplex ? (v + 1 + d) % (dim + 1) : v ^ (1U << d);
-  // Each step along an axis to its lower end mirrors, as does, in a tetrahedron, each
-  // step to the next corner.
+  // Each step to the lower end of an axis mirrors; in a tetrahedron, each step to the
+  // next corner.
   const bool mirrored = is_simplex ? dim == 3 && v % 2 == 1
                                    : ((v & 1U) + ((v >> 1U) & 1U) + (v >> 2U)) % 2 == 1;
   if (mirrored)
@@ -37,7 +37,8 @@ std::vector<double> coordinates(const dealii::Point<dim> &point)
   return x;
 }
 
-/** Throws if the sixteen digits of the largest coordinate leave less than seven for an edge. */
+/** Throws if the sixteen digits of the largest coordinate leave fewer than seven for an
+ * edge. */
 template <int dim>
 void require_near_origin(const Mesh<dim> &mesh, const double largest_edge)
 {
@@ -57,7 +58,7 @@ template <int dim>
 double cell_volume(const std::vector<dealii::Point<dim>> &points,
                    const std::vector<unsigned int> &vertices)
 {
-  // deal.II multiplies coordinates as they are.
+  // Relative coordinates: deal.II would multiply absolute ones.
   std::vector<dealii::Point<dim>> corners;
   std::vector<unsigned int> numbers;
   for (const unsigned int v : vertices)

@@ -4,7 +4,7 @@
 
 namespace mesoslip
 {
-// Newton's method from the middle, which triangles and tetrahedra need one step of.
+// Newton's method from the cell centre; simplices converge in one step.
 template <int dim>
 CellShapes<dim> shapes_at(const Mesh<dim> &mesh,
                           const std::vector<unsigned int> &corners,
@@ -62,7 +62,7 @@ void for_each_quadrature_point(const Mesh<dim> &mesh,
   for (unsigned int q = 0; q < quadrature.size(); ++q)
     {
       dealii::Tensor<2, dim> jacobian; // dx_i / dxi_j
-      // From the first corner, so that no digits are lost far from the origin.
+      // Relative to the first corner, to keep accuracy far from the origin.
       for (unsigned int v = 0; v < corners.size(); ++v)
         jacobian += outer_product(mesh.points[corners[v]] - mesh.points[corners[0]],
                                   cell.gradient(quadrature.point(q), v));

@@ -11,23 +11,22 @@ namespace mesoslip
 template <int dim>
 struct CellShapes
 {
-  std::vector<double> values;                    ///< they sum up to 1; negative outside
+  std::vector<double> values;                    ///< sum is 1; negative outside the cell
   std::vector<dealii::Tensor<1, dim>> gradients; ///< 1/m
 };
 
-/** Those of the cell with these @p corners at @p point, in the cell or near it. */
+/** Shape functions of the cell with these @p corners at @p point, in or near the cell. */
 template <int dim>
 CellShapes<dim> shapes_at(const Mesh<dim> &mesh,
                           const std::vector<unsigned int> &corners,
                           const dealii::Point<dim> &point);
 
-/** Integrals of the gradients of the shape functions of a cell with these corners
- * (m^(dim-1)). */
+/** Integrals of the gradients of the shape functions of a cell (m^(dim-1)). */
 template <int dim>
 std::vector<dealii::Tensor<1, dim>>
 integrated_gradients(const Mesh<dim> &mesh, const std::vector<unsigned int> &corners);
 
-/** Middle and size of a cell. */
+/** Centroid and size of a cell. */
 template <int dim>
 struct CellMeasure
 {
@@ -35,7 +34,7 @@ struct CellMeasure
   double volume = 0.;          ///< area (2D, m^2) or volume (m^3)
 };
 
-/** The same by the quadrature of integrated_gradients(). */
+/** Centroid and size by the quadrature of integrated_gradients(). */
 template <int dim>
 CellMeasure<dim> cell_measure(const Mesh<dim> &mesh,
                               const std::vector<unsigned int> &corners);

@@ -21,7 +21,7 @@ namespace mesoslip
 {
 namespace
 {
-/** Those of the part @p entity of the geometry, which has dimension @p d. */
+/** Appends the cells of the part @p entity of the geometry, which has dimension @p d. */
 void append(std::vector<GmshCells> &cells,
             const unsigned int group,
             const int d,
@@ -53,14 +53,14 @@ void append(std::vector<GmshCells> &cells,
     }
 }
 
-/** A physical group and the parts of the geometry that are in it. */
+/** A physical group and its parts of the geometry. */
 struct PhysicalGroup
 {
   int tag;
   std::vector<int> entities;
 };
 
-/** Those of dimension @p d. */
+/** Physical groups of dimension @p d. */
 std::vector<PhysicalGroup> physical_groups(const int d)
 {
   std::vector<PhysicalGroup> result;
@@ -74,7 +74,8 @@ std::vector<PhysicalGroup> physical_groups(const int d)
   return result;
 }
 
-/** The same of a file that was read with Mesh.SwitchElementTags: each part is a group. */
+/** Physical groups of a file that was read with Mesh.SwitchElementTags: each part is a
+ * group. */
 std::vector<PhysicalGroup> groups_by_tag(const int d, const std::string &file)
 {
   std::vector<PhysicalGroup> result;
@@ -89,9 +90,10 @@ std::vector<PhysicalGroup> groups_by_tag(const int d, const std::string &file)
   return result;
 }
 
-/** Reads @p file, in which @p d is the dimension of the cells. True if the groups are those of
- * groups_by_tag(): format 2.2 has the group of each cell, but Gmsh gives a part of the geometry all
- * groups of its cells, and other programs number all parts alike. */
+/** Reads @p file, in which @p d is the dimension of the cells.
+ * @return whether groups_by_tag() has the groups (format 2.2): the file has a group per
+ * cell, but Gmsh gives a part of the geometry all groups of its cells, and other
+ * programs give all parts the same number. */
 bool merge(const std::string &file, const int d)
 {
   std::ifstream in(file);
@@ -121,8 +123,8 @@ bool merge(const std::string &file, const int d)
   return true;
 }
 
-/** Names of the groups of dimension @p d by their numbers, as the first sections of @p file have
- * them: of several groups with one name Gmsh 4.8 keeps that of the first alone. */
+/** Names of the groups of dimension @p d by number, from the first sections of @p file:
+ * of several groups with one name Gmsh 4.8 keeps only the first name. */
 std::map<int, std::string> names_in_file(const int d, const std::string &file)
 {
   std::ifstream in(file);
@@ -145,8 +147,8 @@ std::map<int, std::string> names_in_file(const int d, const std::string &file)
   return names;
 }
 
-/** All cells of dimension @p d in @p groups; those with the same name are one, whose name
- * @p names gets. Cells belong to one group, faces to any number. */
+/** All cells of dimension @p d in @p groups; groups with the same name are merged, and
+ * their name is appended to @p names. Cells belong to one group, faces to any number. */
 std::vector<GmshCells> cells_in_groups(const int d,
                                        const std::vector<PhysicalGroup> &groups,
                                        const bool are_faces,
@@ -207,7 +209,7 @@ GmshContent::GmshContent(const std::string &the_file,
       faces = content(d - 1, boundaries);
       if (d == 3)
         require_faces(file, cells, faces);
-      // Last, as the tags of the cells have needed their memory twice.
+      // Last, because reading the tags of the cells takes their memory twice.
       std::vector<double> parametric;
       gmsh::model::mesh::getNodes(point_tags, coordinates, parametric, -1, -1, false,
                                   false);

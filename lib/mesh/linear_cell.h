@@ -7,22 +7,22 @@
 namespace mesoslip
 {
 /**
- * The reference cell of linear shape functions: a simplex, or a hypercube with the first axis
- * running fastest over its corners, as in deal.II, whose class of this purpose is another one
- * in each of its releases.
+ * The reference cell of linear shape functions: a simplex, or a hypercube whose first
+ * axis runs fastest over the corners, as in deal.II. Replaces deal.II's class for this
+ * purpose, which differs between releases.
  */
 template <int dim>
 class LinearCell
 {
 public:
-  /** That with so many corners. */
+  /** The reference cell with @p n_corners corners. */
   explicit LinearCell(const std::size_t n_corners);
 
   /** Exact for gradients and volumes of bi- and trilinear cells: two Gauss points along each
    * axis, on simplices as deal.II has it. */
   dealii::Quadrature<dim> quadrature() const;
 
-  /** Corner @p v. */
+  /** Reference coordinates of corner @p v. */
   dealii::Point<dim> corner(const unsigned int v) const;
 
   /** The mean of the corners. */
@@ -31,17 +31,17 @@ public:
   /** Shape function of corner @p v at @p xi. */
   double shape(const dealii::Point<dim> &xi, const unsigned int v) const;
 
-  /** Its gradient. */
+  /** Gradient of the shape function of corner @p v at @p xi. */
   dealii::Tensor<1, dim> gradient(const dealii::Point<dim> &xi,
                                   const unsigned int v) const;
 
-  /** In 2D of edges. */
+  /** Number of faces; in 2D edges. */
   unsigned int n_faces() const
   {
     return is_simplex ? dim + 1 : 2 * dim;
   }
 
-  /** Of face @p f in two or three dimensions, those of a quadrilateral row by row. */
+  /** Corners of face @p f in 2D or 3D; for a quadrilateral row by row. */
   dealii::ArrayView<const unsigned int> corners_of_face(const unsigned int f) const;
 
 private:

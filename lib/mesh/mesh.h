@@ -14,7 +14,7 @@ namespace mesoslip
 /** A triangle or quadrilateral, tetrahedron or hexahedron. */
 struct Cell
 {
-  /** One of @p n_vertices corners. */
+  /** A cell with @p n_vertices corners. */
   explicit Cell(const std::size_t n_vertices = 0)
     : vertices(n_vertices)
   {
@@ -35,7 +35,7 @@ struct Cell
 /** An edge (2D) or face on the boundary that belongs to a group. */
 struct Face
 {
-  /** One of @p n_vertices corners. */
+  /** A face with @p n_vertices corners. */
   explicit Face(const std::size_t n_vertices = 0)
     : vertices(n_vertices)
   {
@@ -53,13 +53,14 @@ struct Face
   }
 };
 
-/** How an edge, face or cell is curved: where the node in its middle is. */
+/** Curvature of an edge, face or cell: position of the node in its middle. */
 template <int dim>
 struct Bulge
 {
   std::vector<unsigned int>
-    corners; ///< of the edge, face or cell: indices into the points, in ascending order
-  dealii::Tensor<1, dim> offset; ///< of the node from the mean of the corners (m)
+    corners; ///< corners of the edge, face or cell: indices into the points, in ascending
+             ///< order
+  dealii::Tensor<1, dim> offset; ///< offset of the node from the mean of the corners (m)
 
   /** Saves or restores all members (Boost.Serialization). */
   template <class Archive>
@@ -69,7 +70,7 @@ struct Bulge
   }
 };
 
-/** A mesh of a whole body, before it is divided among the ranks. */
+/** A mesh of a whole body, before partitioning. */
 template <int dim>
 struct Mesh
 {
@@ -78,24 +79,26 @@ struct Mesh
 
   std::vector<Cell> cells; ///< triangles and quadrilaterals, or tetrahedra, or hexahedra
   std::vector<Face>
-    faces; ///< those of groups, once in each, whether or not they bound the body
+    faces; ///< faces of groups, once per group, on the boundary of the body or not
 
-  /** Of quadratic cells, in ascending order of their corners; what is not in it is straight. */
+  /** For quadratic cells, sorted by corners; edges, faces and cells not listed are
+   * straight. */
   std::vector<Bulge<dim>> bulges;
 
-  std::vector<std::string> phases;     ///< names of the groups of cells
+  std::vector<std::string> phases;     ///< names of the cell groups
   std::vector<std::string> boundaries; ///< names of the groups of edges (2D) or faces
 
-  std::size_t n_turned = 0; ///< cells whose corners the file has in the reverse order
+  std::size_t n_turned = 0; ///< number of cells with reversed corners in the file
 
-  /** How far points may be off the sides of a box and the points opposite, in edges. */
+  /** Tolerance of points on the sides of a box and of opposite points, in edge
+   * lengths. */
   double tolerance = 1e-3;
 
-  /** With periodic sides: for each point the one that it moves with, itself where it is the
-   * original; empty without such sides. See join_sides(). */
+  /** Periodic master of each point; a master is its own. Empty without periodic sides.
+   * See join_sides(). */
   std::vector<unsigned int> originals;
 
-  /** The point that moves as @p point does, which may be itself. */
+  /** Periodic master of @p point, which may be @p point itself. */
   unsigned int original(const unsigned int point) const
   {
     return originals.empty() ? point : originals[point];

@@ -18,7 +18,7 @@ namespace
 {
 constexpr unsigned int nobody = dealii::numbers::invalid_unsigned_int;
 
-/** The cells in their order along a Hilbert curve. */
+/** The cells sorted along a Hilbert curve. */
 template <int dim>
 std::vector<unsigned int> curve_order(const Mesh<dim> &mesh)
 {
@@ -40,10 +40,10 @@ std::vector<unsigned int> curve_order(const Mesh<dim> &mesh)
   return order;
 }
 
-/** An original of the mesh and a rank whose cells have it or one that moves with it. */
+/** (periodic master, rank with a cell at the master or one of its copies) */
 using PointAndRank = std::pair<unsigned int, unsigned int>;
 
-/** Those of points of several ranks, in ascending order. */
+/** The pairs for all points of several ranks, in ascending order. */
 template <int dim>
 std::vector<PointAndRank>
 ranks_of_shared_points(const Mesh<dim> &mesh,
@@ -70,7 +70,7 @@ ranks_of_shared_points(const Mesh<dim> &mesh,
   return ranks;
 }
 
-/** For each point of the mesh the lowest rank whose cells have it. */
+/** Owner of each point of the mesh: the lowest rank with a cell at it. */
 template <int dim>
 std::vector<unsigned int> owners_of_points(const Mesh<dim> &mesh,
                                            const std::vector<unsigned int> &rank_of_cell)
@@ -82,8 +82,7 @@ std::vector<unsigned int> owners_of_points(const Mesh<dim> &mesh,
   return owners;
 }
 
-/** Makes the part of one rank after the other; its working memory is as large as a list
- * of all points. */
+/** Makes the parts of all ranks one by one; working memory is a list of all points. */
 template <int dim>
 class PartMaker
 {
@@ -171,11 +170,11 @@ private:
   const std::vector<unsigned int> order;
   const std::vector<PointAndRank> ranks;
   const std::vector<unsigned int> owners;
-  std::vector<unsigned int> local; ///< of each point of the mesh its index in the part
+  std::vector<unsigned int> local; ///< index in the part of each point of the mesh
 };
 
-/** The cells that share a face, as GridTools::get_face_connectivity_of_cells() has them,
- * but without a Triangulation, which has a kilobyte a hexahedron. */
+/** Graph of cells that share a face, like GridTools::get_face_connectivity_of_cells(),
+ * but without a Triangulation, which takes a kilobyte per hexahedron. */
 template <int dim>
 dealii::SparsityPattern graph_of_cells(const Mesh<dim> &mesh)
 {

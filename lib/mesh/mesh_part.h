@@ -10,21 +10,22 @@
 namespace mesoslip
 {
 /**
- * What one rank holds of a mesh whose cells are divided among the ranks: its cells and
- * all their points. A point of several ranks is owned by the lowest of them. Points that move
- * with another one, see Mesh::originals, are points of their own.
+ * The part of a partitioned mesh on one rank: its cells and all their points. A point
+ * shared by several ranks is owned by the lowest of them. Periodic copies, see
+ * Mesh::originals, are points of their own.
  */
 template <int dim>
 struct MeshPart
 {
-  /** Points that this rank shares with another one, in the order of their originals in the
-   * whole mesh, which is the same on both; of those that move together one. */
+  /** Points shared with a neighbour rank, sorted by the number of their periodic master
+   * in the whole mesh, hence in the same order on both ranks; one representative per
+   * periodic group. */
   struct Neighbour
   {
-    unsigned int rank = 0;            ///< number of the other one
+    unsigned int rank = 0;            ///< the neighbour rank
     std::vector<unsigned int> points; ///< indices into points
 
-    /** Of boost::serialization. */
+    /** For boost::serialization. */
     template <class Archive>
     void serialize(Archive &archive, const unsigned int)
     {
@@ -32,26 +33,26 @@ struct MeshPart
     }
   };
 
-  /** Corners of the cells (m): originals owned by this rank, others that it owns, those of
-   * other ranks; each in the order in which the cells need them. */
+  /** Corners of the cells (m), ordered: locally owned periodic masters, locally owned
+   * periodic copies, ghosts; within each group by first use in the cells. */
   std::vector<dealii::Point<dim>> points;
 
-  unsigned int n_distinct = 0; ///< originals that this rank owns, what sums are over
-  unsigned int n_owned    = 0; ///< number of points that this rank owns
+  unsigned int n_distinct = 0; ///< locally owned periodic masters, the points of sums
+  unsigned int n_owned    = 0; ///< locally owned points
 
-  /** Along a space-filling curve; vertices are indices into points. */
+  /** Sorted along a space-filling curve; vertices are indices into points. */
   std::vector<Cell> cells;
 
   std::vector<unsigned int> point_in_mesh;    ///< indices of the points in the whole mesh
-  std::vector<unsigned int> original_in_mesh; ///< those of their originals
+  std::vector<unsigned int> original_in_mesh; ///< indices of their periodic masters
   std::vector<unsigned int> cell_in_mesh;     ///< indices of the cells in the whole mesh
 
-  std::vector<Neighbour> neighbours; ///< in ascending order of their ranks
+  std::vector<Neighbour> neighbours; ///< sorted by rank
 
-  /** Points that move with another one of the part, which comes second. */
+  /** Pairs (point, first point of its periodic group in this part). */
   std::vector<std::pair<unsigned int, unsigned int>> copies;
 
-  /** Of boost::serialization. */
+  /** For boost::serialization. */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
@@ -60,31 +61,30 @@ struct MeshPart
   }
 };
 
-/** Finds points of the whole mesh among those of a part. */
+/** Maps periodic masters of the whole mesh to points of a part. */
 class PointIndex
 {
 public:
-  /** Of the @p originals in this part, numbers in the whole mesh. */
+  /** @p originals: masters of interest, numbers in the whole mesh. */
   template <int dim>
   PointIndex(const MeshPart<dim> &part, const std::vector<unsigned int> &originals);
 
-  /** Those of the part that move as @p original of the whole mesh, the one that the rank
-   * counts (see MeshPart::n_distinct) first. */
+  /** Points of the part with the periodic master @p original (number in the whole mesh);
+   * the locally owned master (see MeshPart::n_distinct) comes first. */
   std::vector<unsigned int> find(const unsigned int original) const;
 
-  /** Points of the part that move as one before them, and that one; in their order. */
+  /** Pairs (periodic copy, first point of its group), sorted by point. */
   template <int dim>
   static std::vector<std::pair<unsigned int, unsigned int>>
   copies_in(const MeshPart<dim> &part);
 
 private:
-  std::vector<std::pair<unsigned int, unsigned int>> sorted; ///< in mesh, in part
+  std::vector<std::pair<unsigned int, unsigned int>> sorted; ///< mesh, part index
 };
 
 /**
  * The rank of each cell by METIS, from the graph of cells that share a face: parts of
- * equal weight with few faces between them. @p weights are those of the cells; empty: all
- * equal.
+ * equal weight with few faces between them. @p weights is per cell; empty: all equal.
  */
 template <int dim>
 std::vector<unsigned int> partition_cells(const Mesh<dim> &mesh,
@@ -92,8 +92,8 @@ std::vector<unsigned int> partition_cells(const Mesh<dim> &mesh,
                                           const std::vector<unsigned int> &weights = {});
 
 /**
- * Gives each rank its part of the mesh, which rank 0 alone has to have, with the rank of
- * each cell (see partition_cells()). Collective.
+ * Sends each rank its part of the mesh. Only rank 0 needs the mesh and the rank of each
+ * cell (see partition_cells()). Collective.
  */
 template <int dim>
 MeshPart<dim> distribute(const Mesh<dim> &mesh,

@@ -18,7 +18,7 @@ namespace mesoslip
 {
 namespace
 {
-/** Throws unless the points @p pairs make faces of @p lower of those of @p upper. */
+/** Throws unless the point @p pairs map faces of @p upper to faces of @p lower. */
 template <int dim>
 void require_equal_faces(const Mesh<dim> &mesh,
                          const std::vector<BoundaryFace<dim>> &lower,

@@ -15,43 +15,44 @@ class NoncontiguousPartitioner;
 
 namespace mesoslip
 {
-/** The first number in the block of a rank of @p n_all numbered things, @p n_together of them in a
- * group, and the one behind its last: from r N / n to (r + 1) N / n of the groups. */
+/** Block of a rank for @p n_all numbered items in groups of @p n_together: [begin, end),
+ * the groups from r N / n to (r + 1) N / n. */
 std::pair<std::size_t, std::size_t> block_of_rank(const std::size_t n_all,
                                                   const MPI_Comm communicator,
                                                   const std::size_t n_together = 1);
 
 /**
- * What ranks have of numbered things, such as points or cells, brought into the order of
- * their numbers so that no rank has all: each gets its block_of_rank(), as files have them.
+ * Redistributes values of numbered items (points, cells) from their owners to contiguous
+ * blocks, block_of_rank(), in the order of files; no rank gets all items.
  */
 class NumberedBlocks
 {
 public:
-  /** There are @p n_all things, of which this rank owns those called @p numbers, in any
-   * order; @p n_together of them in a group. Collective. */
+  /** There are @p n_all items in groups of @p n_together; this rank owns the items
+   * @p numbers, in any order. Collective. */
   NumberedBlocks(const std::vector<std::uint64_t> &numbers,
                  const std::size_t n_all,
                  const MPI_Comm communicator,
                  const std::size_t n_together = 1);
 
-  /** The first number in the block of this rank. */
+  /** First item in the block of this rank. */
   std::size_t first() const
   {
     return begin;
   }
 
-  /** How many are in the block of this rank. */
+  /** Number of items in the block of this rank. */
   std::size_t size() const
   {
     return end - begin;
   }
 
-  /** One value of each in the block from those of what this rank @p owned. Collective. */
+  /** A value per item of the block, from the values @p owned of this rank's items.
+   * Collective. */
   void gather(const double *owned, std::vector<double> &block) const;
 
-  /** Numbers [size()][count] of each in the block, from those that this rank @p owned
-   * [n_owned][n]: @p count of them from number @p first on. Collective. */
+  /** Numbers [size()][count] per item of the block, from @p owned [n_owned][n]: @p count
+   * of them from number @p first on. Collective. */
   std::vector<double> gather(const std::vector<double> &owned,
                              const std::size_t n,
                              const std::size_t first,
@@ -63,29 +64,30 @@ private:
   std::shared_ptr<const dealii::Utilities::MPI::NoncontiguousPartitioner> exchange;
 };
 
-/** The way back: what ranks have read in blocks, brought to those that need it. */
+/** The inverse of NumberedBlocks: sends values that were read in blocks to the ranks that
+ * need them. */
 class NumbersFromBlocks
 {
 public:
-  /** Of @p n_all things this rank needs those called @p needed, each once, which others may need as
-   * well. Collective. */
+  /** This rank needs the items @p needed out of @p n_all, each once; several ranks may
+   * need an item. Collective. */
   NumbersFromBlocks(const std::vector<unsigned int> &needed,
                     const std::size_t n_all,
                     const MPI_Comm communicator);
 
-  /** The first number in the block of this rank. */
+  /** First item in the block of this rank. */
   std::size_t first() const
   {
     return begin;
   }
 
-  /** How many are in the block of this rank. */
+  /** Number of items in the block of this rank. */
   std::size_t size() const
   {
     return end - begin;
   }
 
-  /** @p n values of each that is needed, from those in the @p block of this rank [size()][n].
+  /** @p n values per needed item, from the values [size()][n] of this rank's @p block.
    * Collective. */
   std::vector<double> bring(const std::vector<double> &block, const std::size_t n) const;
 
@@ -96,20 +98,20 @@ private:
 };
 
 /**
- * Fields at the points of a mesh that is divided among the ranks, brought into the order of
- * the whole mesh as NumberedBlocks.
+ * Redistributes fields at the points of a partitioned mesh to the order of the whole
+ * mesh, as NumberedBlocks.
  */
 template <int dim>
 class PointBlocks
 {
 public:
-  /** The whole mesh has @p n_points, @p n_together in a group. Collective. */
+  /** The whole mesh has @p n_points, in groups of @p n_together. Collective. */
   PointBlocks(const MeshPart<dim> &part,
               const std::size_t n_points,
               const MPI_Comm communicator,
               const std::size_t n_together = 1);
 
-  /** The same where this rank owns the points called @p numbers. Collective. */
+  /** This rank owns the points @p numbers. Collective. */
   PointBlocks(const std::vector<std::uint64_t> &numbers,
               const std::size_t n_points,
               const MPI_Comm communicator,
@@ -130,8 +132,8 @@ public:
     return blocks.size();
   }
 
-  /** Values [size()][dim] in the block from those at the points that this rank owns, in
-   * the order of its part: @p owned [d] points at component d. Collective. */
+  /** Values [size()][dim] in the block from the values at locally owned points, in the
+   * order of the part: @p owned [d] points at component d. Collective. */
   std::vector<double> gather(const std::array<const double *, dim> &owned) const;
 
 private:

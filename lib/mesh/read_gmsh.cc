@@ -24,7 +24,8 @@ namespace mesoslip
 {
 namespace
 {
-/** Takes what @p content has in @p some, one after the other; Item is Cell or Face, @p group its number of the group. */
+/** Moves the cells of @p content in @p some into a list; Item is Cell or Face, @p group
+ * its member for the group number. */
 template <typename Item>
 std::vector<Item> to_cells(std::vector<GmshCells> &some,
                            const GmshContent &content,
@@ -47,7 +48,8 @@ std::vector<Item> to_cells(std::vector<GmshCells> &some,
   return cells;
 }
 
-/** Of each node of @p content in the middle of an edge, face or cell, as often as cells have it; corners are places in its points. */
+/** Bulges of all nodes of @p content in the middle of an edge, face or cell, once per
+ * cell; corners are indices of its points. */
 template <int dim>
 std::vector<Bulge<dim>> bulges_of(const GmshContent &content, const double scale)
 {
@@ -66,7 +68,7 @@ std::vector<Bulge<dim>> bulges_of(const GmshContent &content, const double scale
           Bulge<dim> bulge;
           for (const unsigned int v : some.middles[m])
             bulge.corners.push_back(content.place_of(some.tags[k + v]));
-          // From the first corner, so that no digits are lost far from the origin.
+          // Relative to the first corner, to keep accuracy far from the origin.
           const dealii::Point<dim> first = point(bulge.corners[0]);
           bulge.offset =
             point(content.place_of(some.tags[k + some.n_corners + m])) - first;
@@ -84,8 +86,8 @@ std::vector<Bulge<dim>> bulges_of(const GmshContent &content, const double scale
   return bulges;
 }
 
-/** Each bulge that is none of 0 once, in ascending order of its corners. @throws UserError if cells that share an edge or face have
- * different ones */
+/** Removes zero bulges and duplicates, and sorts by corners.
+ * @throws UserError if cells that share an edge or face disagree on its bulge */
 template <int dim>
 void sort_bulges(Mesh<dim> &mesh, const std::string &file)
 {
@@ -111,7 +113,7 @@ void sort_bulges(Mesh<dim> &mesh, const std::string &file)
   all.shrink_to_fit();
 }
 
-/** Keeps the points that cells use. */
+/** Keeps only points of cells. */
 template <int dim>
 void set_points(Mesh<dim> &mesh, const GmshContent &content, const double scale)
 {
@@ -147,7 +149,7 @@ void set_points(Mesh<dim> &mesh, const GmshContent &content, const double scale)
                     "from " +
                     to_text(lower_z) + " to " + to_text(upper_z) +
                     "; plane bodies are meshed in x and y");
-  // Points of no cell stay invalid, so that faces with them are none of a cell.
+  // Points without a cell stay invalid, so that faces with them belong to no cell.
   for (auto &face : mesh.faces)
     for (unsigned int &v : face.vertices)
       v = number[v];
@@ -156,7 +158,9 @@ void set_points(Mesh<dim> &mesh, const GmshContent &content, const double scale)
       v = number[v];
 }
 
-/** Turns cells whose volume is negative. Those that stay so are for cell_quality(). @return how many */
+/** Reverses cells with negative volume. Cells that stay negative are left to
+ * cell_quality().
+ * @return number of reversed cells */
 template <int dim>
 std::size_t turn_cells(Mesh<dim> &mesh)
 {
@@ -174,7 +178,8 @@ std::size_t turn_cells(Mesh<dim> &mesh)
   return n_turned;
 }
 
-/** Cells get a positive volume; deal.II wants the edges of quadrilaterals and hexahedra to run alike in all of them, too. */
+/** Gives cells a positive volume; deal.II also wants consistent edge directions in
+ * quadrilaterals and hexahedra. */
 template <int dim>
 void orient(Mesh<dim> &mesh)
 {
@@ -187,8 +192,8 @@ void orient(Mesh<dim> &mesh)
   mesh.cells = from_dealii<dim>(cells);
 }
 
-/** Returns what is free to the system: many small pieces that would lie idle beside the
- * large ones of the run. */
+/** Returns free memory to the system: many small pieces would lie idle beside the large
+ * arrays of the run. */
 void give_back_memory()
 {
 #ifdef __GLIBC__

@@ -9,7 +9,7 @@
 
 namespace mesoslip
 {
-/** The @p cells as deal.II's triangulations and grid tools take them. */
+/** Converts @p cells for deal.II's triangulations and grid tools. */
 template <int dim>
 std::vector<dealii::CellData<dim>> to_dealii(const std::vector<Cell> &cells)
 {
@@ -25,7 +25,7 @@ std::vector<dealii::CellData<dim>> to_dealii(const std::vector<Cell> &cells)
   return result;
 }
 
-/** The cells that deal.II gave. */
+/** Converts cells of deal.II. */
 template <int dim>
 std::vector<Cell> from_dealii(const std::vector<dealii::CellData<dim>> &cells)
 {

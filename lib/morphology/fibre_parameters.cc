@@ -68,7 +68,7 @@ void check_placement_spacing(const MicrostructureParameters &p)
              to_text(p.grid.spacing[d]) + " m");
 }
 
-/** Fibre sizes against each other, the cells and the box. */
+/** Checks fibre sizes against each other, the cells and the box. */
 void check_sizes(const FibrePlacement &p, const UniformGrid<2> &grid)
 {
   const double almost = 1. - 1e-6;

@@ -11,11 +11,12 @@ struct MicrostructureParameters;
 /** Binds the subsection `Random fibres` of the current section. */
 void bind_fibres(Keys &keys, MicrostructureParameters &parameters);
 
-/** @throws UserError when random fibres fit neither cells nor box, or lack a phase. */
+/** @throws UserError if random fibres do not fit the cells or the box, or lack a
+ * phase. */
 void check_fibres(const MicrostructureParameters &parameters);
 
-/** @throws UserError for the key Phase of @p section when fibres or inclusions are to be
- * made of the first phase. */
+/** @throws UserError for the key Phase of @p section if fibres or inclusions would
+ * consist of the first phase. */
 void check_fibre_phase(const MicrostructureParameters &parameters,
                        const std::string &section);
 } // namespace mesoslip

@@ -13,11 +13,11 @@ namespace mesoslip
 {
 namespace
 {
-/** Which pixels lie in a cell, or which cells in a pixel. */
+/** Pixels per cell, or cells per pixel, along each axis. */
 struct Ratio
 {
-  std::array<unsigned int, 2> pixels = {{1, 1}}; ///< of a cell
-  std::array<unsigned int, 2> cells  = {{1, 1}}; ///< of a pixel
+  std::array<unsigned int, 2> pixels = {{1, 1}}; ///< per cell
+  std::array<unsigned int, 2> cells  = {{1, 1}}; ///< per pixel
 };
 
 Ratio ratio_of(const UniformGrid<2> &grid, const Image &image, const std::string &source)
@@ -49,7 +49,8 @@ Ratio ratio_of(const UniformGrid<2> &grid, const Image &image, const std::string
   return ratio;
 }
 
-/** Rows of digits without blanks are one column of numbers. */
+/** Throws if every row is a single number whose digits may be meant as pixels without
+ * blanks. */
 void require_no_rows_of_digits(const UniformGrid<2> &grid,
                                const Image &image,
                                const std::string &source)
@@ -68,7 +69,7 @@ void require_square_pixels(const UniformGrid<2> &grid,
 {
   const double width        = grid.extent(0) / image.width,
                height       = grid.extent(1) / image.height;
-  constexpr double rounding = 0.01; // sizes of three digits
+  constexpr double rounding = 0.01; // for sizes given with three digits
   if (!(std::abs(width - height) <= rounding * std::max(width, height)))
     throw UserError(source + ": its " + numbers_text(image.width, image.height) +
                     " pixels would be " + to_text(width) + " m wide and " +
@@ -87,7 +88,7 @@ std::string value_text(const Image &image, const long value)
   return std::string(colour) + " (" + std::to_string(value) + ")";
 }
 
-/** Every value of the image has to be one of `values`. */
+/** Checks that every value of the image is in `values`. */
 void require_phases(const std::set<int> &found,
                     const Image &image,
                     const std::vector<long> &values,
@@ -98,7 +99,7 @@ void require_phases(const std::set<int> &found,
   });
   if (stray == found.end())
     return;
-  constexpr std::size_t most = 8; // values that one reads at a glance
+  constexpr std::size_t most = 8; // number of values to list
   if (found.size() > most)
     throw UserError(source + ": the image has " + std::to_string(found.size()) +
                     " different values, and " + value_text(image, *stray) +
@@ -145,7 +146,7 @@ std::vector<long> values_of_phases(const Image &image,
   return {found.begin(), found.end()};
 }
 
-/** What the phases are in the image; pixels are not counted yet. */
+/** Phases of the image by value; pixels are not counted yet. */
 std::vector<ImagePhase> named_phases(const Image &image,
                                      const std::vector<long> &values,
                                      const std::vector<double> &thresholds)
@@ -164,8 +165,8 @@ std::vector<ImagePhase> named_phases(const Image &image,
 }
 
 /**
- * Phase of each cell from the phases of its pixels, see map_from_image(). @p phase is that of
- * each pixel, @p width the number of pixels along x.
+ * Phase of each cell from the phases of its pixels, see map_from_image(). @p phase is
+ * per pixel, @p width the number of pixels along x.
  */
 std::vector<std::uint8_t> phases_of_cells(const UniformGrid<2> &grid,
                                           const Ratio &ratio,
@@ -173,7 +174,7 @@ std::vector<std::uint8_t> phases_of_cells(const UniformGrid<2> &grid,
                                           const std::size_t width,
                                           const std::size_t n_phases)
 {
-  // Of each phase: the pixels by which the cells so far fall short, the pixels of this cell.
+  // Per phase: deficit of pixels over the cells so far; pixels of this cell.
   std::vector<long> missing(n_phases, 0), counts(n_phases, 0);
   std::vector<std::uint8_t> id;
   id.reserve(grid.n_cells());

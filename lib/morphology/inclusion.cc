@@ -26,7 +26,7 @@ bool are_along_the_axes(const Inclusion &inclusion)
   return true;
 }
 
-/** The matrix of an ellipsoid: the sum of its axes times themselves, times half^2. */
+/** Shape matrix of an ellipsoid: sum of half^2 times the dyads of its axes. */
 Eigen::Matrix3d extents_matrix(const Inclusion &inclusion)
 {
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
@@ -38,7 +38,7 @@ Eigen::Matrix3d extents_matrix(const Inclusion &inclusion)
   return sum;
 }
 
-/** Where two homothetic ellipsoids have their axes along those of space. */
+/** Overlap of two homothetic ellipsoids with axes along the coordinate axes. */
 bool homothetic_overlap(const Inclusion &a, const Inclusion &b, const Vector3 &d)
 {
   double square = 0.;

@@ -5,54 +5,55 @@
 
 namespace mesoslip
 {
-/** A place or a direction in space; components along x, y, z. */
+/** A point or a direction in space; components along x, y, z. */
 using Vector3 = std::array<double, 3>;
 
-/** What an inclusion looks like. */
+/** Shape of an inclusion. */
 enum class InclusionShape
 {
   sphere,
   ellipsoid,
-  cylinder, ///< round, along an axis of space
-  bar       ///< of square cross section, along an axis of space
+  cylinder, ///< circular, along a coordinate axis
+  bar       ///< square cross section, along a coordinate axis
 };
 
-/** A body of one phase in a box of another; symmetric about its centre. */
+/** An inclusion of one phase in a box of another; symmetric about its centre. */
 struct Inclusion
 {
-  InclusionShape shape = InclusionShape::sphere; ///< of which kind
+  InclusionShape shape = InclusionShape::sphere; ///< shape
   Vector3 centre       = {};                     ///< m
 
-  /** Half its extents (m) along its own axes: of a sphere three times the radius. */
+  /** Semi-axes (m) along its own axes; for a sphere three times the radius. */
   Vector3 half = {};
 
-  /** Row k is the own axis k, a unit vector; only an ellipsoid may be turned. */
+  /** Row k is its axis k, a unit vector; only ellipsoids may be rotated. */
   std::array<Vector3, 3> axes = {{{{1., 0., 0.}}, {{0., 1., 0.}}, {{0., 0., 1.}}}};
 
-  /** Axis of space (0, 1, 2) of a cylinder or bar. */
+  /** Coordinate axis (0, 1, 2) of a cylinder or bar. */
   unsigned int along = 0;
 
-  /** Whether it goes from one side of the box to the other along that axis, whose
-   *  component of the centre then counts nothing. */
+  /** Whether it extends through the whole box along that axis; the component of the
+   * centre along it is then ignored. */
   bool through = false;
 
-  /** Half its extents (m) along the axes of space. */
+  /** Half the extents (m) of its bounding box along the coordinate axes. */
   Vector3 reach() const;
 
-  /** Whether the point with the distances @p d (m) from the centre belongs to it; of two
-   *  bars with a common face one has the points of the face. */
+  /** Whether the point at @p d (m) from the centre belongs to it; points of a face shared
+   * by two bars belong to one of them. */
   bool contains(const Vector3 &d) const;
 
-  /** m^3 */
+  /** Volume (m^3). */
   double volume() const;
 };
 
 /**
- * Whether the distance of @p a and @p b is less than @p gap (m), where the centre of b is
- * @p d (m) from that of a; both are of the same shape and along the same axis. The gap is
- * that along an axis of space (bars, ends of cylinders) or the shortest one (spheres, sides
- * of cylinders); of ellipsoids it is not looked at. Two ellipsoids overlap unless a scaling
- * about their centres separates them (Perram and Wertheim 1985, J. Comput. Phys. 58).
+ * Whether the distance of @p a and @p b is less than @p gap (m); @p d (m) is the vector
+ * from the centre of a to the centre of b. Both have the same shape and axis. The
+ * distance is measured along a coordinate axis (bars, ends of cylinders) or is the
+ * shortest one (spheres, sides of cylinders); for ellipsoids the gap is ignored. Two
+ * ellipsoids overlap unless a scaling about their centres separates them (Perram and
+ * Wertheim 1985, J. Comput. Phys. 58).
  */
 bool too_close(const Inclusion &a,
                const Inclusion &b,

@@ -10,14 +10,14 @@
 namespace mesoslip
 {
 /**
- * Inclusions by the places of their centres: those that may touch a new one lie in the
- * bins around it, as bins are as wide as two of the largest ones.
+ * Inclusions sorted into bins by their centres. A bin is as wide as two of the largest
+ * inclusions, so neighbours of a new inclusion lie in the adjacent bins.
  */
 class InclusionBins
 {
 public:
-  /** For a box of @p extents (m), @p periodic or not, and inclusions that may touch when
-   * their centres are @p distance (m) apart along each axis. */
+  /** For a box of @p extents (m), @p periodic or not; inclusions may touch if their
+   * centres are within @p distance (m) along each axis. */
   InclusionBins(const Vector3 &extents, const bool periodic, const Vector3 &distance)
     : lengths(extents)
     , is_periodic(periodic)
@@ -38,7 +38,7 @@ public:
     members[index(bin_of(inclusion.centre))].push_back({inclusion, inclusion.reach()});
   }
 
-  /** Whether one of them is closer than @p gap (m) to @p inclusion. */
+  /** Whether an inclusion is closer than @p gap (m) to @p inclusion. */
   bool any_too_close(const Inclusion &inclusion, const double gap) const
   {
     const std::array<long, 3> bin         = bin_of(inclusion.centre);
@@ -55,7 +55,7 @@ public:
   }
 
 private:
-  /** An inclusion with its reach (m). */
+  /** An inclusion with its reach() (m). */
   struct Member
   {
     Inclusion inclusion;
@@ -99,7 +99,7 @@ private:
     }
   };
 
-  /** The numbers along axis @p d of the bins around @p bin, each once. */
+  /** Indices along axis @p d of the bins around @p bin, each once. */
   Few<long> around_of(const std::array<long, 3> &bin, const unsigned int d) const
   {
     Few<long> found;
@@ -113,11 +113,11 @@ private:
     return found;
   }
 
-  /** Whether @p b or one of its periodic images is too close to @p a. */
+  /** Whether @p b or a periodic image of it is too close to @p a. */
   bool images_too_close(const Member &a, const Member &b, const double gap) const
   {
     const int n_images = is_periodic ? 1 : 0;
-    std::array<Few<double>, 3> offsets; // those at which boxes around both touch
+    std::array<Few<double>, 3> offsets; // at which bounding boxes touch
     for (unsigned int c = 0; c < 3; ++c)
       {
         const double d = b.inclusion.centre[c] - a.inclusion.centre[c];

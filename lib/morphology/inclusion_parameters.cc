@@ -44,7 +44,7 @@ void bind_sizes(Keys &keys, InclusionPlacement &p)
     "being equally likely [-]");
 }
 
-/** Names the smallest and the largest extents (m) along the axes of space. */
+/** Names of the smallest and largest extents (m) along the coordinate axes. */
 struct Extents
 {
   Vector3 smallest, largest;

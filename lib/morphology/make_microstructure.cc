@@ -24,13 +24,13 @@ std::string file_name(const std::string &path)
   return std::filesystem::path(path).filename().string();
 }
 
-/** Coarse cells may swallow a phase, or swell it; empty when they do neither. */
+/** Warning if coarse cells change the fraction of a phase; else empty. */
 std::string coarsening_warning(const ImageMap &image,
                                const std::vector<PhaseParameters> &parameters)
 {
-  // Fibres eight times as stiff as their matrix contribute seven times their fraction:
-  // 1 % more of them are some percent of stiffness. What a rare phase contributes changes
-  // in proportion.
+  // Fibres eight times as stiff as their matrix contribute seven times their fraction: 1
+  // % more fibres change the stiffness by some percent. The contribution of a rare phase
+  // changes in proportion.
   constexpr double absolute = 0.01, relative = 0.1;
   std::string changes;
   const auto fractions = area_fractions(image.map, image.phases.size());
@@ -95,7 +95,7 @@ Microstructure read_image_map(const MicrostructureParameters &p)
   return result;
 }
 
-/** The morphologies that come from a file. */
+/** Reads a morphology from a file. */
 Microstructure read_microstructure(const MicrostructureParameters &p)
 {
   const std::size_t n_phases = p.phases.size();
@@ -119,7 +119,7 @@ Microstructure read_microstructure(const MicrostructureParameters &p)
   return result;
 }
 
-/** Sentences about fibre sizes that the grid changes. */
+/** Warnings on fibre sizes changed by rounding to the grid. */
 std::vector<std::string> rounding_warnings(const FibrePlacement &p,
                                            const UniformGrid<2> &grid)
 {
@@ -188,7 +188,8 @@ Microstructure make_microstructure(const MicrostructureParameters &parameters)
         "'Phases/" + phase.name + "/Angle' is " + to_text(phase.angle) +
         " rad, more than a full turn; " + to_text(phase.angle) + " degrees would be " +
         to_text(std::round(phase.angle * M_PI / 180. * 1e6) / 1e6) + " rad");
-  // A picture of one grey, a list without rectangles of a phase: no error, but no composite.
+  // Single-phase input (an image of one grey level, a list without rectangles) is no
+  // error, but no composite.
   const std::vector<double> fractions = area_fractions(result.map, result.phases.size());
   for (std::size_t p = 0; p < fractions.size(); ++p)
     if (fractions[p] == 0. && parameters.type != Type::homogeneous)

@@ -20,7 +20,7 @@ namespace mesoslip
 {
 namespace
 {
-/** Below it a cell is so flat that strains in it say little. */
+/** Below this scaled Jacobian a cell is so flat that its strains are unreliable. */
 constexpr double poor_jacobian = 0.05;
 
 std::string count_text(const std::size_t n, const std::string &of)
@@ -28,7 +28,7 @@ std::string count_text(const std::size_t n, const std::string &of)
   return std::to_string(n) + " " + of;
 }
 
-/** Numbers the phases as Phases/Names does, or all alike. */
+/** Numbers the phases as in Phases/Names, or all as one phase. */
 template <int dim>
 void number_phases(Mesh<dim> &mesh,
                    const std::string &file,
@@ -83,7 +83,7 @@ std::string box_line(const Mesh<dim> &mesh)
   std::string text;
   for (unsigned int d = 0; d < dim; ++d)
     {
-      // What is round-off beside the size of the body is shown as zero.
+      // Round-off relative to the size of the body is shown as zero.
       const auto shown = [&](const double x) {
         return std::fabs(x) > 1e-9 * box.side_length(d) ? x : 0.;
       };
@@ -94,7 +94,8 @@ std::string box_line(const Mesh<dim> &mesh)
   return text;
 }
 
-/** Warns of a body that looks like another unit, or refuses it where Mesh/Scale is not typed. */
+/** Warns of a body that looks like another unit, or refuses it if Mesh/Scale is not
+ * typed. */
 template <int dim>
 void check_size(MeshMorphology<dim> &body, const bool scale_typed)
 {
@@ -161,16 +162,16 @@ std::vector<std::string> boundary_lines(const Mesh<dim> &mesh,
   return lines;
 }
 
-/** Opposite points of the two sides of an axis, or why there are none. */
+/** Opposite points of the two sides of an axis, or the reason why there are none. */
 template <int dim>
 struct OppositeSides
 {
   OppositePoints<dim> points;
-  double largest_offset = 0.; ///< of points from the planes of the sides (m)
+  double largest_offset = 0.; ///< points to side planes (m)
   std::string error;
 };
 
-/** For each axis. */
+/** Opposite sides for each axis. */
 template <int dim>
 std::array<OppositeSides<dim>, dim> opposite_sides(const Mesh<dim> &mesh)
 {

@@ -12,30 +12,30 @@
 
 namespace mesoslip
 {
-/** Key `Dimension` and section `Mesh`: bodies that come from a mesh. */
+/** Key `Dimension` and section `Mesh`: bodies on meshes. */
 struct MeshParameters
 {
-  unsigned int dim = 2;           ///< of the body
-  std::vector<std::string> files; ///< meshes of Gmsh; empty: the body is a grid
+  unsigned int dim = 2;           ///< dimension of the body
+  std::vector<std::string> files; ///< Gmsh meshes; empty: the body is a grid
   double scale     = 1.;          ///< m per unit of the file
-  bool scale_typed = false;       ///< whether the .prm says so
+  bool scale_typed = false;       ///< whether the .prm sets the scale
   double tolerance = 1e-3;        ///< see Mesh::tolerance
 
-  unsigned int degree = 1; ///< of the displacements in a cell, 1 or 2
+  unsigned int degree = 1; ///< polynomial degree of displacements, 1 or 2
 
-  /** Whether the program has cells of degree 2. */
+  /** Whether the program supports cells of degree 2. */
   bool has_degrees = false;
 
-  /** Whether all groups of cells are one phase, whatever their names. */
+  /** Whether all groups of cells are one phase, regardless of their names. */
   bool one_phase = false;
 
-  /** Whether the program has grids in 3D, so that Dimension = 3 needs no mesh. */
+  /** Whether the program supports grids in 3D, so that Dimension = 3 needs no mesh. */
   bool has_grids_in_3d = false;
 
   /** Binds the keys. */
   void bind(Keys &keys);
 
-  /** Binds those of section Mesh alone, in the current section. */
+  /** Binds only the keys of section Mesh, in the current section. */
   void bind_file(Keys &keys);
 };
 
@@ -43,11 +43,11 @@ struct MeshParameters
 template <int dim>
 struct MeshMorphology
 {
-  std::string file; ///< where it comes from
+  std::string file; ///< path of the mesh file
 
-  Mesh<dim> mesh; ///< its phases are those of `Phases/Names`, in their order
+  Mesh<dim> mesh; ///< phases in the order of `Phases/Names`
 
-  std::vector<Phase<dim>> phases; ///< by index
+  std::vector<Phase<dim>> phases; ///< by phase number
   std::vector<double> fractions;  ///< volume fraction of each phase
 
   /**
@@ -61,18 +61,18 @@ struct MeshMorphology
 };
 
 /**
- * Reads one of the meshes of @p parameters. The calling rank reads the whole mesh.
- * @throws UserError naming the file when it cannot be read, has a phase without material,
- * flat, twisted, overlapping or duplicate cells, several pieces, or a size that looks like another
- * unit and no `Mesh/Scale`
+ * Reads one of the meshes of @p parameters, as a whole on the calling rank.
+ * @throws UserError naming the file if it cannot be read, has a phase without material,
+ * flat, twisted, overlapping or duplicate cells, several pieces, or a size that looks
+ * like another unit without `Mesh/Scale`
  */
 template <int dim>
 MeshMorphology<dim> read_mesh(const MeshParameters &parameters,
                               const std::string &file,
                               const std::vector<PhaseParameters> &phases);
 
-/** @throws UserError unless the body is a box, and if it has to be @p periodic unless the
- * points of opposite sides are opposite. */
+/** @throws UserError unless the body is a box and, if it has to be @p periodic, the
+ * points of opposite sides match. */
 template <int dim>
 void require_volume(const Mesh<dim> &mesh, const bool periodic);
 

@@ -19,7 +19,7 @@ namespace
 {
 using Type = MicrostructureParameters::Type;
 
-/** Section `Grid` as it stands in the .prm, of two or three axes. */
+/** Section `Grid` as given in the .prm, with two or three axes. */
 struct GridKeys
 {
   std::vector<long> cells     = {560, 160};
@@ -27,7 +27,7 @@ struct GridKeys
   std::vector<double> spacing = {};
 };
 
-/** Lengths of the box (m) from Size or Spacing, which must not contradict each other. */
+/** Lengths of the box (m) from Size or Spacing, which must agree. */
 std::vector<double> box_lengths(const Keys &keys, const GridKeys &given)
 {
   if (given.spacing.empty())

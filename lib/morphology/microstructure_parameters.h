@@ -19,10 +19,10 @@ namespace mesoslip
 {
 class Keys;
 
-/** Where the rules of random fibres stand in a .prm. */
+/** Section of random fibres in a .prm. */
 inline const std::string random_fibres_section = "Microstructure/Random fibres";
 
-/** Whether two lengths have a ratio that is a whole number of at least one. */
+/** Whether @p length is a whole multiple of @p unit, at least one. */
 inline bool is_multiple(const double length, const double unit)
 {
   const double ratio = length / unit;
@@ -30,12 +30,12 @@ inline bool is_multiple(const double length, const double unit)
 }
 
 /**
- * Sections `Grid`, `Phases` and `Microstructure`: everything that determines which cell
- * is made of what.
+ * Sections `Grid`, `Phases` and `Microstructure`: everything that determines the
+ * materials of the cells.
  */
 struct MicrostructureParameters
 {
-  /** Where the morphology comes from. */
+  /** Source of the morphology. */
   enum class Type
   {
     homogeneous,
@@ -46,18 +46,19 @@ struct MicrostructureParameters
     random_inclusions
   };
 
-  /** Of programs that have grids in 3D, and the keys for them. */
+  /** Whether the program has grids in 3D, with their keys. */
   bool has_grids_in_3d = false;
 
-  /** Of a volume that is homogenized: whether phases have keys for what derivatives of the stiffness tell. */
+  /** Whether the volume is homogenized: then phases have keys for derivatives of the
+   * stiffness. */
   bool is_volume = false;
 
-  /** Of the box: 2, or 3 in programs that have grids in 3D. */
+  /** Dimension of the box: 2, or 3 in programs with grids in 3D. */
   unsigned int dim = 2;
 
   UniformGrid<2> grid; ///< section Grid in 2D; the origin is the lower left corner
-  UniformGrid<3> box;  ///< the same in 3D, of the default in 2D
-  std::array<double, 2> size = {};     ///< m, of the box in 2D, as in the .prm
+  UniformGrid<3> box;  ///< section Grid in 3D; default in 2D
+  std::array<double, 2> size = {};     ///< extents of the box in 2D (m), as in the .prm
   std::vector<PhaseParameters> phases; ///< section Phases, in the order of `Names`
 
   Type type = Type::random_fibres; ///< key Type
@@ -66,51 +67,51 @@ struct MicrostructureParameters
    *  pattern). */
   std::string file;
 
-  ImageReading image; ///< how an image is read
+  ImageReading image; ///< settings for an image
 
   FibrePlacement placement; ///< rules of random fibres
 
-  VoxelReading voxels; ///< how voxels are read
+  VoxelReading voxels; ///< settings for voxels
 
-  OrientationReading orientation; ///< of cells in 3D
+  OrientationReading orientation; ///< settings for orientations of cells in 3D
 
   InclusionPlacement inclusions; ///< rules of random inclusions, in 3D
 
-  /** Name of the phase the fibres are made of; empty: the second one. */
+  /** Name of the phase of the fibres; empty: the second one. */
   std::string fibre_phase;
 
-  /** Edge (m) of the square cells on which fibres are placed; 0: the cells of the grid.
-   */
+  /** Edge (m) of the square cells on which fibres are placed; 0: cells of the grid. */
   double placement_spacing = 0.;
 
-  /** Binds the keys of all three sections, of a box of @p dimension. */
+  /** Binds the keys of all three sections, for a box of @p dimension. */
   void bind(Keys &keys, const unsigned int dimension = 2);
 
   /**
-   * Throws UserError: every section's own checks and those across sections. Files
-   * are read, random fibres are not placed.
+   * Throws UserError: checks of each section and across sections. Files are read; random
+   * fibres are not placed.
    */
   void check() const;
 
   /** The grid that fibres are placed on: the grid itself or a coarser one. */
   UniformGrid<2> placement_grid() const;
 
-  /** Index of the phase of the fibres or inclusions; throws UserError when there is none. */
+  /** Index of the phase of the fibres or inclusions; throws UserError if there is
+   * none. */
   unsigned int fibre_phase_index() const;
 
-  /** Whether members of an ensemble differ, by their seed. */
+  /** Whether the members of an ensemble differ by their seed. */
   bool is_random() const
   {
     return type == Type::random_fibres || type == Type::random_inclusions;
   }
 
-  /** Of the random numbers of whatever is random. */
+  /** Seed of random fibres or inclusions. */
   std::uint64_t seed() const
   {
     return type == Type::random_inclusions ? inclusions.seed : placement.seed;
   }
 
-  /** The same of member number @p m of an ensemble. */
+  /** Parameters of member number @p m of an ensemble. */
   MicrostructureParameters member(const unsigned int m) const
   {
     MicrostructureParameters own = *this;
@@ -120,16 +121,16 @@ struct MicrostructureParameters
   }
 };
 
-/** A morphology with the materials it is made of. */
+/** A morphology with its materials. */
 struct Microstructure
 {
   PhaseMap<2> map;              ///< phase of each cell
-  std::vector<Phase<2>> phases; ///< by index
+  std::vector<Phase<2>> phases; ///< by phase number
 
   /** Placed or read rectangles in the order of drawing; empty for the other types. */
   std::vector<Rectangle> rectangles;
 
-  /** Lines for the log: where it comes from; value, cells and material of each phase. */
+  /** Lines for the log: source; value, cells and material of each phase. */
   std::vector<std::string> description;
 
   /** Sentences for the log: target not reached, sizes rounded to the grid. */
@@ -137,8 +138,8 @@ struct Microstructure
 };
 
 /**
- * Places, draws or reads the morphology. @p parameters have passed check(). All ranks get
- * the same. Throws UserError when a file does not fit.
+ * Places, draws or reads the morphology. @p parameters have passed check(). Same result
+ * on all ranks. Throws UserError if a file does not fit.
  */
 Microstructure make_microstructure(const MicrostructureParameters &parameters);
 } // namespace mesoslip

@@ -9,15 +9,15 @@ namespace mesoslip
 {
 namespace
 {
-/** Vain draws in a row after which the places left are enumerated. */
+/** Failed draws in a row after which the remaining places are enumerated. */
 constexpr unsigned int max_vain_draws = 2000;
 
-/** The same where overlaps are allowed and a draw is vain when it adds no cell. */
+/** Limit of failed draws if overlaps are allowed; a draw fails if it adds no cell. */
 constexpr unsigned int max_hidden_draws = 100000;
 
 /**
- * Vain draws among n enumerated places before all of them are tried: n over this number,
- * and this number. Fewer would try all of them for too many fibres.
+ * Failed draws among n enumerated places before all of them are tried: n over the first
+ * number, plus the second. Smaller limits would try all of them for too many fibres.
  */
 constexpr std::size_t vain_candidates_part = 64;
 
@@ -186,7 +186,7 @@ private:
     return gain == remaining ? Outcome::finished : Outcome::placed;
   }
 
-  /** The fibre that would exceed the target: shortened, whole, or left out. */
+  /** Handles the fibre that would exceed the target: shortened, whole, or left out. */
   Outcome place_last(Rectangle fibre, const CellBox &box, const std::size_t remaining)
   {
     const auto error = [&](const CellBox &b) {
@@ -210,7 +210,7 @@ private:
     return Outcome::finished;
   }
 
-  /** Draws until the target is reached or draws have become vain. */
+  /** Draws until the target is reached or draws fail too often. */
   void place_at_random()
   {
     const unsigned int patience = rules.allow_overlap ? max_hidden_draws : max_vain_draws;
@@ -228,7 +228,7 @@ private:
         }
   }
 
-  /** Where the shortest fibre fits in; no taller one fits in anywhere else. */
+  /** Places where the shortest fibre fits; taller fibres fit nowhere else. */
   std::vector<Place> all_places() const
   {
     std::vector<Place> places;
@@ -239,7 +239,7 @@ private:
     return places;
   }
 
-  /** Places one fibre of @p height rows; vain when none fits in. Drops dead places. */
+  /** Places a fibre of @p height rows; fails if none fits. Drops exhausted places. */
   Outcome place_among(std::vector<Place> &places, const long height)
   {
     const auto place_at = [&](const Place &corner) {
@@ -270,7 +270,8 @@ private:
                             : place_at(suitable[random_index(suitable.size())]);
   }
 
-  /** Fills the places left; ends because each turn adds a fibre or excludes a height. */
+  /** Fills the remaining places; ends because each turn adds a fibre or excludes a
+   * height. */
   void place_systematically()
   {
     std::vector<Place> places = all_places();
@@ -291,13 +292,13 @@ private:
   const FibrePlacement &rules;
   RandomNumbers random;
 
-  /** Of a fibre, in cells, at least one. */
+  /** Sizes of a fibre in cells, at least one. */
   long width, min_height, max_height;
 
   Occupancy occupancy;
   FibreMorphology result;
 
-  /** In cells. */
+  /** Gaps in cells. */
   unsigned int x_gap, y_gap;
   std::size_t target_cells;
 

@@ -9,7 +9,7 @@
 
 namespace mesoslip
 {
-/** Of a .prm; the members of an ensemble have those that follow. */
+/** Largest seed in a .prm; members of an ensemble use the following seeds. */
 constexpr long largest_seed = 1000000000000000000;
 
 /**
@@ -19,25 +19,25 @@ constexpr long largest_seed = 1000000000000000000;
 class RandomNumbers
 {
 public:
-  /** The same @p seed gives the same numbers on every machine. */
+  /** Equal @p seed, equal numbers on every machine. */
   explicit RandomNumbers(const std::uint64_t seed)
     : engine(seed)
   {
   }
 
-  /** Uniform in [0, 1), a multiple of 2^-53. */
+  /** A uniform number in [0, 1), a multiple of 2^-53. */
   double unit()
   {
     return static_cast<double>(engine() >> 11) * 0x1p-53;
   }
 
-  /** Uniform in [lower, upper). */
+  /** A uniform number in [lower, upper). */
   double between(const double lower, const double upper)
   {
     return lower + unit() * (upper - lower);
   }
 
-  /** Uniform among first, ..., last. */
+  /** A uniform whole number among first, ..., last. */
   long whole(const long first, const long last)
   {
     return first + static_cast<long>(unit() * static_cast<double>(last - first + 1));
@@ -47,12 +47,12 @@ private:
   std::mt19937_64 engine;
 };
 
-/** What the target area fraction of placed fibres counts. */
+/** Definition of the area fraction of placed fibres. */
 enum class FractionRule
 {
-  /** Area of the cells that end up in a fibre: fibres are added until it is reached. */
+  /** Area of the cells in a fibre: fibres are added until the target is reached. */
   actual,
-  /** Sum of the fibres' areas (as far as inside the box), overlaps counted twice. */
+  /** Sum of the fibres' areas inside the box; overlaps count twice. */
   nominal
 };
 
@@ -64,15 +64,16 @@ struct FibrePlacement
   double min_height          = 1.2e-3; ///< m
   double max_height          = 3.6e-3; ///< m
   double area_fraction       = 0.1;    ///< target, 0 to 1
-  FractionRule fraction_rule = FractionRule::actual; ///< what counts for the target
+  FractionRule fraction_rule = FractionRule::actual; ///< definition of the fraction
 
-  /** Fibres may share cells. */
+  /** Whether fibres may share cells. */
   bool allow_overlap = false;
 
-  /** Without overlaps: free distance between the cells of two fibres, in x or in y. */
+  /** Without overlaps: least free distance between the cells of two fibres, in x or in y
+   * (m). */
   double minimum_gap = 0.;
 
-  /** Fibres may stick out of the box and are cut; otherwise they lie inside. */
+  /** Whether fibres may extend beyond the box and are cut; otherwise they lie inside. */
   bool cut_by_border = false;
 
   /**
@@ -94,7 +95,7 @@ struct FibreMorphology
 {
   PhaseMap<2> map; ///< 0: matrix; fibres as FibrePlacement::phase says
 
-  /** In the order of placement. Cut fibres are listed whole, trimmed ones trimmed. */
+  /** In the order of placement. Cut fibres are listed whole, trimmed fibres trimmed. */
   std::vector<Rectangle> fibres;
 
   /** Area of fibre cells over area of the box. */
@@ -103,10 +104,10 @@ struct FibreMorphology
   /** Sum of the fibres' areas inside the box over area of the box. */
   double nominal_fraction = 0.;
 
-  /** False when no further fibre fitted in before the target was reached. */
+  /** False if no further fibre fitted before the target was reached. */
   bool target_reached = false;
 
-  /** The fraction that the rule counts. */
+  /** The fraction by the definition @p rule. */
   double reached_fraction(const FractionRule rule) const
   {
     return rule == FractionRule::actual ? actual_fraction : nominal_fraction;
@@ -115,10 +116,10 @@ struct FibreMorphology
 
 /**
  * Random sequential placement of vertical fibres. Heights are uniform in their range,
- * positions uniform over all places the rules allow. Where a place is taken another is
- * drawn; after many vain draws the places left inside the box are enumerated on the
- * grid, and heights that fit in nowhere are no longer drawn. Ends when the target is
- * reached or nothing fits in. The same seed gives the same morphology on every machine
+ * positions uniform over all allowed places. If a place is taken, another one is drawn;
+ * after many failed draws the remaining places inside the box are enumerated on the
+ * grid, and heights that fit nowhere are no longer drawn. Ends when the target is
+ * reached or nothing fits. Equal seeds give equal morphologies on every machine
  * (mersenne twister and our own mapping to numbers).
  */
 FibreMorphology place_random_fibres(const UniformGrid<2> &grid,

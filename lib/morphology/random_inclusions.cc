@@ -11,7 +11,7 @@ namespace mesoslip
 {
 namespace
 {
-/** Vain draws in a row after which no further inclusion is looked for. */
+/** Failed draws in a row after which placement ends. */
 constexpr std::size_t max_vain_places = 300000;
 
 /** State of one placement. */
@@ -53,7 +53,7 @@ public:
   }
 
 private:
-  /** How far apart (m) along each axis the centres of two may be that touch. */
+  /** Largest distance (m) along each axis between the centres of touching inclusions. */
   Vector3 largest_distance() const
   {
     Inclusion largest = shaped(rules.max_diameter, rules.max_length);
@@ -65,7 +65,7 @@ private:
     return distance;
   }
 
-  /** An inclusion of a size (m) that is not turned. */
+  /** An inclusion of a size (m) along the coordinate axes. */
   Inclusion shaped(const double diameter, const double length) const
   {
     Inclusion inclusion;
@@ -88,7 +88,7 @@ private:
   std::array<Vector3, 3> random_axes()
   {
     double w, x, y, z, square;
-    do // square roots alone are the same on every machine
+    do // square roots, unlike other functions, are the same on every machine
       {
         w      = random.between(-1., 1.);
         x      = random.between(-1., 1.);
@@ -124,8 +124,8 @@ private:
     return inclusion;
   }
 
-  /** First and last cell along axis @p c whose centre may lie inside; those beyond the box
-   *  count on. */
+  /** First and last cell along axis @p c whose centre may lie inside; indices continue
+   * beyond the box. */
   std::array<long, 2>
   range_of(const Inclusion &inclusion, const unsigned int c, const double reach) const
   {
@@ -164,7 +164,7 @@ private:
     for (long k = range[2][0]; k <= range[2][1]; ++k)
       for (long j = range[1][0]; j <= range[1][1]; ++j)
         {
-          const std::size_t plane = wrapped(k, 2) - planes.first; // huge if it lies below
+          const std::size_t plane = wrapped(k, 2) - planes.first; // huge if it is below
           if (plane >= planes.count)
             break;
           d[1]                  = distance(j, 1);
@@ -179,7 +179,8 @@ private:
         }
   }
 
-  /** Places it, unless it adds nothing or overshoots by more than what is missing. */
+  /** Places the inclusion, unless it adds nothing or overshoots by more than the
+   * remaining deficit. */
   void take(const Inclusion &inclusion)
   {
     find_cells(inclusion);
@@ -213,14 +214,15 @@ private:
   const InclusionPlacement &rules;
   const std::uint8_t phase;
   const MPI_Comm communicator;
-  const PlaneRange planes; ///< of cells that this rank fills
+  const PlaneRange planes; ///< planes of cells that this rank fills
   RandomNumbers random;    ///< the same on all ranks
   const Vector3 lengths;   ///< m, of the box
-  InclusionBins bins;      ///< those that are placed
+  InclusionBins bins;      ///< placed inclusions
   InclusionMorphology result;
   std::vector<std::size_t> covered; ///< cells of the inclusion that is tried
 
-  /** Numbers of cells: wanted, reached, and with those of several counted each time. */
+  /** Numbers of cells: wanted, reached, and reached with overlaps counted for each
+   * inclusion. */
   const double n_target;
   double n_actual = 0., n_nominal = 0.;
 };

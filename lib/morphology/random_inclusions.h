@@ -13,49 +13,49 @@ namespace mesoslip
 {
 class Keys;
 
-/** Where the rules of random inclusions stand in a .prm. */
+/** Section of random inclusions in a .prm. */
 inline const std::string random_inclusions_section = "Microstructure/Random inclusions";
 
-/** What happens to inclusions at the sides of the box. */
+/** Treatment of inclusions at the sides of the box. */
 enum class InclusionSides
 {
-  periodic, ///< what leaves the box on one side comes in on the other
-  cut,      ///< centres lie anywhere, also outside, and the rest is cut off
-  inside    ///< all of an inclusion lies in the box
+  periodic, ///< periodic continuation
+  cut,      ///< centres lie inside or outside, parts outside are cut off
+  inside    ///< inclusions lie inside the box
 };
 
 /** Section `Microstructure/Random inclusions`; lengths in metres. */
 struct InclusionPlacement
 {
-  InclusionShape shape       = InclusionShape::sphere; ///< of all of them
+  InclusionShape shape       = InclusionShape::sphere; ///< the same for all
   std::uint64_t seed         = 1;   ///< the same seed gives the same morphology
   double volume_fraction     = 0.2; ///< target, 0 to 1
-  FractionRule fraction_rule = FractionRule::actual; ///< what counts for the target
+  FractionRule fraction_rule = FractionRule::actual; ///< definition of the fraction
 
-  /** m, uniformly distributed: of spheres and cylinders, edge of bars, of ellipsoids that
-   *  along an own axis where Axis ratios is 1. */
+  /** m, uniformly distributed: diameter of spheres and cylinders, edge of bars, diameter
+   * of ellipsoids along an axis with Axis ratios = 1. */
   double min_diameter = 0.2e-3;
   double max_diameter = 0.2e-3; ///< m
 
-  /** m, of cylinders and bars, uniformly distributed; 0: through the box. */
+  /** Length of cylinders and bars (m), uniformly distributed; 0: through the box. */
   double min_length = 0.;
   double max_length = 0.; ///< m
 
   unsigned int axis    = 2;              ///< 0, 1, 2 for x, y, z: of cylinders and bars
   Vector3 axis_ratios  = {{1., 1., 1.}}; ///< extents of an ellipsoid over its diameter
-  bool turned          = false;          ///< ellipsoids: orientation uniformly at random
-  bool allow_overlap   = false;          ///< they may share cells
+  bool turned          = false;          ///< ellipsoids: uniformly random orientation
+  bool allow_overlap   = false;          ///< inclusions may share cells
   double minimum_gap   = 0.;             ///< m, without overlaps, see too_close()
-  InclusionSides sides = InclusionSides::periodic; ///< of the box
+  InclusionSides sides = InclusionSides::periodic; ///< at the sides of the box
   std::string phase;                               ///< its name; empty: the second
 
   /** Binds the keys of the current section. */
   void bind(Keys &keys);
 
-  /** @throws UserError when sizes do not fit each other, the cells or the box. */
+  /** @throws UserError if sizes do not fit each other, the cells or the box. */
   void check(const UniformGrid<3> &grid) const;
 
-  /** Whether they have a length and an axis. */
+  /** Whether the shape has a length and an axis. */
   bool has_length() const
   {
     return shape == InclusionShape::cylinder || shape == InclusionShape::bar;
@@ -68,16 +68,16 @@ struct InclusionPlacement
 /** Morphology made by place_random_inclusions(). */
 struct InclusionMorphology
 {
-  /** 0: matrix, else the phase of the inclusions; of the planes of cells of this rank. */
+  /** 0: matrix, else the phase of the inclusions; for this rank's planes of cells. */
   PhaseMap<3> map;
 
   std::vector<Inclusion> inclusions; ///< in the order of placement
   double actual_fraction  = 0.;      ///< inclusion cells over cells
-  double nominal_fraction = 0.;      ///< the same with cells of several counted each time
-  bool target_reached     = false;   ///< false when no further one was placed before
-  std::size_t vain_draws  = 0;       ///< in a row, after which it was given up
+  double nominal_fraction = 0.;      ///< likewise, overlaps counted repeatedly
+  bool target_reached     = false;   ///< false if no further inclusion could be placed
+  std::size_t vain_draws  = 0;       ///< failed draws in a row at the end
 
-  /** The fraction that the rule counts. */
+  /** The fraction by the definition @p rule. */
   double reached_fraction(const FractionRule rule) const
   {
     return rule == FractionRule::actual ? actual_fraction : nominal_fraction;
@@ -85,12 +85,12 @@ struct InclusionMorphology
 };
 
 /**
- * Random sequential placement: sizes, orientations and places are drawn, and drawn anew
- * where an inclusion would come too close to another one. A cell belongs to an inclusion
- * when its centre does. Ends when the fraction is reached, by the nearest whole number of
- * inclusions, or after many vain draws in a row. The same seed gives the same morphology.
- * @p rules have passed check(); @p phase is that of the inclusions. Each rank of @p
- * communicator fills its own_planes(). Collective.
+ * Random sequential placement: sizes, orientations and places are drawn, and drawn again
+ * if an inclusion would be too close to another one. A cell belongs to an inclusion if
+ * its centre does. Ends when the fraction is reached, by the nearest whole number of
+ * inclusions, or after many failed draws in a row. Equal seeds give equal morphologies.
+ * @p rules have passed check(); @p phase is the phase of the inclusions. Each rank of
+ * @p communicator fills its own_planes(). Collective.
  */
 InclusionMorphology place_random_inclusions(const UniformGrid<3> &grid,
                                             const InclusionPlacement &rules,

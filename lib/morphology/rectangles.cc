@@ -24,7 +24,7 @@ cells_before(const double edge, const double origin, const double h, const unsig
   return static_cast<unsigned int>(std::clamp(first, 0., static_cast<double>(n)));
 }
 
-/** What is wrong with a rectangle on a grid; empty when nothing is. */
+/** Error message for a rectangle on a grid; empty if it is valid. */
 std::string problem(const UniformGrid<2> &grid, const Rectangle &r)
 {
   const double right = grid.origin[0] + grid.extent(0);
@@ -146,7 +146,7 @@ void write_rectangles(const std::string &file, const std::vector<Rectangle> &rec
   std::vector<std::string> columns = length_columns;
   columns.emplace_back("phase");
   TableWriter table(file, columns);
-  // Picometres: far below any cell, and whole micrometres stay readable.
+  // Picometres: far below any cell; whole micrometres stay readable.
   const auto millimetres = [](const double metres) {
     return std::round(metres * 1e12) / 1e9;
   };

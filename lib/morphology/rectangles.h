@@ -16,17 +16,17 @@ namespace mesoslip
 struct CellBox
 {
   unsigned int x_begin; ///< first column
-  unsigned int x_end;   ///< one beyond the last column
+  unsigned int x_end;   ///< index after the last column
   unsigned int y_begin; ///< first row
-  unsigned int y_end;   ///< one beyond the last row
+  unsigned int y_end;   ///< index after the last row
 
-  /** No cell at all. */
+  /** Whether the box has no cells. */
   bool empty() const
   {
     return x_begin >= x_end || y_begin >= y_end;
   }
 
-  /** Width times height. */
+  /** Number of cells, width times height. */
   std::size_t n_cells() const
   {
     return empty() ? 0 : std::size_t(x_end - x_begin) * (y_end - y_begin);
@@ -34,13 +34,13 @@ struct CellBox
 };
 
 /**
- * Whether a fibre has a cell, for all cells of a grid. Cells of a column lie side by side,
+ * Marks the cells of a grid that belong to fibres. Cells of a column are contiguous,
  * because fibres are tall. Boxes lie inside the grid.
  */
 class Occupancy
 {
 public:
-  /** All cells free. */
+  /** Initially all cells are free. */
   Occupancy(const unsigned int n_columns, const unsigned int n_rows)
     : columns(n_columns)
     , rows(n_rows)
@@ -48,7 +48,7 @@ public:
   {
   }
 
-  /** Whether no cell of the box is taken. */
+  /** Whether all cells of the box are free. */
   bool is_free(const CellBox &box) const
   {
     for (unsigned int x = box.x_begin; x < box.x_end && !box.empty(); ++x)
@@ -70,7 +70,7 @@ public:
     return n;
   }
 
-  /** Takes all cells of @p box. */
+  /** Marks all cells of @p box as taken. */
   void mark(const CellBox &box)
   {
     number += n_free(box);
@@ -78,13 +78,13 @@ public:
       std::memset(&taken[first(x, box)], 1, box.y_end - box.y_begin);
   }
 
-  /** Number of cells taken. */
+  /** Number of taken cells. */
   std::size_t n_taken() const
   {
     return number;
   }
 
-  /** The box with @p x_gap and @p y_gap cells around it, as far as inside the grid. */
+  /** The box enlarged by @p x_gap and @p y_gap cells, clipped at the grid. */
   CellBox
   widened(const CellBox &box, const unsigned int x_gap, const unsigned int y_gap) const
   {
@@ -102,21 +102,21 @@ private:
   }
 
   unsigned int columns, rows;
-  std::vector<char> taken; ///< 1 for each cell that is taken, [columns][rows]
-  std::size_t number = 0;  ///< of cells taken
+  std::vector<char> taken; ///< 1 for a taken cell, [columns][rows]
+  std::size_t number = 0;  ///< number of taken cells
 };
 
-/** All cells of phase @p background. */
+/** A map with all cells in phase @p background. */
 PhaseMap<2> homogeneous_map(const UniformGrid<2> &grid,
                             const std::uint8_t background = 0);
 
-/** Gives all cells of a box, which lies inside the grid, to @p phase. */
+/** Assigns all cells of a box, which lies inside the grid, to @p phase. */
 void fill_box(PhaseMap<2> &map, const CellBox &box, const std::uint8_t phase);
 
 /** Area fractions of phases 0 to @p n_phases - 1; they sum to one. */
 std::vector<double> area_fractions(const PhaseMap<2> &map, const unsigned int n_phases);
 
-/** The same morphology on a grid with a whole multiple of the cells of @p map. */
+/** The morphology on a refined grid: each cell of @p map becomes a block of cells. */
 PhaseMap<2> refined_map(const PhaseMap<2> &map, const UniformGrid<2> &grid);
 
 /** An axis-parallel rectangle of one phase, lengths in metres. */
@@ -126,19 +126,19 @@ struct Rectangle
   double y_bottom;        ///< m
   double width;           ///< m
   double height;          ///< m
-  std::uint8_t phase = 1; ///< index
+  std::uint8_t phase = 1; ///< phase number
 };
 
 /**
- * The cells that belong to a rectangle: those whose centre lies inside
- * [x_left, x_left + width) x [y_bottom, y_bottom + height). Edges count as displaced by
- * -1e-6 of a cell, so that an edge which is a cell centre up to round-off is treated
- * the same way everywhere. Clipped at the box; empty when no centre is inside.
+ * The cells of a rectangle: their centre lies inside [x_left, x_left + width) x
+ * [y_bottom, y_bottom + height). Edges are shifted by -1e-6 of a cell, so that an edge
+ * at a cell centre up to round-off is treated the same way everywhere. Clipped at the
+ * box; empty if no centre is inside.
  */
 CellBox covered_cells(const UniformGrid<2> &grid, const Rectangle &rectangle);
 
 /**
- * Draws rectangles on a background of phase 0; where they overlap the later one wins.
+ * Draws rectangles on a background of phase 0; later rectangles overwrite earlier ones.
  * Rectangles that leave the box are cut.
  */
 PhaseMap<2> draw_rectangles(const UniformGrid<2> &grid,
@@ -153,7 +153,8 @@ PhaseMap<2> draw_rectangles(const UniformGrid<2> &grid,
 std::vector<Rectangle> read_rectangles(const std::string &file,
                                        const UniformGrid<2> &grid);
 
-/** Writes what read_rectangles() reads, to the picometre. Throws UserError. */
+/** Writes a file for read_rectangles(), with a resolution of a picometre. Throws
+ * UserError. */
 void write_rectangles(const std::string &file, const std::vector<Rectangle> &rectangles);
 } // namespace mesoslip
 

@@ -22,7 +22,7 @@ void for_each_plane(VoxelFile &file, const VoxelRegion &region, const PlaneActio
     action(z, file.plane(region.from[2] + z));
 }
 
-/** The values that occur in the region; those of a grey picture are not all counted. */
+/** Values that occur in the region; counting stops for grey pictures. */
 std::set<double> values_in(VoxelFile &file, const VoxelRegion &region)
 {
   constexpr std::size_t enough = 256;
@@ -40,7 +40,7 @@ std::set<double> values_in(VoxelFile &file, const VoxelRegion &region)
   return found;
 }
 
-/** The same in the regions of all ranks. */
+/** Values that occur in the regions of all ranks. */
 std::set<double>
 values_on_ranks(VoxelFile &file, const VoxelRegion &region, const MPI_Comm communicator)
 {
@@ -55,7 +55,7 @@ values_on_ranks(VoxelFile &file, const VoxelRegion &region, const MPI_Comm commu
   return found;
 }
 
-/** The value of each phase: those of the .prm, or those that occur, ascending. */
+/** The value of each phase: from the .prm, or the occurring values, ascending. */
 std::vector<double> values_of_voxel_phases(const MicrostructureParameters &p,
                                            VoxelFile &file,
                                            const VoxelRegion &region,
@@ -92,7 +92,8 @@ std::vector<double> values_of_voxel_phases(const MicrostructureParameters &p,
                 : ", which is not among Microstructure/Image values; add it"));
 }
 
-/** Counts the voxels of each phase in a layer of cells, and picks the phases of these. */
+/** Counts the voxels of each phase in a layer of cells, and selects the phases of the
+ * cells. */
 class CellVotes
 {
 public:
@@ -104,7 +105,7 @@ public:
   {
   }
 
-  /** A voxel of @p phase in @p cell of the layer. */
+  /** Counts a voxel of @p phase in @p cell of the layer. */
   void add(const std::size_t cell, const unsigned int phase)
   {
     ++counts[cell * n + phase];
@@ -130,7 +131,7 @@ public:
     std::fill(counts.begin(), counts.end(), 0);
   }
 
-  /** Of each phase, voxels by which the cells so far fall short. */
+  /** Per phase: deficit of voxels over the cells so far. */
   std::vector<double> missing;
 
 private:
@@ -151,8 +152,9 @@ VoxelRegion own_region(VoxelRegion region,
   return region;
 }
 
-/** Lets the ranks @p read. Where a cell takes the majority of its voxels, one after the other, as
- * the @p votes of the cells so far count. Collective. @throws what read() throws */
+/** Lets the ranks @p read. If cells are majorities of voxels, the ranks read one after
+ * the other, as the @p votes depend on all cells so far. Collective.
+ * @throws exceptions of read() */
 void read_on_ranks(const std::function<void()> &read,
                    CellVotes &votes,
                    const bool one_voxel_a_cell,

@@ -25,7 +25,7 @@ std::string percent_text(const double fraction)
   return brief_text(4, 100. * fraction, " %");
 }
 
-/** Phases of the cells in the corners, from which the order of the axes shows. */
+/** Phases of the cells in the corners, as a check of the order of the axes. */
 std::string corners_line(const VoxelMorphology &cells, const MPI_Comm communicator)
 {
   const auto &n           = cells.grid.cells;
@@ -109,7 +109,7 @@ void describe_phases(VoxelMorphology &result,
                                   "name out");
     }
 }
-/** Places the inclusions, or says why there is no room for as many. */
+/** Places the inclusions, or throws if there is no room. */
 void place_inclusions(VoxelMorphology &result,
                       const MicrostructureParameters &p,
                       const MPI_Comm communicator)

@@ -12,17 +12,17 @@ namespace mesoslip
 {
 struct MicrostructureParameters;
 
-/** A morphology of voxels with the materials it is made of. Each rank has the cells of its
- * own_planes(), all of them the rest. */
+/** A voxel morphology with its materials. Each rank has the cells of its own_planes();
+ * all other members are the same on all ranks. */
 struct VoxelMorphology
 {
   UniformGrid<3> grid;                ///< the whole box
-  std::vector<std::uint8_t> phase_id; ///< of each cell of this rank, x fastest
-  std::vector<Phase<3>> phases;       ///< by index
+  std::vector<std::uint8_t> phase_id; ///< per cell of this rank, x fastest
+  std::vector<Phase<3>> phases;       ///< by phase number
   std::vector<double> fractions;      ///< volume fraction of each phase
-  Orientations orientations;          ///< of the cells, where they have their own
+  Orientations orientations;          ///< per cell, if cells have orientations
 
-  /** Of each cell of this rank its material: its phase, or this in one of its orientations. */
+  /** Material of each cell of this rank: its phase, or an orientation of its phase. */
   CellView material_id() const
   {
     return orientations.empty() ? CellView(phase_id) : CellView(orientations.id);
@@ -34,13 +34,15 @@ struct VoxelMorphology
   std::vector<std::string> warnings; ///< sentences for the log: phases without cells
 };
 
-/** Reads what the file says of its voxels. @throws UserError if they are not of [z][y][x],
- * are no cells of `Grid/Cells`, or have fractions and no thresholds */
+/** Reads the header of the file of voxels.
+ * @throws UserError if it is not [z][y][x], does not match `Grid/Cells`, or has
+ * fractional values without thresholds */
 void check_voxels(const MicrostructureParameters &parameters);
 
 /** Reads the voxels, places random inclusions, or fills the box with the first phase.
- * @p parameters have passed check(). @throws UserError when it is not clear which value is
- * which phase, or when there is no room for as many inclusions. Collective. */
+ * @p parameters have passed check().
+ * @throws UserError if the values of the phases are ambiguous, or if there is no room
+ * for as many inclusions. Collective. */
 VoxelMorphology make_voxels(const MicrostructureParameters &parameters,
                             const MPI_Comm communicator);
 } // namespace mesoslip

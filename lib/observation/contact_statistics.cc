@@ -24,7 +24,7 @@ struct Batches
   std::size_t first   = 0; ///< sample
 };
 
-/** Whole periods, counted backwards from the last sample. */
+/** Divides whole periods into batches, counted backwards from the last sample. */
 Batches choose_batches(const std::vector<double> &time, const MeanWindow &window)
 {
   const double period = window.period;
@@ -83,7 +83,7 @@ std::vector<double> batch_rates(const std::vector<double> &time,
   return rates;
 }
 
-/** @p value with the error that the deviation of the batches' means gives it. */
+/** @p value with its error from the deviation of the batch means. */
 Estimate estimate_of(const double value,
                      const std::vector<double> &batch_means,
                      const Batches &batches)
@@ -241,7 +241,7 @@ Estimate interface_friction_coefficient(const std::vector<double> &time,
   Assert(load.value > 0., dealii::ExcMessage("There is no load."));
   const Batches batches = choose_batches(time, window);
   const double value = least_squares_slope(time, friction_energy, batches) / load.value;
-  // What the friction of a batch differs from its load by, so that a load that varies
+  // Uses the deviation of the friction of a batch from its load, so that a varying load
   // does not count as an error.
   std::vector<double> means       = batch_rates(time, friction_energy, batches);
   const std::vector<double> loads = batch_rates(time, load_work, batches);

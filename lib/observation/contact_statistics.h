@@ -8,7 +8,7 @@
 
 namespace mesoslip
 {
-/** Fractions of time of a node (or of all) in each state; they sum to 1. */
+/** Fractions of time of a node (or of all nodes) in each state; they sum to 1. */
 struct ContactShares
 {
   double slip       = 0.; ///< touching and sliding
@@ -16,30 +16,30 @@ struct ContactShares
   double separation = 0.; ///< not touching
 };
 
-/** How long the nodes stay in contact at a stretch. */
+/** Mean duration of uninterrupted contact of the nodes. */
 struct ContactDuration
 {
   /**
    * T_G of eqs. (12, 13) (s): time in contact over the number of landings (re-contact
-   * events). The episode cut by the start of the window and the one cut by its end make up
-   * for each other (exactly so in a window of whole periods). Without a landing: the time
-   * in contact itself, a lower bound.
+   * events). The episodes cut by the start and by the end of the window compensate each
+   * other (exactly in a window of whole periods). Without a landing: the time in contact
+   * itself, a lower bound.
    */
   double mean = 0.;
 
   /** Fraction of the nodes that landed at least once. */
   double node_share = 0.;
 
-  /** False: no landing in the window, #mean is only a lower bound (0: never in contact).
-   */
+  /** False: no landing in the window, #mean is only a lower bound (0: never in
+   * contact). */
   bool complete() const
   {
     return node_share > 0.;
   }
 
   /**
-   * False when fewer than half of the nodes landed: then #mean is mostly the time that
-   * the others have been in contact without an end, and grows with the window.
+   * False if fewer than half of the nodes landed: then #mean is dominated by nodes in
+   * permanent contact, and grows with the window.
    */
   bool representative() const
   {
@@ -47,30 +47,30 @@ struct ContactDuration
   }
 };
 
-/** Tangential over normal forces, entry by entry; zero where there is no normal force. */
+/** Tangential over normal forces, entry by entry; zero where the normal force is zero. */
 std::vector<double> quotients(const std::vector<double> &tangential,
                               const std::vector<double> &normal);
 
 /** Statistics of the contact in a window of time. */
 struct ContactSummary
 {
-  std::vector<ContactShares> node_shares; ///< one entry a node
-  ContactShares shares;                   ///< of all nodes, each of the same weight
-  ContactDuration duration;               ///< of all nodes
+  std::vector<ContactShares> node_shares; ///< per node
+  ContactShares shares;                   ///< mean over all nodes, with equal weights
+  ContactDuration duration;               ///< over all nodes
 };
 
 /**
- * Evaluates the @p blocks (in the order of time, without gaps, steps of @p dt seconds) that
- * begin at the time @p from (s) or later, within 1e-9 of a block; if none does, the last
- * one, so that there always is an answer. The first @p n_nodes nodes count: with periodic
- * sides the last one is the first one again.
+ * Evaluates the @p blocks (sorted by time, without gaps, steps of @p dt seconds) that
+ * begin at the time @p from (s) or later, within 1e-9 of a block; if there is none, the
+ * last block, so that there is always a result. Only the first @p n_nodes nodes count,
+ * since the last node of a periodic grid is a copy of the first.
  */
 ContactSummary summarize_contact(const std::vector<NodeCounts> &blocks,
                                  const std::size_t n_nodes,
                                  const double dt,
                                  const double from);
 
-/** Means of what each contact node takes of the load. */
+/** Mean load of each contact node. */
 struct NodeMeans
 {
   std::vector<double> pressure;       ///< Pa
@@ -78,8 +78,9 @@ struct NodeMeans
 };
 
 /**
- * Means over the blocks number @p first to @p last, both included, which have loads (
- * NodeCounts::loads); of as many nodes as there are tributary areas @p area (m^2, in 2D m).
+ * Means over the blocks @p first to @p last, both included, which must have loads
+ * (NodeCounts::loads), for as many nodes as there are tributary areas @p area (m^2, in
+ * 2D m).
  */
 NodeMeans mean_loads(const std::vector<NodeCounts> &blocks,
                      const std::size_t first,
@@ -87,7 +88,7 @@ NodeMeans mean_loads(const std::vector<NodeCounts> &blocks,
                      const std::vector<double> &area,
                      const double dt);
 
-/** Number of the first block of those that summarize_contact() evaluates. */
+/** Index of the first block that summarize_contact() evaluates. */
 std::size_t
 first_block(const std::vector<NodeCounts> &blocks, const double dt, const double from);
 
@@ -106,7 +107,7 @@ first_block(const std::vector<NodeCounts> &blocks, const double dt, const double
  */
 std::string regime_label(const ContactShares &shares);
 
-/** A mean over a window of time and how far it may be trusted, by batch means. */
+/** A mean over a window of time and its uncertainty by batch means. */
 struct Estimate
 {
   double value = 0.; ///< the mean
@@ -118,33 +119,33 @@ struct Estimate
   /** Batches of whole periods; at most 20, so that neighbours are hardly correlated. */
   unsigned int batches = 0;
 
-  double begin = 0.; ///< first time that counts (s)
-  double end   = 0.; ///< last time that counts (s)
+  double begin = 0.; ///< start of the evaluated time (s)
+  double end   = 0.; ///< end of the evaluated time (s)
 };
 
-/** Part of the time over which means are taken: to the last sample. */
+/** Time window of means; it ends at the last sample. */
 struct MeanWindow
 {
-  double from   = 0.; ///< s; three samples at least are not before it
+  double from   = 0.; ///< s; at least three samples must follow
   double period = 0.; ///< s; 0: none
 };
 
 /**
- * Mean power (W) of a work (J) that is known since the start: its least-squares slope in
- * @p window. The window is shortened at its beginning to whole periods, all of which
- * count; without a period it is left as it is. The error follows from the mean powers of
- * batches (end differences, exact for a limit cycle) of ceil(periods / 20) periods each,
- * counted backwards from the end; without a period of ten equal parts. Periods at the
- * beginning that do not fill a batch count for the value only.
+ * Mean power (W) of a work (J) accumulated since the start: its least-squares slope in
+ * @p window. The start of the window is moved so that it contains whole periods; without
+ * a period it is unchanged. The error follows from the mean powers of batches (end
+ * differences, exact for a limit cycle) of ceil(periods / 20) periods each, counted
+ * backwards from the end; without a period from ten equal parts. Periods at the
+ * beginning that do not fill a batch enter only the value.
  */
 Estimate mean_power(const std::vector<double> &time,
                     const std::vector<double> &work,
                     const MeanWindow &window);
 
 /**
- * Global interface friction coefficient, eq. (9): mean power of the frictional energy
- * over that of the work @p load_work of the load along the way of the flat (P S |V| t
- * while all of them are constant), which must be positive. Its error is that of a ratio
+ * Global interface friction coefficient, eq. (9): mean frictional power over the mean
+ * power of @p load_work, the work of the load along the way of the flat (P S |V| t if
+ * all factors are constant), which must be positive. The error is the error of a ratio
  * of means.
  */
 Estimate interface_friction_coefficient(const std::vector<double> &time,

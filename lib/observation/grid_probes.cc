@@ -23,7 +23,7 @@ void check_probes(const std::vector<ProbePoint> &points,
                   const UniformGrid<2> &grid,
                   const bool turned_over)
 {
-  constexpr double rounding       = 1e-12; // of the extent
+  constexpr double rounding       = 1e-12; // relative to the extent
   const std::array<double, 2> low = {
     {grid.origin[0], turned_over ? -grid.extent(1) : 0.}};
   for (const ProbePoint &point : points)

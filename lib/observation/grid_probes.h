@@ -7,10 +7,11 @@
 
 namespace mesoslip
 {
-/** Where a probe is: a node, if it is to be moved to the nearest one. */
+/** Position of a probe; the nearest node, if it is to be moved there. */
 std::array<double, 3> place_of_probe(const ProbePoint &point, const UniformGrid<2> &grid);
 
-/** That points lie in a body, or in one that is @p turned_over below y = 0. @throws UserError naming the key of one that does not */
+/** Checks that points lie in a body, which is below y = 0 if it is @p turned_over.
+ * @throws UserError naming the key of a point outside */
 void check_probes(const std::vector<ProbePoint> &points,
                   const UniformGrid<2> &grid,
                   const bool turned_over);
@@ -19,8 +20,9 @@ void check_probes(const std::vector<ProbePoint> &points,
 class GridProbes : public ProbeRecorder
 {
 public:
-  /** References are kept. Points have to lie in the body, which is @p turned_over if its rows are stored downwards from y = 0. Without
-   * @p contact, as of a counter body, there are no tractions. */
+  /** References are kept. Points have to lie in the body, which is @p turned_over if its
+   * rows are stored downwards from y = 0. Without @p contact, as for a counter body,
+   * there are no tractions. */
   GridProbes(const std::vector<ProbePoint> &points,
              const UniformMaterial &material,
              const Stepper &stepper,
@@ -29,7 +31,7 @@ public:
              const std::uint64_t interval);
 
 private:
-  /** Where a point lies: cell with its phase, and position in it from 0 to 1. */
+  /** Location of a point: cell, its phase, and position in the cell from 0 to 1. */
   struct Place
   {
     unsigned int i = 0, j = 0, phase = 0;
@@ -39,7 +41,7 @@ private:
   Place locate(const Vector &position) const;
   VoigtVector<2> strain(const Place &place) const;
 
-  /** If a probe lies between two ranks. */
+  /** Does an exchange only if a probe lies between two ranks. */
   void update_ghosts(NodalField<double> &field) const override;
   Vector interpolate(const NodalField<double> &field, const std::size_t k) const override;
   void sample_strain(const std::size_t k, ProbeHistory &history) const override;
@@ -50,7 +52,7 @@ private:
   const ContactSurface<2> *const contact;
   const double upwards; ///< -1 if the body is turned over
   std::vector<Place> places;
-  bool needs_ghosts = false; ///< a probe lies between two ranks
+  bool needs_ghosts = false; ///< whether a probe lies between two ranks
 };
 } // namespace mesoslip
 

@@ -14,7 +14,7 @@ namespace mesoslip
 {
 namespace
 {
-/** How far outside of its cell a probe may lie, as a shape function [-]. */
+/** Tolerance of the shape functions for a probe outside its cell [-]. */
 constexpr double outside_cell = 1e-6;
 
 template <int dim>
@@ -35,7 +35,7 @@ dealii::Point<dim> nearest_point(const Mesh<dim> &mesh, const dealii::Point<dim>
                            });
 }
 
-/** The cell of a point that may lie a little outside; of none, if it does. */
+/** Location of a point in @p cell; outside the cell shape functions are negative. */
 template <int dim>
 MeshPlace place_in(const Mesh<dim> &mesh,
                    const unsigned int cell,
@@ -61,8 +61,8 @@ MeshPlace place_in(const Mesh<dim> &mesh,
   return place;
 }
 
-/** Nearest of the @p contact points if @p place is on the contact; of two that are equally
- * near the first. */
+/** Nearest of the @p contact points if @p place is on the contact; with two equally near
+ * points the first. */
 std::optional<unsigned int> nearest_contact(const MeshPlace &place,
                                             const std::vector<unsigned int> &contact)
 {
@@ -179,7 +179,7 @@ void MeshProbes<dim>::sample_strain(const std::size_t k, ProbeHistory &history) 
   const MeshPlace &place         = places[k];
   const ElasticPhase<dim> &phase = phases[place.material];
   VoigtVector<dim> strain        = VoigtVector<dim>::Zero();
-  double more_dilatation         = 0.; // in the mean of the cell
+  double more_dilatation         = 0.; // cell mean minus value at the point
   for (unsigned int c = 0; c < dim; ++c)
     for (std::size_t v = 0; v < corners[k].size(); ++v)
       {

@@ -14,16 +14,16 @@ namespace mesoslip
 /** A probe in a mesh. */
 struct MeshPlace
 {
-  ProbePoint point;                  ///< moved to a node if so wanted
-  unsigned int cell     = 0;         ///< of the whole mesh, in which it lies
-  unsigned int phase    = 0;         ///< of this cell
-  unsigned int material = 0;         ///< the same, or this in one of its orientations
-  std::vector<unsigned int> corners; ///< of this cell, originals of the whole mesh
-  std::vector<double> shape;         ///< of the corners at the point [-]
-  std::vector<double> gradient;      ///< of the shapes, [corner][d] (1/m)
-  std::vector<double> mean_gradient; ///< of these in the cell (1/m)
+  ProbePoint point;                  ///< moved to a node if requested
+  unsigned int cell     = 0;         ///< cell of the whole mesh that holds it
+  unsigned int phase    = 0;         ///< phase of the cell
+  unsigned int material = 0;         ///< material of the cell: phase, or oriented phase
+  std::vector<unsigned int> corners; ///< its corners, periodic masters
+  std::vector<double> shape;         ///< shape functions of the corners at the point [-]
+  std::vector<double> gradient;      ///< shape gradients, [corner][d] (1/m)
+  std::vector<double> mean_gradient; ///< cell means of the gradients (1/m)
 
-  /** Of boost::serialization. */
+  /** For boost::serialization. */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
@@ -33,14 +33,15 @@ struct MeshPlace
 };
 
 /**
- * Where @p points lie in the mesh; a point between cells belongs to that with the largest
- * number. @throws UserError naming the key of a point outside
+ * Locates @p points in the mesh; a point between cells belongs to the cell with the
+ * largest number.
+ * @throws UserError naming the key of a point outside
  */
 template <int dim>
 std::vector<MeshPlace> locate_probes(const Mesh<dim> &mesh,
                                      const std::vector<ProbePoint> &points);
 
-/** The same where only these @p cells may hold the points. */
+/** locate_probes() restricted to the given @p cells. */
 template <int dim>
 std::vector<MeshPlace> locate_probes(const Mesh<dim> &mesh,
                                      const std::vector<ProbePoint> &points,
@@ -55,12 +56,13 @@ public:
   struct Contact
   {
     const ContactSurface<dim> &surface;      ///< forces on the nodes of this rank
-    const SharedNodes &nodes;                ///< of this rank
-    const std::vector<unsigned int> &points; ///< of the whole contact and mesh
+    const SharedNodes &nodes;                ///< nodes of this rank
+    const std::vector<unsigned int> &points; ///< whole contact, numbers in the whole mesh
     const std::vector<double> &area; ///< along the normal, negative as it faces down
   };
 
-  /** References are kept. Without @p contact, as of a counter body, there are no tractions. */
+  /** References are kept. Without @p contact, as for a counter body, there are no
+   * tractions. */
   MeshProbes(const std::vector<MeshPlace> &places,
              const MeshPart<dim> &part,
              const std::vector<ElasticPhase<dim>> &phases,
@@ -69,7 +71,7 @@ public:
              const std::uint64_t interval);
 
 private:
-  /** Nothing to do: each rank has all points of its cells. */
+  /** Does nothing: each rank has all points of its cells. */
   void update_ghosts(NodalField<double> &) const override
   {
   }
@@ -80,9 +82,9 @@ private:
   const std::vector<MeshPlace> &places;
   const std::vector<ElasticPhase<dim>> &phases;
   const std::optional<Contact> contact;
-  std::vector<std::vector<unsigned int>> corners; ///< of the places, points of the part
+  std::vector<std::vector<unsigned int>> corners; ///< per place, points of the part
 
-  /** Of the places: the nearest contact node, if they are on the contact. */
+  /** Per place: the nearest contact node, if it is on the contact. */
   std::vector<std::optional<unsigned int>> contact_node;
 };
 } // namespace mesoslip

@@ -11,15 +11,14 @@
 namespace mesoslip
 {
 /**
- * A probe and what it saw: d numbers a sample for vectors, one for each component in Voigt
- * order for strain and stress. Every rank knows name, place and phase, its owner the
- * samples.
+ * A probe and its samples: d numbers per sample for vectors, Voigt components for strain
+ * and stress. Every rank knows name, place and phase; only the owner has the samples.
  */
 struct ProbeHistory
 {
   std::string name;                      ///< as in the .prm
   std::array<double, 3> position   = {}; ///< see ProbePoint (m)
-  unsigned int phase               = 0;  ///< of the cell that it lies in
+  unsigned int phase               = 0;  ///< phase of the cell that holds it
   std::vector<double> time         = {}; ///< s
   std::vector<double> displacement = {}; ///< [k][d] (m)
   std::vector<double> velocity     = {}; ///< [k][d] (m/s)
@@ -35,19 +34,19 @@ struct ProbeHistory
   }
 };
 
-/** A point that is watched. */
+/** An observed point. */
 struct ProbePoint
 {
-  std::string section;                 ///< of the .prm that has it, "Observation"
+  std::string section;                 ///< in the .prm, "Observation"
   std::string name;                    ///< as in the .prm
-  std::array<double, 3> position = {}; ///< from the lower left corner, or on a mesh (m)
-  bool nearest_node              = false; ///< move the position to a node
+  std::array<double, 3> position = {}; ///< relative to the lower left; mesh: absolute (m)
+  bool nearest_node              = false; ///< whether to move it to a node
 };
 
 /**
  * Samples displacement, velocity, strain, stress and contact traction at points by the
- * interpolation of the cells that they lie in, the strain being the derivative at the
- * point itself. What the cells are is for derived classes to say.
+ * interpolation of their cells; the strain is the derivative at the point itself.
+ * Derived classes define the cells.
  */
 class ProbeRecorder : public StepObserver
 {
@@ -59,7 +58,7 @@ public:
   void before_step(const std::uint64_t n) override;
   void after_step(const std::uint64_t n) override;
 
-  /** All probes on rank 0, in their order (collective; elsewhere empty). */
+  /** All probes on rank 0, in order; elsewhere empty. Collective. */
   std::vector<ProbeHistory> gather() const;
 
   /** Saves or restores the samples (Boost.Serialization). */
@@ -70,32 +69,33 @@ public:
   }
 
 protected:
-  /** A vector at a point; two of the numbers count in 2D. */
+  /** A vector at a point; in 2D only two components are used. */
   using Vector = std::array<double, 3>;
 
-  /** The stepper, whose fields have so many components, is referenced; a sample every @p interval steps. */
+  /** References @p stepper, whose fields have @p n_components; samples every @p interval
+   * steps. */
   ProbeRecorder(const Stepper &stepper,
                 const unsigned int n_components,
                 const std::uint64_t interval);
 
-  /** Adds a probe; one rank owns it. */
+  /** Adds a probe; exactly one rank owns it. */
   void add(const ProbeHistory &probe, const bool is_owned);
 
-  /** Before the @p field is used. Collective. */
+  /** Updates ghost values of @p field before it is used. Collective. */
   virtual void update_ghosts(NodalField<double> &field) const = 0;
 
-  /** The @p field at probe @p k, which this rank owns. */
+  /** Interpolates @p field at probe @p k, which this rank owns. */
   virtual Vector interpolate(const NodalField<double> &field,
                              const std::size_t k) const = 0;
 
   /** Appends strain and stress at probe @p k, which this rank owns. */
   virtual void sample_strain(const std::size_t k, ProbeHistory &history) const = 0;
 
-  /** Appends the traction of the nearest contact node, if probe @p k, which this rank
-   * owns, is on the contact. */
+  /** Appends the traction of the contact node nearest to probe @p k, which this rank
+   * owns, if the probe is on the contact. */
   virtual void sample_contact(const std::size_t k, ProbeHistory &history) const = 0;
 
-  const Stepper &stepper; ///< of the fields
+  const Stepper &stepper; ///< has the fields
 
 private:
   const unsigned int n_components;

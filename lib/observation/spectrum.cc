@@ -18,7 +18,7 @@ namespace
 {
 constexpr double pi = 3.14159265358979323846;
 
-constexpr double threshold = 0.1; ///< of the main amplitude; below nothing counts
+constexpr double threshold = 0.1; ///< share of the main amplitude that is significant
 
 /** @p signal without its least-squares line; all zeros if only round-off remains. */
 std::vector<double> without_trend(const std::vector<double> &signal)
@@ -75,11 +75,11 @@ SpectralSummary interpolated_peak(const Spectrum &spectrum, const std::size_t k)
   return peak;
 }
 
-constexpr double crossing_hysteresis = 0.2; ///< of the standard deviation
-constexpr double shortest_period     = 0.6; ///< of the one expected
-constexpr unsigned int bins          = 200; ///< of the phase
+constexpr double crossing_hysteresis = 0.2; ///< share of the standard deviation
+constexpr double shortest_period     = 0.6; ///< share of the expected period
+constexpr unsigned int bins          = 200; ///< bins of the phase
 
-/** The value of @p signal, of four samples at least, by the cubic through four of them. */
+/** The value of @p signal (at least four samples) by cubic interpolation. */
 double at(const std::vector<double> &signal, const double position)
 {
   const auto last      = static_cast<double>(signal.size() - 3),
@@ -93,8 +93,9 @@ double at(const std::vector<double> &signal, const double position)
 }
 
 /**
- * One period of @p signal, from sample position @p begin to @p end, by bins: the mean of
- * the samples in a bin, or, where some hold fewer than two, the interpolated value at its centre.
+ * Folds a period of @p signal, from sample position @p begin to @p end, into bins: the
+ * mean of the samples in a bin, or, if bins hold fewer than two, the interpolated value
+ * at the bin centre.
  */
 std::vector<double>
 fold(const std::vector<double> &signal, const double begin, const double end)

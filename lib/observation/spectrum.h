@@ -6,36 +6,36 @@
 
 namespace mesoslip
 {
-/** One-sided amplitude spectrum: a sine of amplitude A shows as a peak of height A. */
+/** One-sided amplitude spectrum: a sine of amplitude A gives a peak of height A. */
 struct Spectrum
 {
   /** Hz, uniform from 0 to the Nyquist frequency. */
   std::vector<double> frequency;
 
-  /** In the unit of the signal; as long as #frequency. */
+  /** In the unit of the signal; same length as #frequency. */
   std::vector<double> amplitude;
 
-  double duration = 0.; ///< of the signal, without the zeros appended to it (s)
+  double duration = 0.; ///< duration of the signal without padding zeros (s)
 
-  /** Hz, of two periods in the signal; what is slower may be a drift. */
+  /** Frequency (Hz) with two periods in the signal; slower motion may be a drift. */
   double lowest_frequency() const
   {
     return duration > 0. ? 2. / duration : 0.;
   }
 };
 
-/** What a figure like the paper's 5(c) says, about frequencies from
+/** Key numbers of a spectrum like the paper's figure 5(c), for frequencies from
  * Spectrum::lowest_frequency() on. */
 struct SpectralSummary
 {
-  double main_frequency = 0.; ///< of the highest peak (Hz)
-  double main_amplitude = 0.; ///< of the highest peak, in the unit of the signal
+  double main_frequency = 0.; ///< at the highest peak (Hz)
+  double main_amplitude = 0.; ///< at the highest peak, in the unit of the signal
 
   /** Highest frequency with more than 10 % of the main amplitude (Hz; paper, sect. 3.2).
    */
   double highest_frequency = 0.;
 
-  double slow_amplitude = 0.; ///< largest below Spectrum::lowest_frequency()
+  double slow_amplitude = 0.; ///< largest amplitude below Spectrum::lowest_frequency()
 };
 
 /**
@@ -52,14 +52,14 @@ Spectrum amplitude_spectrum(const std::vector<double> &signal,
                             unsigned int padding = 4);
 
 /**
- * Fraction of the power above zero frequency that is in the highest tenth of the
- * frequencies; faster motion is folded into it. 0 without a signal.
+ * Share of the power above zero frequency in the highest tenth of the frequencies, into
+ * which faster motion is aliased. 0 without a signal.
  */
 double share_near_limit(const Spectrum &spectrum);
 
 /**
  * Main peak (parabola through the logarithms of the three highest bins) and highest
- * significant frequency of a spectrum of amplitude_spectrum(). Nothing if there is no peak
+ * significant frequency of a spectrum of amplitude_spectrum(). Empty if there is no peak
  * above @p noise_floor (in the unit of the signal), as for a constant signal.
  */
 std::optional<SpectralSummary> summarize_spectrum(const Spectrum &spectrum,
@@ -68,7 +68,7 @@ std::optional<SpectralSummary> summarize_spectrum(const Spectrum &spectrum,
 /** Mean limit cycle of one displacement component (the paper's figure 5(b)). */
 struct PhaseDiagram
 {
-  /** Whole periods folded; 0: the signal has none and the arrays are empty. */
+  /** Number of folded periods; 0: the signal has none and the arrays are empty. */
   unsigned int n_periods = 0;
 
   /**
@@ -82,11 +82,11 @@ struct PhaseDiagram
 };
 
 /**
- * Folds displacement (m) and velocity (m/s), uniformly sampled every @p time_step seconds,
- * by phase, from one upward crossing of the mean displacement to the next, and averages
- * over the periods. Crossings closer than 0.6 of @p expected_period (s) are ignored, which
- * keeps harmonics from being taken for periods; 0: that of the main frequency of the
- * displacement.
+ * Folds displacement (m) and velocity (m/s), uniformly sampled every @p time_step
+ * seconds, by phase, from one upward crossing of the mean displacement to the next, and
+ * averages over the periods. Crossings closer than 0.6 of @p expected_period (s) are
+ * ignored, so that harmonics are not taken for periods; 0: the period of the main
+ * frequency of the displacement.
  */
 PhaseDiagram mean_phase_diagram(const std::vector<double> &displacement,
                                 const std::vector<double> &velocity,

@@ -14,8 +14,8 @@ enum RecordColumn : std::size_t
 {
   displacement,
   velocity,
-  friction_energy, ///< since the sample before
-  load_work,       ///< since the sample before
+  friction_energy, ///< since the previous sample
+  load_work,       ///< since the previous sample
   apparent_friction,
   n_columns
 };
@@ -25,7 +25,7 @@ double ratio(const double tangential, const double normal)
   return normal != 0. ? tangential / normal : 0.;
 }
 
-/** Sums of all samples up to the last one of each bin. */
+/** Sums of all samples up to the end of each bin. */
 std::vector<double> running_sum(const CycleRecord &record, const std::size_t column)
 {
   std::vector<double> sums = record.column(column);
@@ -89,7 +89,8 @@ double CycleRecord::mean(const std::size_t c,
                          const std::size_t first,
                          const std::size_t last) const
 {
-  // About the first value, so that a small vibration on a large mean keeps its digits.
+  // Relative to the first value, so that a small vibration on a large mean keeps its
+  // accuracy.
   const double origin = means[first * width + c];
   double sum          = 0.;
   for (std::size_t bin = first; bin < last; ++bin)

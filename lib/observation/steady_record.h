@@ -12,18 +12,18 @@ namespace mesoslip
 /**
  * Uniformly sampled quantities of a run of any length in bounded memory: means and
  * variances of @p capacity / 2 to @p capacity bins of equal numbers of samples. Bins are
- * merged in pairs whenever the record is full, which loses neither means nor variances.
+ * merged in pairs when the record is full, which preserves means and variances.
  */
 class CycleRecord
 {
 public:
-  /** @p capacity is even. */
+  /** @p capacity must be even. */
   explicit CycleRecord(const std::size_t capacity = 8192)
     : capacity(capacity)
   {
   }
 
-  /** One sample; every sample has the same number of values, all finite. */
+  /** Adds a sample; all samples have the same number of finite values. */
   void add(const std::vector<double> &values);
 
   /** Number of complete bins. */
@@ -32,13 +32,13 @@ public:
     return n_bins;
   }
 
-  /** Number of samples in a bin. */
+  /** Samples per bin. */
   unsigned long stride() const
   {
     return n_in_bin;
   }
 
-  /** Values of a sample; 0 before the first one. */
+  /** Values per sample; 0 before the first sample. */
   std::size_t n_columns() const
   {
     return width;
@@ -47,7 +47,7 @@ public:
   /** Mean of column @p c over the bins [first, last). */
   double mean(std::size_t c, std::size_t first, std::size_t last) const;
 
-  /** Mean square about mean(), of the samples, not of the bins. */
+  /** Mean square deviation of the samples (not of the bins) from mean(). */
   double variance(std::size_t c, std::size_t first, std::size_t last) const;
 
   /** Means of column @p c in all bins. */
@@ -66,7 +66,7 @@ private:
   void merge_pairs();
 
   std::size_t capacity;
-  std::size_t width      = 0; ///< columns
+  std::size_t width      = 0; ///< number of columns
   std::size_t n_bins     = 0;
   unsigned long n_in_bin = 1;
   std::vector<double> means, variances; ///< [bin][column]
@@ -77,55 +77,55 @@ private:
 };
 
 /**
- * What the statistics of the steady part rest on, at equal intervals of time. In a long
- * run a value stands for several samples: sums are exact at #time, all else is the mean.
+ * Series for the statistics of the steady part, at equal intervals of time. In a long
+ * run a value represents several samples: accumulated sums are exact at #time, all else
+ * is their mean.
  */
 struct SteadySeries
 {
   double interval = 0.;                  ///< s; between two values
-  std::vector<double> time;              ///< s; of the last sample of a value
+  std::vector<double> time;              ///< s; time of the last sample of a value
   std::vector<double> displacement;      ///< m; u_x of the reference node
   std::vector<double> velocity;          ///< m/s; v_x of the reference node
   std::vector<double> friction_energy;   ///< J/m; since the start
   std::vector<double> load_work;         ///< J/m; integral of F_N |V| since the start
-  std::vector<double> apparent_friction; ///< F_T / F_N; 0 where nothing presses
+  std::vector<double> apparent_friction; ///< F_T / F_N; 0 without normal force
 
-  /** m^2; of the samples of a value about their mean: what the means do not show. */
+  /** m^2; variance of the samples within a value. */
   std::vector<double> displacement_variance;
 
-  /** Index of the first value whose time is not before @p from (s). */
+  /** Index of the first value at or after the time @p from (s). */
   std::size_t first(const double from) const;
 };
 
 /**
- * Samples for the statistics, taken at intervals of their own whatever the histories
- * keep. Memory is bounded: when it is full, neighbouring values are replaced by their
- * mean.
+ * Samples for the statistics, at intervals independent of the histories. Memory is
+ * bounded: when it is full, neighbouring values are replaced by their mean.
  */
 class SteadyRecord
 {
 public:
-  /** A sample every @p interval steps of @p dt seconds; @p capacity is even. */
+  /** A sample every @p interval steps of @p dt seconds; @p capacity must be even. */
   SteadyRecord(const unsigned int interval,
                const double dt,
                const std::size_t capacity = default_capacity);
 
-  /** New samples of the contact, the reference node being its first one. */
+  /** Adds new samples of the contact; the reference node is its first monitored node. */
   void add(const ContactHistory &fresh);
 
-  /** New samples of the top. */
+  /** Adds new samples of the top. */
   void add(const TopHistory &fresh);
 
-  /** Of the contact, with its own apparent friction. */
+  /** Series of the contact, with the apparent friction of the contact forces. */
   SteadySeries series() const;
 
-  /** Apparent friction at the top, as long as the series. */
+  /** Apparent friction at the top; same length as series(). */
   std::vector<double> top_friction() const;
 
-  /** Numbers that @p n_samples samples take in memory, means and variances. */
+  /** Numbers stored for @p n_samples samples, means and variances. */
   static double numbers(const double n_samples);
 
-  /** Of boost::serialization. */
+  /** For boost::serialization. */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {

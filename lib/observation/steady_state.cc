@@ -14,15 +14,16 @@ namespace mesoslip
 namespace
 {
 /**
- * rms over |mean| of a displacement below which it counts as steady sliding; the same share
- * of the reference power, and of the elastic energy for the kinetic one, is no difference.
+ * rms over |mean| of a displacement below which sliding is steady; the same share of the
+ * reference power, and for the kinetic energy of the elastic energy, counts as no
+ * difference.
  */
 constexpr double negligible = 1e-3;
 
-/** Growth that a negligible amplitude may show among the parts compared. */
+/** Growth between parts up to which a negligible amplitude counts as steady. */
 constexpr double sliding_growth = 1.5;
 
-/** Difference, relative to the tolerance, at which a judgement is withdrawn. */
+/** Difference, relative to the tolerance, at which the result is withdrawn. */
 constexpr double withdrawal = 2.;
 
 /** Time between two checks, relative to the time so far. */
@@ -63,8 +64,8 @@ double relative_spread(const std::vector<double> &values, const double scale = 0
   return spread > 0. ? spread / std::max(std::fabs(mean_of(values)), scale) : 0.;
 }
 
-/** Appends what is new in @p part, the share of this rank, to @p all, summed over the
- * ranks. */
+/** Appends the new entries of @p part, the contribution of this rank, to @p all, summed
+ * over the ranks. */
 void gather_parts(const std::vector<double> &part,
                   std::vector<double> &all,
                   const MPI_Comm communicator)
@@ -135,7 +136,7 @@ void LimitCycleDetector::check()
   if (n_samples < 2)
     return;
   vibration_period = estimate_period().value_or(criterion.expected_period);
-  // Once reached, everything since the steady part began is judged.
+  // Once reached, the whole time since the start of the steady part is judged.
   const double bin         = sample_step() * static_cast<double>(record.stride());
   const std::size_t middle = (record.size() + 1) / 2;
   const double from =
@@ -170,7 +171,7 @@ std::optional<double> LimitCycleDetector::estimate_period() const
   const std::vector<double> half(motion.end() - static_cast<std::ptrdiff_t>(kept),
                                  motion.end());
   const auto summary = summarize_spectrum(amplitude_spectrum(half, sample_step(), 2));
-  // A larger motion of fewer than two periods is rather a drift than a vibration.
+  // Larger motion with fewer than two periods is a drift rather than a vibration.
   if (!summary || summary->slow_amplitude > summary->main_amplitude)
     return std::nullopt;
   return 1. / summary->main_frequency;
@@ -185,7 +186,7 @@ LimitCycleDetector::parts(const std::size_t first) const
     vibration_period / (sample_step() * static_cast<double>(record.stride())); // in bins
   const double periods =
     std::floor(static_cast<double>(record.size() - first) / criterion.windows / period);
-  // The last comparison also fails for what is not a number, and cannot be made an index.
+  // The last comparison also fails for NaN, which has no index.
   if (!(periods >= criterion.periods) || !(periods * period >= 1.) ||
       !(periods * period * criterion.windows < static_cast<double>(record.size() + 1)))
     return std::nullopt;
@@ -292,7 +293,7 @@ bool LimitCycleWatch::update(const ContactHistory &fresh, const EnergyAudit *ene
       sample.tangential_force = fresh.tangential_force[k];
       sample.sticking         = fresh.sticking[k] / n_nodes;
       sample.slipping         = fresh.slipping[k] / n_nodes;
-      if (!kinetic_energy.empty()) // the last one known at that step
+      if (!kinetic_energy.empty()) // the last value known at that step
         {
           const std::size_t e   = fresh.step[k] / energy_interval;
           sample.kinetic_energy = kinetic_energy[e];

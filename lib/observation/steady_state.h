@@ -13,35 +13,36 @@
 
 namespace mesoslip
 {
-/** When a run counts as steady. */
+/** Criterion for a steady run. */
 struct LimitCycleCriterion
 {
-  unsigned int periods = 3;    ///< that a part has at least
+  unsigned int periods = 3;    ///< least number of periods in a part
   unsigned int windows = 3;    ///< equal parts of the second half of the run
-  double tolerance     = 0.02; ///< largest relative difference among the parts
+  double tolerance     = 0.02; ///< largest relative difference between the parts
 
-  /** Speed of the flat (m/s); times the mean normal force it is what frictional power is compared with. */
+  /** Speed of the flat (m/s); times the mean normal force it is the reference for
+   * frictional power. */
   double reference_speed = 0.;
 
 
-  /** Period (s) while the signal shows no vibration; runs set that of their body. */
+  /** Period (s) assumed while the signal shows no vibration; runs set an estimate for
+   * their body. */
   double expected_period = 2.5e-5;
 };
 
-/** What the contact and the body do at one time; forces and energies per unit thickness.
- */
+/** State of contact and body at one time; forces and energies per unit thickness. */
 struct CycleSample
 {
   double time = 0.; ///< s
   std::vector<double>
     displacement;               ///< u_x of contact nodes, the reference node first (m)
-  double friction_energy  = 0.; ///< since the start (J/m)
+  double friction_energy  = 0.; ///< dissipated since the start (J/m)
   double normal_force     = 0.; ///< N/m
   double tangential_force = 0.; ///< N/m
   double sticking         = 0.; ///< fraction of the contact nodes
   double slipping         = 0.; ///< fraction of the contact nodes
-  double kinetic_energy   = 0.; ///< J/m; 0 when it is not observed
-  double elastic_energy   = 0.; ///< J/m; 0 when it is not observed
+  double kinetic_energy   = 0.; ///< J/m; 0 if it is not observed
+  double elastic_energy   = 0.; ///< J/m; 0 if it is not observed
 };
 
 /**
@@ -65,44 +66,46 @@ struct CycleSample
 class LimitCycleDetector
 {
 public:
-  /** With nothing seen yet. */
+  /** Starts without samples. */
   explicit LimitCycleDetector(
     const LimitCycleCriterion &criterion = LimitCycleCriterion());
 
   /**
-   * Takes one sample; times have to be uniformly spaced and increasing.
-   * @return false, and nothing is taken, if a value is not finite
+   * Adds a sample; times have to be uniformly spaced and increasing.
+   * @return false, and the sample is rejected, if a value is not finite
    */
   bool add(const CycleSample &sample);
 
-  /** By what has been added so far; withdrawn when something grows later. */
+  /** Whether the limit cycle is reached according to the samples so far; withdrawn if a
+   * quantity grows later. */
   bool reached() const
   {
     return time_reached > 0.;
   }
 
-  /** Time (s) of the sample at which the decision fell; 0 if it did not. */
+  /** Time (s) of the decision; 0 if it is not reached. */
   double reached_at() const
   {
     return time_reached;
   }
 
-  /** Start (s) of the steady part; the middle of the time so far if it was not reached. */
+  /** Start (s) of the steady part; the middle of the time so far if it is not reached. */
   double steady_from() const
   {
     return reached() ? start : 0.5 * (first_time + last_time);
   }
 
-  /** Period (s) of the reference node's vibration; an expected one without any. */
+  /** Period (s) of the reference node's vibration; the expected period if there is
+   * none. */
   double period() const
   {
     return vibration_period;
   }
 
-  /** The present outcome, then the criterion, in one sentence, for logs and reports. */
+  /** Current result, then the criterion, in one sentence, for logs and reports. */
   std::string description() const;
 
-  /** Criteria are not stored: a detector is restored into one made with the same ones. */
+  /** The criterion is not stored: restore into a detector with the same criterion. */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
@@ -112,7 +115,7 @@ public:
   }
 
 private:
-  /** Bins of the record: equal parts of @p length bins, the last one ends with the
+  /** Parts of the record: equal numbers @p length of bins, the last part ends with the
    * record. */
   struct Parts
   {
@@ -122,33 +125,33 @@ private:
   double sample_step() const;
   void check();
 
-  /** Period of the latter half of the samples, or of the last 8192 of them; nothing if
-   * they show no vibration. */
+  /** Period of the latter half of the samples, or of the last 8192 of them; empty if they
+   * show no vibration. */
   std::optional<double> estimate_period() const;
 
-  /** Nothing if the parts of the bins from @p first on would be too short. */
+  /** Parts of the bins from @p first on; empty if they would be too short. */
   std::optional<Parts> parts(std::size_t first) const;
 
-  /** CycleRecord::mean() or variance() of a column, first and behind the last bin. */
+  /** CycleRecord::mean() or variance() of a column over the bins [first, last). */
   using RecordFunction = double (CycleRecord::*)(std::size_t,
                                                  std::size_t,
                                                  std::size_t) const;
 
-  /** The value of each part. */
+  /** Evaluates @p value of a column for each part. */
   std::vector<double> of_parts(const Parts &parts,
                                const RecordFunction value,
                                const std::size_t column) const;
 
   void compare_resultants(const Parts &parts);
-  /** Also whether the body slides steadily. */
+  /** Also detects steady sliding. */
   void compare_motion(const Parts &parts);
 
-  /** Keeps the largest difference. */
+  /** Updates the largest difference. */
   void include(double found, const char *of);
 
   LimitCycleCriterion criterion;
   CycleRecord record;
-  /** Latest displacements of the reference node: bins of the record would alias. */
+  /** Latest displacements of the reference node: the bins of the record would alias. */
   std::vector<double> motion;
   unsigned long n_samples     = 0;
   double first_time           = 0.;
@@ -157,26 +160,27 @@ private:
   double next_check           = 0.;
   double vibration_period;
   double difference = -1.; ///< largest among the parts last compared; -1: none
-  std::string quantity;    ///< that differs the most
+  std::string quantity;    ///< quantity with the largest difference
   bool sliding        = false;
   double time_reached = 0.; ///< 0: not reached
-  double start        = 0.; ///< of the steady part
+  double start        = 0.; ///< start of the steady part
 };
 
-/** A detector that is told what a run observes. Only that of rank 0 knows more. */
+/** A detector fed with the observations of a run; its result is valid on rank 0. */
 class LimitCycleWatch : public LimitCycleDetector
 {
 public:
-  /** @p n_nodes: distinct contact nodes; @p energy_interval: steps between energies. */
+  /** @p n_nodes: contact nodes without periodic copies; @p energy_interval: steps between
+   * energies. */
   LimitCycleWatch(const LimitCycleCriterion &criterion,
                   const unsigned int n_nodes,
                   const unsigned int energy_interval,
                   const MPI_Comm communicator);
 
   /**
-   * Passes on the samples in @p fresh, each of a run once and in their order; @p energy
-   * may be null. Collective.
-   * @return false if there is a sample that is not finite (and was not passed on)
+   * Adds the samples in @p fresh, each of a run once and in order; @p energy may be
+   * null. Collective.
+   * @return false if a sample is not finite (and was not added)
    */
   bool update(const ContactHistory &fresh, const EnergyAudit *energy);
 
@@ -191,7 +195,7 @@ public:
 private:
   const unsigned int n_nodes, energy_interval;
   const MPI_Comm communicator;
-  /** Of all ranks, samples so far. */
+  /** Energies of all ranks, samples so far. */
   std::vector<double> kinetic_energy, elastic_energy;
 };
 } // namespace mesoslip

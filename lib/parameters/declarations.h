@@ -8,25 +8,25 @@
 
 namespace mesoslip
 {
-/** The keys and subsections that are declared, and what to say of one that is not. */
+/** The declared keys and subsections, and suggestions for undeclared names. */
 class Declarations
 {
 public:
-  /** Of all keys that a program binds. */
+  /** @p all_keys are all keys that a program binds. */
   explicit Declarations(const std::vector<Key> &all_keys);
 
   /** Whether there is a subsection with this path ("Friction/Slip law"); the top level is "". */
   bool has_section(const std::string &path) const;
 
-  /** What helps against an undeclared @p kind ("key" or "subsection"): "there is no key 'Fracton'
+  /** Message on an undeclared @p kind ("key" or "subsection"): "there is no key 'Fracton'
    * in 'Time step'; did you mean 'Fraction'?" */
   std::string unknown(const std::string &kind, const std::string &path) const;
 
 private:
-  std::vector<std::string> keys, sections; ///< paths; the latter sorted
+  std::vector<std::string> keys, sections; ///< paths; sections are sorted
 };
 
-/** "'word'". */
+/** The text in single quotes. */
 std::string in_quotes(const std::string &text);
 } // namespace mesoslip
 

@@ -18,7 +18,7 @@ bool is_digit(const char c)
   return std::isdigit(static_cast<unsigned char>(c)) != 0;
 }
 
-/** The name in front of the bracket that opens at @p open; empty: a plain bracket. */
+/** The name before the bracket that opens at @p open; empty: a plain bracket. */
 std::string function_before(const std::string &text, const std::size_t open)
 {
   std::size_t end = open;
@@ -31,7 +31,7 @@ std::string function_before(const std::string &text, const std::size_t open)
   return text.substr(begin, end - begin);
 }
 
-/** "2,5" around the comma at @p comma. */
+/** Text around the comma at @p comma, such as "2,5". */
 std::string around(const std::string &text, const std::size_t comma)
 {
   std::size_t begin = comma, end = comma + 1;
@@ -42,7 +42,8 @@ std::string around(const std::string &text, const std::size_t comma)
   return text.substr(begin, end - begin);
 }
 
-/** The functions that dealii::FunctionParser adds to muParser's own, but for random ones. */
+/** Adds the functions that dealii::FunctionParser adds to muParser's own, except random
+ * numbers. */
 void add_functions(mu::Parser &parser)
 {
   namespace functions = dealii::internal::FunctionParser;
@@ -70,7 +71,7 @@ void require_unambiguous(const std::string &text, const std::string &meaning)
     if (!holds)
       throw std::invalid_argument("'" + text + "' " + what);
   };
-  std::vector<std::string> functions; // of the brackets that are open
+  std::vector<std::string> functions; // function of each open bracket
   for (std::size_t i = 0; i < text.size(); ++i)
     if (text[i] == '(')
       {
@@ -105,7 +106,7 @@ void require_unambiguous(const std::string &text, const std::string &meaning)
 struct Expression::Parser
 {
   mu::Parser parser;
-  std::vector<double> values; ///< of the variables
+  std::vector<double> values; ///< values of the variables
 };
 
 Expression::Expression(const std::string &text,

@@ -9,10 +9,11 @@
 namespace mesoslip
 {
 /**
- * Refuses what muParser takes for something else than is meant. "t=3" sets the time to 3;
- * random numbers are others each time a run is started or continued; "2,5" is its last item,
- * 5, and min(0,5, t) has three arguments. Functions with a fixed number of arguments refuse
- * one more. @p meaning completes "has rand(), but ": "a load is a function of the time t".
+ * Refuses texts that muParser reads differently than intended. "t=3" sets the time to 3;
+ * random numbers differ each time a run is started or continued; "2,5" is its last item,
+ * 5, and min(0,5, t) has three arguments. Functions with a fixed number of arguments
+ * refuse one more. @p meaning completes "has rand(), but ": "a load is a function of the
+ * time t".
  * @throws std::invalid_argument
  */
 void require_unambiguous(const std::string &text, const std::string &meaning);
@@ -21,8 +22,8 @@ void require_unambiguous(const std::string &text, const std::string &meaning);
 class Expression
 {
 public:
-  /** @p variables are the names in it; @p meaning as in require_unambiguous().
-   * @throws std::invalid_argument when the text cannot be parsed or is ambiguous */
+  /** @p variables are the names of the variables; @p meaning as in require_unambiguous().
+   * @throws std::invalid_argument if the text cannot be parsed or is ambiguous */
   Expression(const std::string &text,
              const std::vector<std::string> &variables,
              const std::string &meaning);
@@ -32,25 +33,25 @@ public:
   Expression(const Expression &)            = delete; ///< the parser points into itself
   Expression &operator=(const Expression &) = delete; ///< see above
 
-  /** The value, with @p values of the variables in their order. */
+  /** The value for @p values of the variables, in their order. */
   double operator()(const std::vector<double> &values) const
   {
     return at(values.data(), values.size());
   }
 
-  /** The value, of values in braces, which take no memory of their own. */
+  /** The value for an initializer list of @p values, without memory allocation. */
   double operator()(const std::initializer_list<double> values) const
   {
     return at(values.begin(), values.size());
   }
 
-  /** Whether the variable number @p i occurs. */
+  /** Whether variable number @p i occurs in the formula. */
   bool has(const std::size_t i) const
   {
     return uses[i];
   }
 
-  /** As it was given. */
+  /** The formula as given. */
   const std::string &text() const
   {
     return own_text;
@@ -62,7 +63,7 @@ private:
   struct Parser;
 
   const std::string own_text;
-  std::vector<bool> uses; ///< by variable
+  std::vector<bool> uses; ///< per variable
   const std::unique_ptr<Parser> own;
 };
 } // namespace mesoslip

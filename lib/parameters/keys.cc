@@ -63,7 +63,7 @@ bool contains(const std::vector<std::string> &words, const std::string &word)
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-/** A list whose length is right and all of whose items @p read accepts. */
+/** Reader of a list with @p min to @p max items that @p read accepts. */
 template <typename T, typename ItemReader>
 auto list_of(const std::size_t min, const std::size_t max, const ItemReader &read)
 {
@@ -263,7 +263,7 @@ void Keys::bind_names(const std::string &key,
   const RawParameters::Entry *const entry = raw.find(path(key));
   if (!reading)
     names = entry != nullptr ? split_list(entry->value) : defaults;
-  // Before each gets its section.
+  // Checked before each name gets its section.
   if (names.size() > most)
     throw UserError(path(key) + ": there are " + std::to_string(names.size()) + " " +
                     kind + "s; name 1 to " + std::to_string(most));
@@ -272,7 +272,7 @@ void Keys::bind_names(const std::string &key,
     {
       const std::string plain =
         boost::algorithm::trim_fill_copy(name, " ", std::locale::classic());
-      // Names become groups of HDF5, where a point stands for the group itself.
+      // Names become groups of HDF5, where "." is the group itself.
       if (plain.empty() || plain == "." || plain == ".." || plain != name ||
           name.find_first_of("/,\\=#\"'") != std::string::npos)
         throw UserError(path(key) + ": '" + name + "' cannot be the name of a " + kind +

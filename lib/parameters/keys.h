@@ -16,19 +16,19 @@
 
 namespace mesoslip
 {
-/** A key of a .prm with everything that is known about it. */
+/** A key of a .prm and its properties. */
 struct Key
 {
   std::string section;       ///< path of its subsection; empty at the top level
   std::string name;          ///< name within the section
-  std::string value;         ///< text now
-  std::string default_value; ///< text without a .prm
-  std::string meaning;       ///< what it sets; ends with the unit in brackets
+  std::string value;         ///< current value as text
+  std::string default_value; ///< default value as text
+  std::string meaning;       ///< description; ends with the unit in brackets
   std::string allowed;       ///< completes "must be": "a number > 0"
   bool is_input = false;     ///< whether it names a file or folder to read
-  bool is_list  = false;     ///< whether that is a list, separated by commas
+  bool is_list  = false;     ///< whether it names a list of files, separated by commas
 
-  /** Whether a text is a value of the key. */
+  /** Whether a text is a valid value of the key. */
   std::function<bool(const std::string &)> accepts;
 
   /** "Section/Sub section/Key". */
@@ -37,7 +37,7 @@ struct Key
     return section.empty() ? name : section + "/" + name;
   }
 
-  /** What it names as input; empty if it does not. */
+  /** Files or folders that it names as input; empty if it names none. */
   std::vector<std::string> inputs() const;
 };
 
@@ -61,14 +61,14 @@ struct Key
 class Keys
 {
 public:
-  /** For the .prm and the --set options in @p raw. */
+  /** Uses the .prm and the --set options in @p raw. */
   explicit Keys(const RawParameters &raw = RawParameters());
   Keys(const Keys &)            = delete;
   Keys &operator=(const Keys &) = delete;
 
   /**
-   * Keys are those of the subsection @p path, which may be several ("Section/Sub section"),
-   * until the result is destroyed.
+   * Enters the subsection @p path, which may have several levels ("Section/Sub
+   * section"), until the result is destroyed.
    */
   [[nodiscard]] std::shared_ptr<const void> section(const std::string &path)
   {
@@ -87,25 +87,25 @@ public:
    * Values are checked in apply(), so that reading does not fail.
    * @{
    */
-  /** A number. */
+  /** Binds a number. */
   void bind(const std::string &key,
             double &value,
             const Range &range,
             const std::string &meaning);
 
-  /** A number, or NaN for the word "auto". */
+  /** Binds a number; NaN stands for the word "auto". */
   void bind_or_auto(const std::string &key,
                     double &value,
                     const Range &range,
                     const std::string &meaning);
 
-  /** A whole number from 1 to @p upper, or 0 for the word "auto". */
+  /** Binds a whole number from 1 to @p upper; 0 stands for the word "auto". */
   void bind_or_auto(const std::string &key,
                     unsigned int &value,
                     const long upper,
                     const std::string &meaning);
 
-  /** A whole number from @p lower to @p upper. */
+  /** Binds a whole number from @p lower to @p upper. */
   template <typename Integer>
   void bind(const std::string &key,
             Integer &value,
@@ -118,15 +118,15 @@ public:
     value = static_cast<Integer>(number);
   }
 
-  /** true or false. */
+  /** Binds true or false. */
   void bind(const std::string &key, bool &value, const std::string &meaning);
 
-  /** Any text. */
+  /** Binds any text. */
   void bind(const std::string &key, std::string &value, const std::string &meaning);
 
   /**
-   * One of @p choices: the text itself, or the value of an enum or bool whose values are
-   * named in their order.
+   * Binds one of @p choices: the text itself, or an enum or bool whose values have these
+   * names in order.
    */
   template <typename Choice>
   void bind(const std::string &key,
@@ -146,7 +146,7 @@ public:
       }
   }
 
-  /** @p n numbers. */
+  /** Binds @p n numbers. */
   template <std::size_t n>
   void bind(const std::string &key,
             std::array<double, n> &values,
@@ -159,7 +159,7 @@ public:
       values[i] = list[i];
   }
 
-  /** @p min_items to @p max_items numbers, separated by commas. */
+  /** Binds @p min_items to @p max_items numbers, separated by commas. */
   void bind_list(const std::string &key,
                  std::vector<double> &values,
                  const Range &range,
@@ -167,7 +167,7 @@ public:
                  const std::size_t min_items,
                  const std::size_t max_items);
 
-  /** Whole numbers from @p lower to @p upper, separated by commas. */
+  /** Binds whole numbers from @p lower to @p upper, separated by commas. */
   void bind_list(const std::string &key,
                  std::vector<long> &values,
                  const long lower,
@@ -176,16 +176,16 @@ public:
                  const std::size_t min_items,
                  const std::size_t max_items);
 
-  /** Words out of @p choices (empty: any words), separated by commas. */
+  /** Binds words out of @p choices (empty: any words), separated by commas. */
   void bind_list(const std::string &key,
                  std::vector<std::string> &words,
                  const std::vector<std::string> &choices,
                  const std::string &meaning);
 
   /**
-   * A list of names of subsections of the current section, which the caller binds next.
-   * @p kind, such as "phase", is what they are. @throws UserError for a name that is
-   * given twice or that no line of a .prm can say, and for more than @p most.
+   * Binds a list of names of subsections of the current section, which the caller binds
+   * next. @p kind is their kind in messages, such as "phase".
+   * @throws UserError for a repeated or impossible name, and for over @p most names.
    */
   void bind_names(const std::string &key,
                   std::vector<std::string> &names,
@@ -193,30 +193,30 @@ public:
                   const std::string &meaning,
                   const std::size_t most = 10000);
 
-  /** Names of the subsections of the current section that the .prm or --set has, in their order. */
+  /** Names of the subsections of the current section in the .prm or --set, in order. */
   std::vector<std::string> typed_sections() const;
 
   /**
-   * The path of a file or folder to read; may be empty. A relative path in a .prm is
-   * relative to the folder of that .prm, one given by --set to the current folder; the
-   * path that is read is absolute.
+   * Binds the path of a file or folder to read; may be empty. A relative path in a .prm
+   * is relative to the folder of that .prm, a relative path given by --set to the
+   * current folder; the bound path is absolute.
    */
   void bind_input(const std::string &key, std::string &path, const std::string &meaning);
 
-  /** Paths of files to read, separated by commas; each as for bind_input(). */
+  /** Binds paths of files to read, separated by commas, as for bind_input(). */
   void bind_inputs(const std::string &key,
                    std::vector<std::string> &paths,
                    const std::string &meaning);
   /** @} */
 
   /**
-   * Takes over what the .prm and the --set options say; from then on keys are read.
-   * @throws UserError for unknown sections and keys (with the nearest that exist) and for
-   * values that are not allowed (with those that are).
+   * Applies the .prm and the --set options; later bindings read values.
+   * @throws UserError for unknown sections and keys (with suggestions) and for invalid
+   * values (with the allowed values)
    */
   void apply();
 
-  /** Whether keys are read, and no longer declared. */
+  /** Whether keys are read (after apply()), not declared. */
   bool are_read() const
   {
     return reading;
@@ -238,17 +238,16 @@ public:
   const std::string &value(const std::string &path) const;
 
   /**
-   * @name Conditions between keys
-   * They stand beside the bindings and do nothing while keys are declared. A key counts
-   * as set when the .prm or --set gives it another value than its default, so that a file
-   * with all keys, as every run leaves it, is accepted again.
-   * @{
+   * @name Conditions between keys Call these beside the bindings; they do nothing while
+   * keys are declared. A key is set if the .prm or --set gives it a value other than its
+   * default, so a file with all keys, as every run writes it, is accepted. @{
    */
-  /** @throws UserError "Section/Key: what" unless @p holds, whatever comes later in the .prm. */
+  /** @throws UserError "Section/Key: what" unless @p holds, whatever follows. */
   void require(const bool holds, const std::string &key, const std::string &what) const;
 
-  /** The key @p old of the current section is called @p now; with "Key = value" for @p old one of its
-   * values is, with "Section/" for both the whole subsection. Whoever uses the old name is told so. */
+  /** Declares that the key @p old of the current section is now @p now, or with "Key =
+   * value" one of its values, with "Section/" a subsection. Users of the old name are
+   * told. */
   void renamed(const std::string &old, const std::string &now)
   {
     renames[path(old)] = now;
@@ -257,7 +256,7 @@ public:
   /** Whether the .prm or --set names the key. */
   bool is_typed(const std::string &path) const;
 
-  /** The same, and it is not empty. */
+  /** Whether the .prm or --set gives the key a non-empty value. */
   bool has_text(const std::string &path) const
   {
     const RawParameters::Entry *entry = raw.find(path);
@@ -265,17 +264,17 @@ public:
   }
 
   /**
-   * All paths are relative to the current section; "Section/" stands for all keys below.
-   * @throws UserError naming those of @p paths that are set unless the key @p decider has
-   * one of @p values.
+   * Paths are relative to the current section; "Section/" stands for all keys below.
+   * @throws UserError naming the keys of @p paths that are set, unless the key
+   * @p decider has one of @p values.
    */
   void only_with(const std::string &decider,
                  const std::vector<std::string> &values,
                  const std::vector<std::string> &paths) const;
 
   /**
-   * As only_with() when @p used is false. @p reason completes "has no effect, as ", and
-   * @p remedy "remove it, or ".
+   * Throws as only_with() if @p used is false. @p reason completes "has no effect, as ",
+   * and @p remedy "remove it, or ".
    */
   void only_if(const bool used,
                const std::vector<std::string> &paths,
@@ -283,14 +282,14 @@ public:
                const std::string &remedy) const;
   /** @} */
 
-  /** The .prm and what it includes; empty without one. */
+  /** The .prm and its includes; empty without a .prm. */
   const std::vector<std::string> &files() const
   {
     return raw.files();
   }
 
 private:
-  /** Interprets a text; false if it is no value of the key. */
+  /** Parses a text; false if it is not a valid value of the key. */
   template <typename T>
   using Reader = std::function<bool(const std::string &text, T &value)>;
 
@@ -319,30 +318,31 @@ private:
   bool reading = false;
   std::string current_section;
   std::vector<Key> keys;
-  std::map<std::string, std::size_t> index;                ///< of keys, by path
-  std::map<std::string, std::string> renames;              ///< old to new, by path
-  std::map<std::string, const RawParameters::Entry *> set; ///< by path
+  std::map<std::string, std::size_t> index;                ///< index of a key by its path
+  std::map<std::string, std::string> renames;              ///< old path to new path
+  std::map<std::string, const RawParameters::Entry *> set; ///< set keys by path
 };
 
-/** Whether @p path is one of @p keys, of which "Section/" stands for all keys below. */
+/** Whether @p path is in @p keys, where "Section/" stands for all keys below. */
 bool is_among(const std::string &path, const std::vector<std::string> &keys);
 
 /** All keys in .prm syntax, with meaning, allowed values and full digits; can be parsed again. */
 void print_parameters(const Keys &keys, std::ostream &out);
 
-/** Those without a section, those that are typed or not the default, but for @p skip as below, in .prm syntax. */
+/** Prints keys in .prm syntax: top-level keys, and keys that are typed or not the
+ * default, except @p skip (as in canonical_parameters()). */
 void print_given(const Keys &, std::ostream &, const std::vector<std::string> &skip = {});
 
 /**
  * Lines "Section/Key = value" without the keys whose full paths are in @p skip
  * ("Section/" skips a section): text that determines a result, for digests and
- * comparison. Input files have no name in it; add their content.
+ * comparison. Names of input files are omitted; add their content.
  */
 std::string canonical_parameters(const Keys &keys,
                                  const std::vector<std::string> &skip = {});
 
-/** In what two such texts differ, for a message: "Friction/Coefficient is 0.4 instead of
- * 0.25, Time/Beta2 is 0.6 instead of 0.5"; empty if they are equal. The first few only. */
+/** Differences of two such texts: "Friction/Coefficient is 0.4 instead of 0.25,
+ * Time/Beta2 is 0.6 instead of 0.5"; only the first few; empty if they are equal. */
 std::string parameter_differences(const std::string &now, const std::string &before);
 } // namespace mesoslip
 

@@ -21,7 +21,7 @@ namespace
 {
 namespace fs = std::filesystem;
 
-/** "1e-4, 2" and "0.0001,2.0" are one value, "yes" and "true" as well. */
+/** Whether texts mean the same value: "1e-4, 2" and "0.0001,2.0", or "yes" and "true". */
 bool same_value(const std::string &a, const std::string &b)
 {
   static const auto plain = [](const std::string &text) -> std::string {
@@ -38,7 +38,7 @@ bool same_value(const std::string &a, const std::string &b)
     [](const std::string &x, const std::string &y) { return plain(x) == plain(y); });
 }
 
-/** How to write the numbers that a value which was not accepted seems to mean. */
+/** Advice on writing the numbers that a rejected value seems to mean. */
 std::string advice(const Key &key)
 {
   const std::string digits = "0123456789", &text = key.value;
@@ -109,14 +109,14 @@ std::vector<std::string> Key::inputs() const
     return {value};
   if (value.front() != '/')
     return split_list(value);
-  // As apply() has joined them: folders may have commas in their names.
+  // Splits paths as joined by apply(): folders may have commas in their names.
   std::vector<std::string> paths;
   for (std::size_t begin = 0, end = 0; end != std::string::npos; begin = end + 2)
     paths.push_back(value.substr(begin, (end = value.find(", /", begin)) - begin));
   return paths;
 }
 
-/** What @p path is called now, with "Section/" for a subsection; empty if it was not renamed. */
+/** New name of @p path, with "Section/" for a subsection; empty if it was not renamed. */
 std::string Keys::new_name(const std::string &path) const
 {
   const auto found = renames.find(path);
@@ -208,7 +208,7 @@ Keys::set_entries(const std::vector<std::string> &paths) const
   for (const auto &[name, entry] : set)
     if (is_among(name, full))
       found.push_back(entry);
-  std::sort(found.begin(), found.end()); // of one array: the order of the file
+  std::sort(found.begin(), found.end()); // pointers into one array: file order
   return found;
 }
 
@@ -245,7 +245,7 @@ void print_meaning(const Key &key, const std::string &indent, std::ostream &out)
     out << indent << "# " << line << '\n';
 }
 
-/** Those for which @p wanted is true. */
+/** Prints the keys for which @p wanted is true. */
 template <typename Wanted>
 void print_keys(const Keys &keys,
                 std::ostream &out,
@@ -292,8 +292,7 @@ std::string canonical_parameters(const Keys &keys, const std::vector<std::string
   for (const Key &key : keys.all())
     if (!is_among(key.path(), skip))
       {
-        // The content of a file counts, not where it lies; add it with
-        // Digest::add_file().
+        // Files count by their content, not their path; add it with Digest::add_file().
         std::string value = key.value;
         if (const std::size_t n = key.inputs().size(); n > 0)
           value = n == 1 ? "<file>" : "<" + std::to_string(n) + " files>";

@@ -17,7 +17,7 @@ struct LoadHistory::Expression
     : text(expression_text)
   {
     require_unambiguous(text, "a load is a function of the time t");
-    // The parser reports to std::cerr before it throws; one sentence is enough.
+    // The parser reports to std::cerr before it throws; this is suppressed.
     std::ostringstream unused;
     std::streambuf *const cerr = std::cerr.rdbuf(unused.rdbuf());
     bool good                  = true;

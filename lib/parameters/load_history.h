@@ -6,7 +6,7 @@
 
 namespace mesoslip
 {
-/** How a load grows from zero to its amplitude. */
+/** Growth of a load from zero to its amplitude. */
 enum class Ramp
 {
   step,
@@ -28,15 +28,15 @@ public:
               const double ramp_time = 0.);
 
   /**
-   * The value of an expression such as `2*cos(2*pi*1000*t)`; amplitude() stays
-   * @p amplitude, the scale that energies are made dimensionless with.
-   * @throws std::invalid_argument when the expression cannot be parsed, has a comma
-   * where no argument ends, which is taken for a decimal one, sets a variable or has
-   * random numbers.
+   * The value of an expression such as `2*cos(2*pi*1000*t)`; amplitude() returns
+   * @p amplitude, the scale for dimensionless energies.
+   * @throws std::invalid_argument if the expression cannot be parsed, contains a decimal
+   * comma, sets a variable or has random numbers.
    */
   LoadHistory(const double amplitude, const std::string &expression);
 
-  /** The same, whose ramp leads from @p value, not from zero, to the amplitude; an expression stays. */
+  /** The load with a ramp from @p value, instead of zero, to the amplitude; an expression
+   * is unchanged. */
   LoadHistory from(const double value) const
   {
     LoadHistory result = *this;
@@ -47,8 +47,7 @@ public:
   /** Value at @p time (s), in the unit of the amplitude. */
   double operator()(const double time) const;
 
-  /** Whether the value is known to stay the same from @p time (s) on; an expression's is
-   * not. */
+  /** Whether the value is constant from @p time (s) on; false for an expression. */
   bool is_constant_from(const double time) const
   {
     return !expression && (ramp == Ramp::step || time >= ramp_time);
@@ -69,7 +68,7 @@ public:
     return scale;
   }
 
-  /** Whether it is given as an expression, which amplitude() says nothing about. */
+  /** Whether it is an expression, for which amplitude() is only a scale. */
   bool is_expression() const
   {
     return expression != nullptr;
@@ -79,7 +78,7 @@ private:
   struct Expression;
 
   double scale     = 0.;
-  double start     = 0.; ///< where the ramp begins
+  double start     = 0.; ///< value at the start of the ramp
   Ramp ramp        = Ramp::step;
   double ramp_time = 0.;
   std::shared_ptr<const Expression> expression;

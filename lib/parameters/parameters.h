@@ -9,14 +9,14 @@
 
 namespace mesoslip
 {
-/** The values a number may take, of those with a usable size; bounds are inclusive unless said
+/** Allowed values of a number, limited to usable sizes; bounds are inclusive unless said
  * otherwise. */
 struct Range
 {
   double lower         = -std::numeric_limits<double>::max(); ///< smallest value
   double upper         = std::numeric_limits<double>::max();  ///< largest value
-  bool lower_exclusive = false; ///< lower itself is not allowed
-  bool upper_exclusive = false; ///< upper itself is not allowed
+  bool lower_exclusive = false; ///< whether lower itself is excluded
+  bool upper_exclusive = false; ///< whether upper itself is excluded
 
   /** All numbers of a usable size. */
   static Range any()
@@ -53,21 +53,21 @@ struct Range
   {
     return closed(1e-15, 1e9);
   }
-  /** Entries of a stiffness (Pa), likewise. */
+  /** Entries of a stiffness (Pa) whose products neither vanish nor overflow. */
   static Range stiffness()
   {
     return closed(-1e20, 1e20);
   }
-  /** Densities (kg/m^3), likewise. */
+  /** Densities (kg/m^3) whose products neither vanish nor overflow. */
   static Range density()
   {
     return closed(1e-9, 1e12);
   }
 
-  /** False for NaN. */
+  /** Whether @p x is allowed; false for NaN. */
   bool contains(const double x) const;
 
-  /** For messages: "> 0", "in [0, 1)", "" when everything is allowed. */
+  /** Text for messages: "> 0", "in [0, 1)", "" if everything is allowed. */
   std::string text() const;
 };
 } // namespace mesoslip

@@ -19,15 +19,14 @@ namespace
 {
 namespace fs = std::filesystem;
 
-/** Of a file; "." where its name says none. */
+/** Folder of a file; "." if its name has none. */
 std::string folder_of(const std::string &file)
 {
   const std::string parent = fs::path(file).parent_path().string();
   return parent.empty() ? "." : parent;
 }
 
-/** Up to the first #; one behind a backslash belongs to the text, without the backslash.
- */
+/** The text up to the first #; "\#" is kept as "#". */
 std::string without_comment(const std::string &line)
 {
   std::string text;
@@ -48,7 +47,7 @@ std::string cleaned(const std::string &line)
                                           std::locale::classic());
 }
 
-/** Reads the lines of a .prm, and of those that it includes, and collects what they set. */
+/** Reads the lines of a .prm and of its includes, and collects the assignments. */
 class Parser
 {
 public:
@@ -58,8 +57,8 @@ public:
   }
 
   std::vector<RawParameters::Entry> entries, sections;
-  std::vector<std::string> files; ///< that were read
-  std::string text;               ///< without the lines that include others
+  std::vector<std::string> files; ///< files read so far
+  std::string text;               ///< without the include lines
 
   void read(const std::string &content, const std::string &name)
   {
@@ -132,7 +131,7 @@ private:
     throw UserError(position() + ": " + what);
   }
 
-  /** One logical line: a backslash at the end continues it. */
+  /** Reads a logical line: a backslash at the end continues it. */
   bool next_line(std::string &line)
   {
     line.clear();

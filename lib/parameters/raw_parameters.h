@@ -10,81 +10,83 @@
 namespace mesoslip
 {
 /**
- * The `set` lines of a .prm file and the --set options, before anything is known
- * about which keys exist; Keys takes it over.
+ * The `set` lines of a .prm file and the --set options, independent of the existing
+ * keys; input of Keys.
  */
 class RawParameters
 {
 public:
-  /** One assignment, or a subsection, and where it came from. */
+  /** An assignment or a subsection, with its origin. */
   struct Entry
   {
     std::string path;      ///< "Section/Sub section/Key"
     std::string value;     ///< text as typed; empty for a subsection
-    unsigned int line = 0; ///< from 1, where it begins; 0 for a --set option
-    std::string file;      ///< the .prm, or one that it includes
+    unsigned int line = 0; ///< first line, from 1; 0 for a --set option
+    std::string file;      ///< the .prm, or an included file
   };
 
-  /** Nothing set: what --print-parameters without a file sees. */
+  /** No entries, as for --print-parameters without a file. */
   RawParameters() = default;
 
-  /** Text of the file of a name. @throws UserError where there is none. */
+  /** Returns the text of a named file.
+   * @throws UserError if there is none. */
   using Reader = std::function<std::string(const std::string &)>;
 
   /**
-   * Parses the text of a .prm. `include other` stands for the lines of another file, whose
-   * name is relative to the folder of the .prm, and of which @p reader gives the text.
-   * @throws UserError "<file>:<line>: ..." for anything that is not `set`, `subsection`,
-   * `end`, `include`, a comment or blank, for unbalanced subsections and for a key that is
-   * set twice.
+   * Parses the text of a .prm. `include other` inserts the lines of another file, whose
+   * name is relative to the folder of the .prm; @p reader returns its text.
+   * @throws UserError "<file>:<line>: ..." for anything except `set`, `subsection`,
+   * `end`, `include`, a comment or blank, for unbalanced subsections and for a key that
+   * is set twice.
    */
   static RawParameters parse(const std::string &text,
                              const std::string &file,
                              const Reader &reader = read_file);
 
-  /** Applies 'Section/Key=value'. @throws UserError when there is no '='. */
+  /** Applies 'Section/Key=value'.
+   * @throws UserError if there is no '='. */
   void override_with(const std::string &assignment);
 
-  /** From now on keys that have no effect with the others are left aside, not refused. */
+  /** Makes keys without effect ignored instead of refused. */
   void ignore_unused()
   {
     unused_is_ignored = true;
   }
 
-  /** Whether they are. */
+  /** Whether keys without effect are ignored. */
   bool ignores_unused() const
   {
     return unused_is_ignored;
   }
 
-  /** The assignment to a key; null if there is none. Upper and lower case matter. */
+  /** The assignment to a key; null if there is none. Case-sensitive. */
   const Entry *find(const std::string &path) const;
 
-  /** All subsections of the .prm, in the order of their lines. */
+  /** All subsections of the .prm, in file order. */
   const std::vector<Entry> &subsections() const
   {
     return sections;
   }
 
-  /** The .prm and what it includes. */
+  /** The .prm and its includes. */
   const std::vector<std::string> &files() const
   {
     return all_files;
   }
 
-  /** The lines of the .prm, those that it includes in their places. */
+  /** The lines of the .prm with includes inserted. */
   const std::string &text() const
   {
     return all_lines;
   }
 
-  /** In the order of the file, those of --set behind. */
+  /** Entries in file order, then the --set options. */
   const std::vector<Entry> &entries() const
   {
     return all_entries;
   }
 
-  /** Where relative paths of an entry start: that of its file; "." for --set. */
+  /** Folder for relative paths of an entry: the folder of its file; "." for --set. */
   static std::string folder(const Entry &entry);
 
   /** "file.prm:12" or "--set 'Section/Key=value'". */

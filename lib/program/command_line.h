@@ -6,7 +6,7 @@
 
 namespace mesoslip
 {
-/** The words after the program's name, understood. */
+/** The parsed command line. */
 struct CommandLine
 {
   bool help             = false; ///< --help
@@ -20,18 +20,17 @@ struct CommandLine
   bool ignore_unused    = false; ///< --ignore-unused: keys without effect are no error
   bool serve            = false; ///< --serve: carry out command lines that come in
   bool summary_only     = false; ///< --summary-only: no file but log and summary
-  bool nested           = false; ///< part of another run, which tells what went wrong
-  std::string output;            ///< folder after --output; empty: that of the .prm
+  bool nested           = false; ///< part of another run, which reports errors
+  std::string output;            ///< folder after --output; empty: folder of the .prm
   std::string prm_file;          ///< path as typed
   std::string draft;             ///< folder after --draft; empty: no draft
   std::vector<std::string> assignments; ///< 'Section/Key=value' after each --set
 
-  /** @p draft: what --draft writes; empty: there is no such option. @throws UserError for
-   * unknown options, several files, or none where one is needed.
-   */
+  /** @p draft: content of a --draft; empty: no such option.
+   * @throws UserError for unknown options, several files, or a missing file. */
   static CommandLine parse(int argc, const char *const *argv, const std::string &draft);
 
-  /** What --help prints. */
+  /** Text of --help. */
   static std::string help_text(const std::string &program,
                                const std::string &description,
                                const std::string &draft);

@@ -3,11 +3,10 @@
 
 namespace mesoslip
 {
-/** How many of all ranks run on the machine of this one, which share its memory.
- *  Collective. */
+/** Number of ranks on the machine of this rank, which share its memory. Collective. */
 unsigned int ranks_of_this_machine();
 
-/** Share of all ranks that runs on the machine of this one. Collective. */
+/** Share of all ranks on the machine of this rank. Collective. */
 double share_of_this_machine();
 } // namespace mesoslip
 

@@ -13,7 +13,7 @@ namespace
 struct OwnSections
 {
   const char *program;
-  std::vector<std::string> sections; ///< at the top level, of no other program
+  std::vector<std::string> sections; ///< top-level sections of no other program
 };
 
 /** tests/system/programs/bad_input.py compares them with the keys of the programs. */
@@ -42,7 +42,7 @@ void refuse_file_of_other_program(const RawParameters &raw, const std::string &p
   const auto &known = own_sections();
   if (std::none_of(known.begin(), known.end(),
                    [&](const OwnSections &own) { return own.program == program; }))
-    return; // a program with sections that are not listed
+    return; // a program whose sections are not listed
   const OwnSections *other          = nullptr;
   const RawParameters::Entry *where = nullptr;
   for (const RawParameters::Entry &section : raw.subsections())

@@ -8,8 +8,9 @@ namespace mesoslip
 class RawParameters;
 
 /**
- * @throws UserError if the subsections of a .prm are those of another program than @p program.
- * They tell where at least one is of another program alone, and none of @p program alone.
+ * @throws UserError if the subsections of a .prm belong to a program other than
+ * @p program: at least one belongs only to the other program, and none only to
+ * @p program.
  */
 void refuse_file_of_other_program(const RawParameters &raw, const std::string &program);
 } // namespace mesoslip

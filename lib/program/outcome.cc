@@ -16,7 +16,7 @@ namespace mesoslip
 {
 namespace
 {
-/** deal.II's banner of many lines as one sentence. */
+/** deal.II's multi-line message as one sentence. */
 std::string one_line(const dealii::ExceptionBase &error)
 {
   std::ostringstream info;
@@ -107,7 +107,7 @@ Outcome shared_outcome(const MPI_Comm communicator,
     return outcome;
   const bool failed = outcome.status != ExitStatus::done;
 
-  // The first rank in trouble speaks for all.
+  // The first failing rank reports for all.
   int mine = failed ? rank : n_ranks, speaker = n_ranks;
   MPI_Request request;
   MPI_Iallreduce(&mine, &speaker, 1, MPI_INT, MPI_MIN, communicator, &request);

@@ -8,16 +8,16 @@
 
 namespace mesoslip
 {
-/** How a run ended: status for the shell and sentence for the user. */
+/** Result of a run: exit status, and a sentence for the user. */
 struct Outcome
 {
-  ExitStatus status = ExitStatus::done; ///< for the shell
-  std::string message;                  ///< empty when all went well
+  ExitStatus status = ExitStatus::done; ///< exit status
+  std::string message;                  ///< empty on success
 };
 
 /**
- * Writes a sentence of @p speaker on stderr in one piece: what MPI and other ranks write
- * at the same time comes before or after it.
+ * Writes a sentence of @p speaker to stderr in one piece, not interleaved with output of
+ * MPI and other ranks.
  */
 void say(const std::string &speaker, const std::string &sentence);
 
@@ -25,8 +25,8 @@ void say(const std::string &speaker, const std::string &sentence);
 Outcome describe_current_exception();
 
 /**
- * The outcome of the first rank that failed, on all ranks. If some ranks
- * fail and others do not get here within ten seconds, they wait for the failed ones
+ * The outcome of the first rank that failed, on all ranks. If some ranks fail and the
+ * rest does not get here within ten seconds, the rest may wait for the failed ranks
  * forever: then the failed rank prints its error and ends the whole run.
  */
 Outcome shared_outcome(const MPI_Comm communicator,

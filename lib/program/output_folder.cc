@@ -25,11 +25,11 @@ namespace
 {
 namespace fs = std::filesystem;
 
-/** What every run replaces when it starts. */
+/** Files that every run replaces when it starts. */
 constexpr std::array<const char *, 4> papers = {
   {"summary.json", "log.txt", "parameters.prm", "original.prm"}};
 
-/** Results of the programs, but those of XDMF that go with them. */
+/** Results of the programs, without the XDMF files that belong to them. */
 constexpr std::array<const char *, 28> results = {{"complex_modes.csv",
                                                    "complex_modes.h5",
                                                    "complex_modes_sweep.csv",
@@ -74,7 +74,7 @@ bool is_replaced(const fs::directory_entry &entry)
          std::find(papers.begin(), papers.end(), name) != papers.end();
 }
 
-/** Links and ".." do not matter; false if one of the two does not exist. */
+/** Whether two paths are one existing file, resolving links and "..". */
 bool are_the_same(const fs::path &one, const fs::path &other)
 {
   std::error_code ignored;
@@ -97,12 +97,12 @@ void check_input(const std::string &folder,
                       remedy);
 }
 
-/** What a run computes. */
+/** Program and analysis of a run. */
 struct RunKind
 {
   std::string program;
-  std::string analysis = {};    ///< empty where the program has one only
-  bool is_told         = false; ///< by the first line, with the version of the program
+  std::string analysis = {};    ///< empty if the program has only one
+  bool is_told         = false; ///< whether the first line states it, with the version
 
   /** "the analysis 'modal' of contact_dynamics". */
   std::string text() const
@@ -131,7 +131,7 @@ std::optional<RunKind> kind_in_parameters(const std::string &path)
   return kind;
 }
 
-/** What the results in a folder are of; nothing if it holds none. */
+/** Kind of the results in a folder; empty if there are none. */
 std::optional<RunKind> kind_of_results(const std::string &folder)
 {
   std::error_code ignored;
@@ -142,7 +142,7 @@ std::optional<RunKind> kind_of_results(const std::string &folder)
   return std::nullopt;
 }
 
-/** Whether it is a file that --draft has made, alone in its folder. */
+/** Whether it is a file of --draft, alone in its folder. */
 bool is_draft(const std::string &path)
 {
   try
@@ -155,7 +155,8 @@ bool is_draft(const std::string &path)
     }
 }
 
-/** An entry of @p folder with the name of a file that runs write and for which is_meant(entry) holds; empty if there is none. */
+/** An entry of @p folder with the name of an output file for which is_meant(entry) holds;
+ * empty if none. */
 template <typename Predicate>
 std::string named_as_output(const std::string &folder, const Predicate &is_meant)
 {
@@ -171,7 +172,7 @@ std::string named_as_output(const std::string &folder, const Predicate &is_meant
   return "";
 }
 
-/** A file that a run replaces in @p folder although none has been there; empty if there is none. */
+/** A file in @p folder that a run would replace but did not write; empty if none. */
 std::string foreign_file(const std::string &folder)
 {
   const auto run = kind_in_parameters(folder + "/parameters.prm");
@@ -183,7 +184,7 @@ std::string foreign_file(const std::string &folder)
              });
 }
 
-/** The folder itself, or the nearest one above that exists. */
+/** The folder itself, or its nearest existing parent. */
 fs::path existing_part(const std::string &folder)
 {
   std::error_code ignored;
@@ -200,7 +201,7 @@ std::string owner(const int descriptor)
   return n > 0 ? " (process " + std::string(text, static_cast<std::size_t>(n)) + ")" : "";
 }
 
-/** Whether the file behind @p descriptor is still the one called @p path. */
+/** Whether the file behind @p descriptor is still named @p path. */
 bool still_named(const int descriptor, const std::string &path)
 {
   struct stat mine, named;
@@ -313,7 +314,7 @@ void require_disk(const std::string &folder, const ResourceNeed &need)
 FolderLock::FolderLock(const std::string &folder)
   : path(folder + "/.lock")
 {
-  // The holder removes the file before it releases the lock; then try again.
+  // The holder removes the file before it releases the lock: try again then.
   while (true)
     {
       descriptor = open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);

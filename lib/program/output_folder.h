@@ -9,35 +9,38 @@ namespace mesoslip
 class Keys;
 
 /**
- * Whether a run of @p program with the parameters @p keys may write to @p folder, which need
- * not exist. @throws UserError if the folder, by whatever name, is one of the inputs
- * (Keys::bind_input()) or holds one that the run would replace or part from its log and
- * parameters; and if it holds results of another program or, by the key Analysis, of another
+ * Checks that a run of @p program with the parameters @p keys may write to @p folder,
+ * which need not exist.
+ * @throws UserError if the folder, by whatever name, is an input (Keys::bind_input()) or
+ * contains an input that the run would replace or separate from its log and parameters;
+ * and if it contains results of another program or, by the key Analysis, of another
  * analysis.
  */
 void check_output_folder(const std::string &folder,
                          const std::string &program,
                          const Keys &keys);
 
-/** What a run is going to take of a disk or of the memory. */
+/** Disk space or memory that a run needs. */
 struct ResourceNeed
 {
-  double bytes = 0.; ///< in addition to what is taken now
-  /** The keys that decide it and how: "reduce Grid/Cells". */
+  double bytes = 0.; ///< in addition to current use
+  /** The keys that determine it, as advice: "reduce Grid/Cells". */
   std::string remedy;
 };
 
 /** "1.5 GB": two or three digits with a unit of powers of 1000. */
 std::string bytes_text(const double bytes);
 
-/** Bytes of memory of this machine, or as many as the environment variable MESOSLIP_MEMORY
- * says, for who may use a part; 0 where it does not tell. @throws UserError */
+/** Memory of this machine (bytes), or the value of the environment variable
+ * MESOSLIP_MEMORY, for users with a share of it; 0 if unknown.
+ * @throws UserError */
 double memory_of_machine();
 
-/** @throws UserError when the machine has less memory. */
+/** @throws UserError if the machine has less memory. */
 void require_memory(const ResourceNeed &need);
 
-/** "about 90 x 45 cells would fit": of the shape of a grid of @p cells that needs @p bytes. */
+/** "about 90 x 45 cells would fit": for a grid with the proportions of @p cells, which
+ * needs @p bytes. */
 std::string cells_that_fit(const std::vector<unsigned int> &cells, const double bytes);
 
 /**
@@ -47,13 +50,13 @@ std::string cells_that_fit(const std::vector<unsigned int> &cells, const double 
 void require_disk(const std::string &folder, const ResourceNeed &need);
 
 /**
- * Holds a folder for this process. The system releases it when the process ends in
- * whatever way, so a lock left by a dead process is no obstacle.
+ * Locks a folder for this process. The system releases the lock when the process ends in
+ * any way, so a dead process leaves no lock behind.
  */
 class FolderLock
 {
 public:
-  /** @throws UserError when another running process holds @p folder (naming its id). */
+  /** @throws UserError if another running process locks @p folder (naming its id). */
   explicit FolderLock(const std::string &folder);
   ~FolderLock();
   FolderLock(const FolderLock &)            = delete;

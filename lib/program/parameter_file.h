@@ -9,7 +9,8 @@
 
 namespace mesoslip
 {
-/** The .prm, of which the text goes to @p text, and the --set options; on all ranks. @throws UserError */
+/** Reads the .prm, whose text goes to @p text, and the --set options; on all ranks.
+ * @throws UserError */
 RawParameters read_parameter_file(const CommandLine &line,
                                   const MPI_Comm communicator,
                                   std::string &text);

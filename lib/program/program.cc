@@ -35,7 +35,7 @@ namespace
 {
 constexpr char output_key[] = "Output folder";
 
-/** "nope/../r" is r, also where there is no nope, which would be made on the way. */
+/** Resolves "nope/../r" to r even if nope does not exist, so that it is not created. */
 std::string without_detours(const std::string &folder)
 {
   namespace fs = std::filesystem;
@@ -55,7 +55,7 @@ std::string choose_output_folder(const CommandLine &line, const Keys &keys)
   return "output/" + std::filesystem::path(line.prm_file).stem().string();
 }
 
-/** What was asked for only to be printed has to arrive. */
+/** Checks that requested output was printed. */
 void require_printed()
 {
   if (!std::cout.flush())
@@ -104,7 +104,7 @@ void run(Analysis &analysis,
   effective << "# " << program.name << ' ' << version
             << (line.nested ? ": what differs from the defaults in this run\n"
                             : ": all parameters of this run\n");
-  if (line.nested) // one of many: its folder stays small
+  if (line.nested) // the folder of one out of many runs stays small
     print_given(keys, effective);
   else
     print_parameters(keys, effective);
@@ -191,7 +191,7 @@ void do_what_is_asked(const CommandLine &line,
     const auto scope = timer.scope("Reading and checking");
     return program.build(keys);
   }();
-  if (!line.resume) // a run to be resumed has had its place on the disk
+  if (!line.resume) // a resumed run already has its disk space
     on_root(communicator, [&]() { require_disk(folder, analysis->need()); });
   if (line.validate)
     validate(*analysis, line, folder);
@@ -209,12 +209,14 @@ void Analysis::write_draft(const std::string & /*folder*/) const
 
 namespace
 {
-/** How @p action, which all ranks of @p communicator call, ends on the first one where it fails; the same on all of them. */
+/** Outcome of @p action, which all ranks of @p communicator call, on the first rank where
+ * it fails; the same on all ranks. */
 template <typename Action>
 Outcome
 outcome_of(const Action &action, const Application &program, const MPI_Comm communicator)
 {
-  // Of its own, so that concluding meets no message of ranks still at work.
+  // A communicator of its own, so that these messages do not mix with messages of ranks
+  // still at work.
   MPI_Comm concluding = dealii::Utilities::MPI::duplicate_communicator(communicator);
   Outcome outcome;
   try
@@ -250,7 +252,8 @@ Outcome carry_out(const std::vector<std::string> &words,
 
 namespace
 {
-/** Answers --help and --version without MPI, which takes longer to start. False for anything else. */
+/** Answers --help and --version without MPI, which takes longer to start; false for other
+ * command lines. */
 bool tells_of_itself(int argc, char **argv, const Application &program)
 {
   CommandLine line;
@@ -260,7 +263,7 @@ bool tells_of_itself(int argc, char **argv, const Application &program)
     }
   catch (const UserError &)
     {
-      return false; // told later, by one rank
+      return false; // reported later, by one rank
     }
   if (!line.help && !line.version)
     return false;
@@ -282,7 +285,7 @@ void require_current_folder()
 
 int run_program(int argc, char **argv, const Application &program)
 {
-  // A limit of the file size ("ulimit -f") is an error in writing like any other.
+  // Makes the file size limit ("ulimit -f") an ordinary write error.
   std::signal(SIGXFSZ, SIG_IGN);
   try
     {
@@ -292,8 +295,9 @@ int run_program(int argc, char **argv, const Application &program)
       std::optional<Timer::Scope> starting = timer.scope("Start of MPI");
       prepare_mpi_of_one_process();
       require_current_folder();
-      // Without the words of the command line, as PETSc would tell of those that it does not know, and without its files and
-      // variables of options. Its destructor gives up when it sees an exception: none passes this line.
+      // Hides the command line from PETSc, which would report unknown options, and
+      // disables its option files and variables. Its destructor aborts while an exception
+      // is active: no exception passes this line.
       unsetenv("PETSC_OPTIONS");
       std::string no_file         = "-skip_petscrc";
       std::array<char *, 3> words = {{argv[0], no_file.data(), nullptr}};

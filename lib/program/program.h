@@ -24,53 +24,53 @@ class Analysis
 public:
   virtual ~Analysis() = default;
 
-  /** What the results take on the disk, to be compared with the free space. */
+  /** Disk space of the results, to be compared with the free space. */
   virtual ResourceNeed need() const
   {
     return {};
   }
 
   /**
-   * Prints memory, steps and the like for --validate. Only what rank 0 writes to @p out
-   * is shown.
+   * Prints memory, steps and the like for --validate. Only output of rank 0 to @p out is
+   * shown.
    */
   virtual void describe(std::ostream & /*out*/) const
   {
   }
 
   /**
-   * Writes to the folder @p folder what runs that read the results of this one have to
-   * find for their own --validate: files like the results, with a guess or nothing in the
-   * place of what is to be computed (io/drafts.h). Called on every rank. @throws UserError
-   * also where no later run reads the results
+   * Writes draft results to @p folder, with which later runs can be validated: files
+   * like the results, with guesses or gaps in place of computed data (io/drafts.h).
+   * Called on every rank.
+   * @throws UserError also if no later run reads the results
    */
   virtual void write_draft(const std::string &folder) const;
 
   /**
-   * Whether it writes checkpoints, so that run() has to heed RunContext::resume(). Others
-   * start from the beginning with --resume as well.
+   * Whether it writes checkpoints, so that run() observes RunContext::resume(). Other
+   * analyses start from the beginning with --resume, too.
    */
   virtual bool resumable() const
   {
     return false;
   }
 
-  /** Processes on idle cores by which it ends sooner; one where they take as long to start as they save. --validate
-   * tells it, so that ./run.sh can choose. */
+  /** Number of processes on idle cores that still shorten the run; 1 if starting them
+   * takes longer than they save. --validate reports it, so that ./run.sh can choose. */
   virtual unsigned int useful_ranks() const
   {
     return 1;
   }
 
-  /** The work itself. */
+  /** Runs the analysis. */
   virtual void run(RunContext &context) = 0;
 };
 
-/** What distinguishes one application from another. */
+/** Properties of an application. */
 struct Application
 {
-  std::string name;        ///< as typed in the shell
-  std::string description; ///< one line for --help
+  std::string name;        ///< name in the shell
+  std::string description; ///< a line for --help
 
   /**
    * Binds all keys; "Output folder" is bound already. Called once to declare them and once
@@ -79,27 +79,29 @@ struct Application
   std::function<void(Keys &keys)> declare;
 
   /**
-   * Reads the keys and the input files, and checks both, cheaply; always called, before
-   * anything is created. @throws UserError
+   * Reads the keys and the input files, and checks both quickly; always called before
+   * anything is created.
+   * @throws UserError
    */
   std::function<std::unique_ptr<Analysis>(Keys &keys)> build;
 
-  /** What Analysis::write_draft() writes, for --help; empty: there is no --draft. */
+  /** Content of Analysis::write_draft(), for --help; empty: there is no --draft. */
   std::string draft = {};
 };
 
 /**
- * Does what run_program() does with @p words, the command line without the name of the program, in a process that runs
- * already. All ranks of @p communicator, which are all there are, call it. Errors are returned on all of them, not printed.
+ * Like run_program() for @p words, the command line without the program's name, in a
+ * running process. Called on all ranks of @p communicator, which are all ranks. Errors
+ * are returned on all of them, not printed.
  */
 Outcome carry_out(const std::vector<std::string> &words,
                   const Application &program,
                   const MPI_Comm communicator);
 
 /**
- * The main function of an application: options, parameters, output folder, log,
- * timings, summary.json, exit status (ExitStatus). Errors are printed once, to stderr, as
- * `<program>: <sentence>`; nothing escapes.
+ * The main function of an application: options, parameters, output folder, log, timings,
+ * summary.json, exit status (ExitStatus). Errors are printed once, to stderr, as
+ * `<program>: <sentence>`; no exception escapes.
  */
 int run_program(int argc, char **argv, const Application &program);
 } // namespace mesoslip

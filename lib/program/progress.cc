@@ -15,7 +15,7 @@ namespace
 {
 constexpr std::chrono::milliseconds refresh_interval(200);
 constexpr std::chrono::seconds line_interval(10);
-/** Ten lines a run are welcome, unless the run is over in a moment. */
+/** Ten lines per run are fine, unless the run is very short. */
 constexpr std::chrono::seconds shortest_interval(1);
 
 std::string format(const char *pattern, const double value)
@@ -47,7 +47,7 @@ Progress::Mode Progress::choose_mode(const bool quiet)
 {
   if (quiet)
     return Mode::off;
-  // Under mpirun what looks like a terminal is its pipe, which may end in a file.
+  // Under mpirun an apparent terminal is its pipe, which may end in a file.
   return isatty(STDOUT_FILENO) && !started_by_mpirun() ? Mode::terminal : Mode::plain;
 }
 

@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 volatile std::sig_atomic_t signal_received = 0;
 timespec first_signal                      = {};
 
-// Terminals, timeout and mpirun may deliver one request twice.
+// Terminals, timeout and mpirun may deliver a request twice.
 extern "C" void mesoslip_on_signal(int)
 {
   timespec now = {};
@@ -184,7 +184,7 @@ void RunContext::warn(const std::string &line)
   if (std::find(warnings.begin(), warnings.end(), line) == warnings.end())
     warnings.push_back(line);
   log_file << "warning: " << line << std::endl;
-  if (run_options.nested) // its log has it
+  if (run_options.nested) // already in its log
     return;
   progress_display->clear();
   say(program, "warning: " + line);

@@ -20,32 +20,32 @@
 namespace mesoslip
 {
 /**
- * How far a run is: percentage, simulated time, cell updates a second, remaining time.
- * One refreshed line on a terminal, otherwise a plain line now and then.
+ * Progress display of a run: percentage, simulated time, cell updates per second,
+ * remaining time. A refreshed line on a terminal, otherwise a plain line now and then.
  */
 class Progress
 {
 public:
-  /** How progress is shown. */
+  /** Kind of display. */
   enum class Mode
   {
     off,
-    /** A line every ten seconds or tenth of the run, never more than one a second. */
+    /** A line every ten seconds or tenth of the run, at most one per second. */
     plain,
-    /** One line, refreshed five times a second. */
+    /** A line refreshed five times a second. */
     terminal
   };
 
-  /** Refreshed if standard output is a terminal, plain otherwise and under mpirun, off
-   * when @p quiet. */
+  /** terminal if standard output is a terminal, plain otherwise and under mpirun, off if
+   * @p quiet. */
   static Mode choose_mode(const bool quiet);
 
   /** Writes to @p stream, which must outlive it. */
   Progress(std::ostream &stream, const Mode chosen_mode);
 
   /**
-   * Begins the activity @p name of @p total_steps steps that each update @p n_cells cells
-   * (0: no speed is shown). @p first_step is where a resumed run begins.
+   * Begins the activity @p name of @p total_steps steps that each update @p n_cells
+   * cells (0: no speed is shown). @p first_step is the start of a resumed run.
    */
   void start(const std::string &name,
              const std::uint64_t total_steps,
@@ -53,13 +53,13 @@ public:
              const std::uint64_t first_step = 0);
 
   /**
-   * After step @p step (counted from 1); cheap when nothing is due to be shown. Activities
-   * without time, such as load cases, give no @p simulated_time (s).
+   * Called after step @p step (counted from 1); cheap if nothing has to be shown.
+   * Activities without time, such as load cases, give no @p simulated_time (s).
    */
   void update(const std::uint64_t step,
               const double simulated_time = std::numeric_limits<double>::quiet_NaN());
 
-  /** Removes the line of a terminal; other output may follow. */
+  /** Clears the line on a terminal, so that other output may follow. */
   void clear();
 
   /** Ends the activity. */
@@ -92,8 +92,8 @@ private:
 std::string duration_text(const double seconds);
 
 /**
- * What a run has around it: its output folder, log, progress, timings and summary.
- * Members are called by all ranks unless said otherwise; only rank 0 writes.
+ * Environment of a run: output folder, log, progress, timings and summary. Members are
+ * collective unless documented otherwise; only rank 0 writes.
  *
  * Include <nlohmann/json.hpp> to fill the summary.
  */
@@ -102,10 +102,11 @@ class RunContext
 public:
   /**
    * Creates and locks the output folder, opens its log, removes `terminate` and, unless
-   * the run is to be resumed, calls begin(). From then on SIGINT and SIGTERM ask for a
-   * stop; another one, two seconds or more later, ends the process with status 130.
-   * In @p line the output is that of the run. @p original is the text of the .prm,
-   * @p effective what print_parameters() gave, @p timer has the times since the process began. @throws UserError.
+   * the run is to be resumed, calls begin(). From then on SIGINT and SIGTERM request a
+   * stop; another one, two seconds or more later, ends the process with status 130. The
+   * output folder is @p line.output, @p original is the text of the .prm, @p effective
+   * the output of print_parameters(), @p timer has the times since the process began.
+   * @throws UserError.
    */
   RunContext(const std::string &program,
              const CommandLine &line,
@@ -134,7 +135,7 @@ public:
   {
     return size;
   }
-  /** Whether this is rank 0, the one that writes files with HDF5. */
+  /** Whether this is rank 0, which writes HDF5 files. */
   bool root() const
   {
     return my_rank == 0;
@@ -152,19 +153,19 @@ public:
   }
 
   /**
-   * From here on the folder is that of this run: removes an old summary.json, writes
-   * original.prm and parameters.prm. A run that is resumed calls it once it is clear that
-   * it can go on; one that never does leaves the folder as it was.
+   * Takes possession of the folder: removes an old summary.json, writes original.prm and
+   * parameters.prm. A resumed run calls it once it is certain that it can continue;
+   * otherwise the folder stays as it was.
    */
   void begin();
 
   /**
-   * Removes the files @p names, which this run is going to write anew, from the output
-   * folder, and what an interruption has left of them (`NAME.part`). Rank 0 does.
+   * Removes the files @p names, which this run will write, from the output folder,
+   * including remains of an interruption (`NAME.part`). On rank 0.
    */
   void remove_results(const std::vector<std::string> &names);
 
-  /** Removes what a run that failed has left of them. Rank 0 does. */
+  /** Removes the remains of these files after a failed run. On rank 0. */
   void remove_begun_results() const;
 
   /** Whether begin() was called. */
@@ -181,10 +182,10 @@ public:
   /** Path of a file in the output folder. */
   std::string file(const std::string &name) const;
 
-  /** One line to the console (unless --quiet) and log.txt. */
+  /** Writes a line to the console (unless --quiet) and log.txt. */
   void log(const std::string &line);
 
-  /** One line to log.txt only. */
+  /** Writes a line to log.txt only. */
   void log_to_file(const std::string &line);
 
   /**
@@ -194,7 +195,7 @@ public:
    */
   void warn(const std::string &line);
 
-  /** The progress display; start() it with the total. */
+  /** The progress display; call its start() first. */
   Progress &progress()
   {
     return *progress_display;
@@ -207,7 +208,7 @@ public:
   }
 
   /**
-   * Becomes summary.json. Prefilled: program, version, dim, cells, dofs (null until
+   * Content of summary.json. Prefilled: program, version, dim, cells, dofs (null until
    * set), ranks, warnings; seconds and peak_memory_bytes are filled in when it is
    * written.
    */
@@ -218,14 +219,14 @@ public:
 
   /**
    * Whether to save the state and stop: SIGINT, SIGTERM or a file `terminate` in the
-   * output folder (looked for four times a second, by rank 0). Of this rank only: the
-   * ranks have to agree on it, as stop_requested() does.
+   * output folder (checked four times a second, by rank 0). Valid for this rank only:
+   * the ranks have to agree, as in stop_requested().
    */
   bool stop_requested_here();
 
   /**
-   * The same on all ranks, once one is asked to stop. Collective; cheap on one rank, an
-   * all-reduce on several: call it every few steps.
+   * Whether any rank is asked to stop, the same on all ranks. Collective; cheap on one
+   * rank, an all-reduce on several: call it every few steps.
    */
   bool stop_requested();
 
@@ -245,7 +246,7 @@ private:
   std::unique_ptr<nlohmann::json> run_summary;
   const std::string original_parameters, effective_parameters;
   bool begun = false;
-  std::vector<std::string> results; ///< names in remove_results()
+  std::vector<std::string> results; ///< names given to remove_results()
   std::chrono::steady_clock::time_point next_look;
 };
 } // namespace mesoslip

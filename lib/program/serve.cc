@@ -11,7 +11,8 @@ namespace mesoslip
 {
 namespace
 {
-/** A list of words. @throws UserError */
+/** Parses a list of words.
+ * @throws UserError */
 std::vector<std::string> words_of(const std::string &line)
 {
   const auto words = nlohmann::json::parse(line, nullptr, false);

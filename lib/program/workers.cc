@@ -30,7 +30,7 @@ namespace mesoslip
 {
 namespace
 {
-/** A process that carries out one task after the other. */
+/** A process that carries out tasks one by one. */
 class Worker
 {
 public:
@@ -39,10 +39,11 @@ public:
   Worker(const Worker &)            = delete;
   Worker &operator=(const Worker &) = delete;
 
-  /** Begins task @p k; where the process is gone read() tells why. */
+  /** Begins task @p k; if the process is gone, read() reports why. */
   void begin(const std::size_t k, const std::vector<std::string> &words);
 
-  /** After poll() found something: the outcome of its task, if it is complete or the process has died. */
+  /** Call it after poll(): the outcome of its task, if it is complete or the process has
+   * died. */
   std::optional<Outcome> read();
 
   void ask_to_stop() const
@@ -50,16 +51,16 @@ public:
     ::kill(process, SIGTERM);
   }
 
-  int answers   = -1;              ///< descriptor of its answers
-  bool has_died = false;           ///< whether it has
-  std::optional<std::size_t> task; ///< at hand
+  int answers   = -1;              ///< file descriptor of its answers
+  bool has_died = false;           ///< whether the process has died
+  std::optional<std::size_t> task; ///< current task
 
 private:
   Outcome death();
 
   pid_t process = -1;
   int requests  = -1;
-  std::string text; ///< of an answer, so far
+  std::string text; ///< partial answer
 };
 
 Worker::Worker(const std::string &program, const std::string &errors)
@@ -94,7 +95,7 @@ Worker::Worker(const std::string &program, const std::string &errors)
 
 Worker::~Worker()
 {
-  ::close(requests); // the end of its input ends it
+  ::close(requests); // end of input ends the process
   ::close(answers);
   if (!has_died)
     ::waitpid(process, nullptr, 0);
@@ -150,7 +151,7 @@ std::optional<Outcome> Worker::read()
                  answer.value("message", std::string())};
 }
 
-/** Writing to a process that has died is no reason to die. */
+/** Ignores SIGPIPE: writing to a dead process must not end this one. */
 class IgnoredPipeSignal
 {
 public:
@@ -169,7 +170,7 @@ private:
   void (*before)(int);
 };
 
-/** The processes and what is left to do. */
+/** The processes and the remaining tasks. */
 class Workplace
 {
 public:
@@ -206,7 +207,7 @@ public:
   }
 
 private:
-  /** The first task that nothing waits for. */
+  /** Gives the worker the first task that does not wait for another. */
   void give_task(std::unique_ptr<Worker> &worker)
   {
     while (first < tasks.n && is_given[first])
@@ -236,7 +237,7 @@ private:
         worker->ask_to_stop();
   }
 
-  /** A quarter of a second, or until something comes in. */
+  /** Waits for a quarter of a second, or until input arrives. */
   void wait()
   {
     std::vector<pollfd> waiting;
@@ -278,8 +279,8 @@ private:
   const std::string program, errors;
   const WorkerTasks &tasks;
   std::vector<std::unique_ptr<Worker>> workers;
-  std::vector<bool> has_ended, is_given; ///< of each task
-  std::size_t first = 0;                 ///< task that may not have been given
+  std::vector<bool> has_ended, is_given; ///< per task
+  std::size_t first = 0;                 ///< first task that may not have been given
   bool is_stopping  = false;
 };
 } // namespace

@@ -11,34 +11,37 @@
 
 namespace mesoslip
 {
-/** The file of the program @p name, if it is this process; else empty, also where the system does not tell. */
+/** Path of the program @p name, if this process runs it; else empty, also if the system
+ * does not know. */
 std::string file_of_program(const std::string &name);
 
-/** How many cores this process may use. */
+/** Number of cores that this process may use. */
 unsigned int available_cores();
 
-/** Runs of this program that other processes carry out side by side. */
+/** Runs of this program to be carried out side by side by other processes. */
 struct WorkerTasks
 {
-  std::size_t n = 0; ///< tasks, given out in their order, but for those that wait
+  std::size_t n = 0; ///< number of tasks; they start in order, except tasks that wait
 
-  /** The task that has to end before task @p k begins, if there is one. */
+  /** The task that has to end before task @p k begins, if any. */
   std::function<std::optional<std::size_t>(std::size_t k)> after;
 
-  /** The command line of task @p k, without the name of the program. */
+  /** Command line of task @p k, without the program's name. */
   std::function<std::vector<std::string>(std::size_t k)> words;
 
-  /** Task @p k has ended, also where its process died. Tasks that were stopped are not told. */
+  /** Called when task @p k has ended, also if its process died; not called for stopped
+   * tasks. */
   std::function<void(std::size_t k, const Outcome &outcome)> done;
 
-  /** Asked several times a second: whether to stop. */
+  /** Called several times a second: whether to stop. */
   std::function<bool()> stop;
 };
 
 /**
- * Has @p n_processes processes of the program @p file (--serve) carry out @p tasks; what they write to stderr goes to
- * the end of the file @p errors. A process that dies fails its task, and another one takes its place.
- * @return false if the tasks were stopped. Processes that were stopped have ended as after Ctrl-C.
+ * Lets @p n_processes processes of the program @p file (--serve) carry out @p tasks;
+ * their stderr is appended to the file @p errors. If a process dies, its task fails, and
+ * a new process takes its place.
+ * @return false if the tasks were stopped. Stopped processes have ended as after Ctrl-C.
  * @throws UserError if no process starts
  */
 bool carry_out_side_by_side(const std::string &file,

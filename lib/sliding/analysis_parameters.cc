@@ -150,8 +150,8 @@ void ContactParameters::bind_observation(Keys &keys)
     keys.bind_or_auto("Probe interval", probe_interval, most_steps,
                       "Time steps between samples of the probes; auto: as for History "
                       "interval [-]");
-    // Probes and snapshots may be switched off on purpose in a file that is otherwise
-    // complete; then the other keys stay.
+    // Switching off probes or snapshots of a complete file must not make the remaining
+    // keys errors.
     keys.only_if(keys.is_typed("Observation/Probes") ||
                    keys.is_typed("Counter body/Observation/Probes"),
                  {"Probe interval"}, "there are no probes",

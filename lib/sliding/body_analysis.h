@@ -16,8 +16,9 @@
 namespace mesoslip
 {
 /**
- * To be called between the solves of the static analyses, which leave nothing behind when
- * stopped. @throws Interrupted
+ * Progress callback for the solves of static analyses, which save no state when they are
+ * stopped.
+ * @throws Interrupted
  */
 std::function<void(unsigned int)> stop_or_report(RunContext &context,
                                                  const std::string &activity);
@@ -25,12 +26,12 @@ std::function<void(unsigned int)> stop_or_report(RunContext &context,
 /** Runs @p action. @throws NumericalFailure instead of NotConverged, with @p advice. */
 void with_advice(const std::string &advice, const std::function<void()> &action);
 
-/** What to do when no equilibrium with the coefficients @p friction is found on a flat that @p slides or
- * rests. */
+/** Advice if no equilibrium with the coefficients @p friction is found; @p slides:
+ * whether the flat slides. */
 std::string equilibrium_advice(const std::vector<double> &friction, const bool slides);
 
-/** Puts the largest strain of a static contact into the summary, and warns of large ones. @throws
- * NumericalFailure if a cell is inside out */
+/** Puts the largest strain of a static contact into the summary; warns of large strains.
+ * @throws NumericalFailure if a cell is inverted */
 template <int dim>
 void judge_static_strain(const GivenBody<dim> &body,
                          const NodalField<double> &displacement,
@@ -47,7 +48,7 @@ public:
   }
 
 protected:
-  /** Of this body. */
+  /** Takes over the body @p given. */
   explicit BodyAnalysis(std::unique_ptr<GivenBody<dim>> given)
     : body(std::move(given))
     , parameters(body->parameters)
@@ -56,8 +57,8 @@ protected:
   }
 
   const std::unique_ptr<GivenBody<dim>> body; ///< the same on all ranks
-  const ContactParameters &parameters;        ///< of the body
-  const BodyFacts<dim> &facts;                ///< of the body
+  const ContactParameters &parameters;        ///< parameters of the body
+  const BodyFacts<dim> &facts;                ///< facts of the body
 };
 } // namespace mesoslip
 

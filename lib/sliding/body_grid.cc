@@ -22,7 +22,7 @@ std::string extents_text(const Numbers &numbers, const unsigned int dim)
   return text;
 }
 
-/** A body that is not the @p volume of its RVE file has to be homogeneous and larger. */
+/** Checks that a body unlike the @p volume of its RVE file is homogeneous and larger. */
 template <int dim>
 void check_size(const BodyParameters &body, const std::array<double, dim> &volume)
 {
@@ -43,7 +43,8 @@ void check_size(const BodyParameters &body, const std::array<double, dim> &volum
                     body.section + "/Cells to the numbers of cells of the larger body");
 }
 
-/** Along each axis, the number of cells of @p grid in one of the volume. @throws UserError */
+/** Cells of @p grid per cell of the volume, along each axis.
+ * @throws UserError */
 template <int dim>
 std::array<unsigned int, dim> refinement(const std::string &section,
                                          const RveFile<dim> &rve,
@@ -139,7 +140,7 @@ std::vector<std::uint16_t> constituents_in(const std::string &section,
   const std::vector<std::uint16_t> of_coarse = rve.constituent_ids(coarse);
   if (coarse.cells == block.cells)
     return of_coarse;
-  // What each place along an axis adds to the number of the cell of the volume.
+  // Contribution of the position along each axis to the number of the volume's cell.
   std::array<std::vector<std::size_t>, 3> part = {{{0}, {0}, {0}}};
   std::size_t stride                           = 1;
   for (unsigned int d = 0; d < dim; ++d)

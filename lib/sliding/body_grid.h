@@ -14,16 +14,18 @@ template <int dim>
 Phase<dim> given_phase(const BodyParameters &body);
 
 /**
- * The cells of the body: those of Body/Cells and Size or, where these are empty, of @p rve,
- * which is null without a file. @throws UserError for a body that is not the volume of the
- * file, unless it is homogeneous and larger
+ * The cells of the body: Body/Cells and Size or, if these are empty, the cells of @p rve
+ * (null without a file).
+ * @throws UserError if the body is not the volume of the file, unless it is homogeneous
+ * and larger
  */
 template <int dim>
 UniformGrid<dim> make_grid(const BodyParameters &body, const RveFile<dim> *rve);
 
-/** Which of the constituents of the volume the cells of @p block of @p grid are made of, x fastest;
- * each lies in one cell of the volume. The body is of this @p section. @throws UserError unless the numbers of cells are
- * multiples of those of the volume, or when they cannot be read */
+/** Constituent number of each cell of @p block of @p grid, x fastest; each cell lies in
+ * one cell of the volume. @p section is the .prm section of the body.
+ * @throws UserError unless the numbers of cells are multiples of those of the volume, or
+ * if the file cannot be read */
 template <int dim>
 std::vector<std::uint16_t> constituents_in(const std::string &section,
                                            const RveFile<dim> &rve,

@@ -13,10 +13,10 @@ namespace mesoslip
 {
 namespace
 {
-/** Of a corner of a cell, with its share of the point, in a mesh as it is read. */
+/** Per corner of a cell of a mesh in memory, including its share of the point. */
 constexpr double bytes_of_corner = 30.;
 
-/** What steps on a cell with @p n_corners take, the mesh included. */
+/** Bytes per cell with @p n_corners in time steps, including the mesh. */
 template <int dim>
 double bytes_of_stepped_cell(const std::size_t n_corners)
 {
@@ -25,7 +25,7 @@ double bytes_of_stepped_cell(const std::size_t n_corners)
   return dim == 2 ? 610. : 970.;
 }
 
-/** What damping by phase takes besides. */
+/** Additional bytes per cell with damping by phase. */
 template <int dim>
 double bytes_of_damped_cell(const ContactParameters &parameters,
                             const std::size_t n_corners)
@@ -35,10 +35,11 @@ double bytes_of_damped_cell(const ContactParameters &parameters,
   return n_corners == dim + 1 ? 60. : dim == 2 ? 360. : 270.;
 }
 
-/** Of a component of a snapshot, which waits to be written. */
+/** Per component of a snapshot in the write buffer. */
 constexpr double bytes_of_shown_dof = 35.;
 
-/** Statics, modes and complex modes of @p n_nodes of a mesh, with ML, or of a box. */
+/** Memory of statics, modes and complex modes for @p n_nodes nodes of a mesh (with ML) or
+ * of a box. */
 template <int dim>
 BodyMemory of_static_body(const ContactParameters &parameters,
                           const double n_nodes,

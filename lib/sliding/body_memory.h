@@ -10,27 +10,29 @@
 
 namespace mesoslip
 {
-/** Memory that an analysis takes for its body, without histories and libraries (bytes, as measured). */
+/** Memory that an analysis takes for its body, without histories and libraries (bytes, as
+ * measured). */
 struct BodyMemory
 {
-  double on_rank_0 = 0.; ///< what only rank 0 has, such as the mesh that it reads
-  double divided   = 0.; ///< what the ranks divide among themselves
-  double on_each   = 0.; ///< what every rank has
+  double on_rank_0 = 0.; ///< only on rank 0, such as the mesh that it reads
+  double divided   = 0.; ///< divided among the ranks
+  double on_each   = 0.; ///< replicated on every rank
 
-  /** Of each of @p n_ranks but the first. Together they have points of neighbours as well, which takes
-   * a fifth more. */
+  /** Memory of a rank other than 0 out of @p n_ranks. Ghost points add a fifth to the
+   * divided part. */
   double on_other_rank(const unsigned int n_ranks) const
   {
     return (n_ranks > 1 ? 1.2 : 1.) * divided / n_ranks + on_each;
   }
 
-  /** Of the machine of rank 0, which has @p n_here of all @p n_ranks. */
+  /** Memory on the machine of rank 0, which runs @p n_here of all @p n_ranks. */
   double on_machine(const unsigned int n_here, const unsigned int n_ranks) const
   {
     return on_rank_0 + n_here * on_other_rank(n_ranks);
   }
 
-  /** "1.2 GB of memory", of several ranks "400 MB of memory on rank 0, 300 MB on each other". */
+  /** "1.2 GB of memory", with several ranks "400 MB of memory on rank 0, 300 MB on each
+   * other". */
   std::string text(const unsigned int n_ranks) const;
 
   /** Reads or writes all members, for broadcast_object(). */
@@ -41,11 +43,12 @@ struct BodyMemory
   }
 };
 
-/** What the analysis that @p parameters ask for takes for a body on @p mesh, by the kinds of its cells. */
+/** Memory of the analysis in @p parameters for a body on @p mesh, by cell kind. */
 template <int dim>
 BodyMemory memory_on_mesh(const ContactParameters &parameters, const Mesh<dim> &mesh);
 
-/** The same for a box of voxels, of which steps need no mesh but that of rank 0 at the sides. */
+/** Memory for a box of voxels. Time steps need only the mesh of the boundary cells, on
+ * rank 0. */
 BodyMemory memory_of_box(const ContactParameters &parameters, const UniformGrid<3> &grid);
 } // namespace mesoslip
 

@@ -52,6 +52,13 @@ void bind_time(Keys &keys, ContactParameters &p)
                  "vibration of the frequency f with the ratio pi f beta; it reduces the "
                  "critical time step; one value, or one for each phase, with which steps "
                  "take two to three times as long [s]");
+  std::string precision = "double";
+  keys.bind("Precision", precision, {"double", "single"},
+            "Precision of the motion of a plane grid between its contact and its top; "
+            "single: steps take half as long, and the run says how small a change of "
+            "stress and of velocity is lost, which matters for bodies that move far or "
+            "slowly; contact, friction, sums and energies are always in double");
+  p.sweep.single_precision = precision == "single";
   keys.bind("Check time step", p.time.check_time_step,
             "Refuse a Time step above the critical one; false is for studies of unstable "
             "runs");
@@ -73,7 +80,7 @@ void bind_friction(Keys &keys, FrictionParameters &friction, FrictionLaw &law)
   friction.bind(keys, law);
 }
 
-/** On a mesh many keys have no effect, and the others none without. */
+/** Checks keys that have no effect on a mesh, or only on a mesh. */
 void check_mesh(const Keys &keys, const ContactParameters &p)
 {
   keys.only_with("Analysis", {"transient", "modal", "static contact", "complex modes"},
@@ -83,6 +90,8 @@ void check_mesh(const Keys &keys, const ContactParameters &p)
                "the body is a mesh", "remove Mesh/File");
   keys.only_if(p.mesh.is_plane_grid(), {"Performance/Temporal blocking"},
                "the body is no plane grid", "remove it");
+  keys.only_if(p.mesh.is_plane_grid(), {"Time/Precision"}, "the body is no plane grid",
+               "remove it");
   keys.only_if(!p.step.damps_by_phase(), {"Performance/Temporal blocking"},
                "runs with damping by phase go step by step", "remove it");
   keys.only_if(std::none_of(p.supports.begin(), p.supports.end(),
@@ -104,7 +113,7 @@ void check_mesh(const Keys &keys, const ContactParameters &p)
       " as Dimension is " + std::to_string(p.mesh.mesh.dim) + "; use '" + held + "'");
 }
 
-/** @p paths and the keys of these names in the sections of all supports. */
+/** @p paths, plus the keys @p names of all sections of Supports. */
 std::vector<std::string> and_of_supports(const Keys &keys,
                                          const std::vector<std::string> &names,
                                          std::vector<std::string> paths)
@@ -116,7 +125,7 @@ std::vector<std::string> and_of_supports(const Keys &keys,
   return paths;
 }
 
-/** What each analysis makes use of. */
+/** Checks which keys each analysis uses. */
 void check_analysis(const Keys &keys)
 {
   const std::string of_map = "Sweep/Complex modes";
@@ -128,12 +137,13 @@ void check_analysis(const Keys &keys)
   };
   only_with(
     {"transient"},
-    and_of_supports(
-      keys, {"Ramp", "Ramp time", "Expression"},
-      {"Body/Initial velocity", "Time/End time", "Time/Time step", "Time/Safety factor",
-       "Time/Beta2", "Time/Check time step", "Time/Continue from", "Flat/Ramp",
-       "Flat/Ramp time", "Flat/Expression", "Observation/", "Snapshots/", "Contact map/",
-       "Checkpoints/", "Performance/Temporal blocking", "Performance/Instruction set"}));
+    and_of_supports(keys, {"Ramp", "Ramp time", "Expression"},
+                    {"Body/Initial velocity", "Time/End time", "Time/Time step",
+                     "Time/Safety factor", "Time/Beta2", "Time/Precision",
+                     "Time/Check time step", "Time/Continue from", "Flat/Ramp",
+                     "Flat/Ramp time", "Flat/Expression", "Observation/", "Snapshots/",
+                     "Contact map/", "Checkpoints/", "Performance/Temporal blocking",
+                     "Performance/Instruction set"}));
   only_with({"transient", "complex modes"},
             {"Body/Rayleigh alpha", "Time/Rayleigh beta", "Friction/Law",
              "Friction/Regularization time", "Friction/Length",
@@ -231,7 +241,7 @@ void ContactParameters::bind(Keys &keys)
   continue_run(keys);
 }
 
-/** Of a run that starts from the end of another one: what it knows; ramps at sides are over. */
+/** For a run that continues another run: checks its keys; ramps at sides are over. */
 void ContactParameters::continue_run(const Keys &keys)
 {
   if (time.continue_from.empty())

@@ -24,10 +24,10 @@ namespace mesoslip
 {
 class Keys;
 
-/** A value that is chosen automatically. */
+/** Stands for a value that is chosen automatically. */
 constexpr double automatic = std::numeric_limits<double>::quiet_NaN();
 
-/** What contact_dynamics computes. */
+/** Analyses of contact_dynamics. */
 enum class ContactAnalysis
 {
   transient,
@@ -42,10 +42,10 @@ struct BodyParameters
 {
   std::string section = "Body"; ///< section of the .prm that has its keys
   bool heterogeneous =
-    false;              ///< every phase with its own stiffness, else the effective one
+    false;              ///< whether phases have their own stiffness, or the effective one
   std::string rve_file; ///< empty: the material in stiffness and density
   std::string stiffness_name        = "effective"; ///< dataset of /stiffness
-  MeanDilatation mean_dilatation    = MeanDilatation::automatic; ///< phases that have it
+  MeanDilatation mean_dilatation    = MeanDilatation::automatic; ///< which phases have it
   std::vector<double> stiffness     = {36.54e9, 9.1e9, 47.26e9,
                                        13.785e9}; ///< 4, 6, in 3D 9, 21 numbers (Pa)
   double density                    = 1770.;      ///< kg/m^3
@@ -60,18 +60,18 @@ struct TimeParameters
 {
   double end_time      = 5e-4; ///< s
   double safety        = 0.95; ///< fraction of the critical time step
-  bool check_time_step = true; ///< refuse steps above the critical one
+  bool check_time_step = true; ///< whether steps above the critical one are refused
   std::string continue_from;   ///< folder of a run whose end is the start; empty: at rest
 };
 
 /** Sections Observation and Snapshots, besides the intervals of the SlidingSetup. */
 struct ObservationParameters
 {
-  unsigned int blocks      = 200;        ///< of contact states over the run
+  unsigned int blocks      = 200;        ///< number of contact-state blocks
   double steady_from       = automatic;  ///< s
   double reference_x       = automatic;  ///< m
   bool stop_at_limit_cycle = false;      ///< end early
-  LimitCycleCriterion limit_cycle;       ///< but for the reference power
+  LimitCycleCriterion limit_cycle;       ///< without the reference power
   std::vector<ProbePoint> probes;        ///< in the order of the .prm
   double snapshots_from     = 0.;        ///< s
   double snapshots_to       = automatic; ///< s
@@ -86,7 +86,7 @@ struct ContactMapParameters
   double from     = 0.;        ///< s
   double to       = automatic; ///< s
 
-  /** Those that are written. */
+  /** Names of the fields to write. */
   std::vector<std::string> fields = {"pressure", "traction", "slip velocity", "state"};
 };
 
@@ -96,14 +96,14 @@ struct FrictionHomogenizationParameters
   std::string heterogeneous_run;  ///< folder with dynamics.h5 and summary.json
   std::string homogeneous_run;    ///< may be empty: T_G of the heterogeneous run
   std::string static_contact;     ///< folder of a static contact analysis, may be empty
-  std::string pressures = "auto"; ///< one of the estimates, see friction_estimates()
-  bool calibrate        = false;  ///< delta relative to the homogeneous run
+  std::string pressures = "auto"; ///< estimate to use, see friction_estimates()
+  bool calibrate        = false;  ///< whether delta is scaled to the homogeneous run
 };
 
 /** Section Static contact, besides the StaticContactOptions. */
 struct StaticLoadParameters
 {
-  unsigned int steps          = 1;  ///< of the normal load, and of the displacement
+  unsigned int steps          = 1;  ///< increments of load, and of displacement
   std::vector<double> of_flat = {}; ///< displacement along x and, in 3D, y (m), or empty
 
   /** Whether there are several increments. */
@@ -123,29 +123,29 @@ struct StaticLoadParameters
 /** Section Checkpoints. */
 struct CheckpointParameters
 {
-  double interval = 300.;  ///< s of wall-clock time; 0: only when the run is stopped
-  bool keep       = false; ///< do not delete it when the run has ended
-  bool end        = false; ///< write the motion at the end of the run
+  double interval = 300.;  ///< wall-clock time (s); 0: only when the run is stopped
+  bool keep       = false; ///< whether it is kept after the run has ended
+  bool end        = false; ///< whether the final motion is written
 };
 
-/** All of contact_dynamics' parameters, checked; a NaN is chosen automatically. */
+/** All parameters of contact_dynamics, checked; NaN: chosen automatically. */
 struct ContactParameters : SlidingSetup
 {
   /** The default values. */
   ContactParameters();
 
-  ContactAnalysis analysis = ContactAnalysis::transient; ///< what is computed
+  ContactAnalysis analysis = ContactAnalysis::transient; ///< which analysis runs
   MeshBodyParameters mesh;                               ///< sections Mesh and Phases
   BodyParameters body;                                   ///< section Body
   std::size_t n_alphas = 1;             ///< values of Rayleigh alpha that are given
   std::size_t n_betas  = 1;             ///< values of Rayleigh beta that are given
   TimeParameters time;                  ///< section Time
   FrictionParameters friction;          ///< section Friction
-  ProfileParameters profile;            ///< section Flat, its height
+  ProfileParameters profile;            ///< section Flat, height of the flat
   ObservationParameters observation;    ///< sections Observation and Snapshots
   ContactMapParameters map;             ///< section Contact map
   CheckpointParameters checkpoints;     ///< section Checkpoints
-  VibrationModesOptions modal;          ///< section Modal, but for the bottom
+  VibrationModesOptions modal;          ///< section Modal, without the bottom
   std::string modal_bottom = "both";    ///< free, held in y or z, both
   StaticContactOptions static_contact;  ///< section Static contact
   StaticLoadParameters static_load;     ///< section Static contact
@@ -155,54 +155,57 @@ struct ContactParameters : SlidingSetup
     StaticSolverKind::multigrid; ///< for static contact and modes
 
   /**
-   * Binds the keys of all sections. @throws UserError naming the key, also for keys that
-   * others leave without effect
+   * Binds the keys of all sections.
+   * @throws UserError naming the key, also for keys that have no effect with the other
+   * keys
    */
   void bind(Keys &keys);
 
-  /** The second body in the place of the flat, if there is one. */
+  /** Parameters of the counter body; null: the flat is rigid. */
   std::shared_ptr<const ContactParameters> counter;
 
   bool is_counter =
-    false; ///< whether it is a second body, whose contact is its upper side
+    false; ///< whether it is a counter body, whose contact is its upper side
 
   bool slides_on =
-    false; ///< whether it moves on below the other body by more than its cells
+    false; ///< whether it slides below the other body by more than its cells
 
-  /** Whether it is one that is computed upside down. */
+  /** Whether this is a counter body that is computed upside down. */
   bool is_turned_over() const
   {
     return is_counter && mesh.is_plane_grid() && analysis == ContactAnalysis::transient;
   }
 
   std::vector<SideSupport>
-    supports; ///< sides besides contact and top that are held or loaded
+    supports; ///< supports of the sides other than contact and top, which are held or
+              ///< loaded
 
-  /** Those that are loaded, platens first. */
+  /** The loaded sides, platens first. */
   std::vector<SideSupport> loaded_sides() const;
 
-  /** The top, and the loaded sides, of these parameters. */
+  /** The top support and the supports of the loaded sides of these parameters. */
   std::vector<const SideSupport *> suspended() const;
 
-  /** Whether springs, dashpots or masses are somewhere. */
+  /** Whether a support has springs, dashpots or masses. */
   bool supports_keep_energy() const;
 
-  /** Whether the far end of a suspension moves, or a traction acts, along the normal of the flat. */
+  /** Whether the far end of a suspension moves, or a traction acts, along the normal of
+   * the flat. */
   bool is_moved_normally() const;
 
-  /** Whether a side takes or gives forces along the normal of the flat. */
+  /** Whether a side exchanges forces along the normal of the flat. */
   bool sides_carry_normally() const;
 
-  /** Whether the top takes all of the friction and of what presses on the flat, so that its forces tell the
-   * friction. */
+  /** Whether the top carries the whole friction and normal force, so that its forces give
+   * the friction. */
   bool friction_is_at_top() const;
 
   /** Whether the loads of the contact nodes are summed up in every step. */
   bool wants_node_loads() const;
 
   /**
-   * The conditions of a transient run or a static contact analysis; time step and steady
-   * part are known only at the end of a run.
+   * Loads and supports of a transient run or a static contact analysis; time step and
+   * steady part are known only at the end of a run.
    */
   RunConditions stated_conditions() const;
 

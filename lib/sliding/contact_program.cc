@@ -24,7 +24,7 @@ std::unique_ptr<Analysis> of_body(const ContactParameters &parameters,
 
 std::unique_ptr<Analysis> build(Keys &keys)
 {
-  resolve(InstructionSet::automatic); // tells what is wrong with MESOSLIP_ISA
+  resolve(InstructionSet::automatic); // reports an invalid MESOSLIP_ISA
   ContactParameters parameters;
   parameters.bind(keys);
   SweepParameters sweep;

@@ -213,7 +213,8 @@ std::size_t GivenBody<dim>::n_platen_moves(const TopSetup &top) const
 
 namespace
 {
-/** Nodes that others move, which have the diagonal of the dashpots of a side alone, see SuspendedNodes. */
+/** Nodes with other movers: a side adds only the diagonal of its dashpots to them, see
+ * SuspendedNodes. */
 using MovedNodes = std::set<std::array<unsigned int, 2>>;
 
 template <int dim>
@@ -253,7 +254,7 @@ Foundation GivenBody<dim>::foundation() const
 {
   Foundation foundation;
   const SupportNodes top = top_nodes();
-  MovedNodes movers, duplicates; // before the side; which follow their originals
+  MovedNodes movers, duplicates; // nodes moved by earlier surfaces; periodic copies
   for (const auto &[duplicate, original] : elastic().duplicate_nodes())
     duplicates.insert(std::array<unsigned int, 2>{{duplicate.i, duplicate.j}});
   add_to<dim>(foundation, top, parameters.top.suspension, movers, duplicates);

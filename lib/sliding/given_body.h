@@ -31,97 +31,100 @@ struct DampingByPhase;
 struct Foundation;
 struct Platen;
 
-/** What is told of a body, and what its runs are planned by; the same on all ranks, but for lines and
- * warnings, which rank 0 has. */
+/** Description of a body and the data that its runs are planned by; the same on all ranks
+ * except lines and warnings, which are on rank 0. */
 template <int dim>
 struct BodyFacts
 {
-  std::vector<std::string> lines;    ///< for the log: shape, materials, boundaries
-  std::vector<std::string> warnings; ///< sentences on what looks like a slip
-  std::uint64_t n_points = 0;        ///< of the whole body
+  std::vector<std::string> lines;    ///< lines for the log: shape, materials, boundaries
+  std::vector<std::string> warnings; ///< warnings on values that look like slips
+  std::uint64_t n_points = 0;        ///< points of the whole body
   bool heterogeneous     = false;    ///< whether it is made of several phases
   bool has_simplices =
     false; ///< whether some cells are triangles or tetrahedra, on rank 0
-  std::vector<Phase<dim>> phases; ///< without their orientations
+  std::vector<Phase<dim>> phases; ///< without orientations
 
-  std::vector<double> volume_fractions; ///< of the phases, on rank 0
-  std::string rve_digest;               ///< of the RVE file; empty without one
-  BodyMemory memory;                    ///< of the analysis without histories
-  BodySize size;                        ///< what statistics and results need to know
+  std::vector<double> volume_fractions; ///< by phase, on rank 0
+  std::string rve_digest;               ///< digest of the RVE file; empty without one
+  BodyMemory memory;                    ///< memory of the analysis without histories
+  BodySize size;                        ///< for statistics and results
   PlaceText place;                      ///< "cell 12 around x = 1.25 mm, y = 0.05 mm"
 
-  /** What loads, times and lengths are compared with; of a run with the largest frequency. */
+  /** Reference scales for loads, times and lengths; for a transient run with the highest
+   * frequency. */
   BodyScales scales;
 
   double shortest_side = 0.; ///< m
 
-  /** Lines on the content of its files, in which a run that is resumed has to agree. */
+  /** Lines on the content of the body's files, which a resumed run has to match. */
   std::string contents;
 
-  std::vector<ProbePoint> probes; ///< where they are
+  std::vector<ProbePoint> probes; ///< positions of the probes
 
-  /** Heights of the contact nodes above the lowest (m); empty: all are as high. */
+  /** Heights of the contact nodes above the lowest (m); empty: all have the same
+   * height. */
   std::vector<double> contact_height;
 
   /** x and, in 3D, y of the contact nodes (m). */
   std::array<std::vector<double>, 2> contact_place;
 
-  /** Between the contact nodes, where there is a second body. */
+  /** Facets between the contact nodes, for a counter body. */
   std::vector<SurfaceFacet> contact_facets;
 
   std::vector<unsigned int>
-    contact_points; ///< their numbers in the mesh; empty: it is a grid
+    contact_points; ///< numbers of the contact nodes in the mesh; empty: a grid
 
-  double long_run = 0.; ///< steps times cells that keep a core busy for some seconds
-  unsigned int most_ranks = 1; ///< by which a longer run ends sooner, on idle cores
+  double long_run         = 0.; ///< steps times cells that take some seconds on one core
+  unsigned int most_ranks = 1;  ///< number of idle cores that still shorten a long run
 };
 
-/** Nodes of the top or of a loaded side that a rank has. */
+/** Locally stored nodes of the top or of a loaded side. */
 struct SupportNodes
 {
-  std::vector<NodeIndex> nodes; ///< of ElasticBody fields
-  SideNodes carried;            ///< what each stands for
+  std::vector<NodeIndex> nodes; ///< column and row in ElasticBody fields
+  SideNodes carried;            ///< area, push and impedance of each node
 };
 
-/** What a face of the contact carries. */
+/** A contact face and its load. */
 struct ContactCell
 {
-  unsigned int phase = 0;  ///< of the cell behind it
+  unsigned int phase = 0;  ///< phase of the cell behind the face
   double area        = 0.; ///< along the normal of the flat (m^2, in 2D m)
-  double pressure    = 0.; ///< -sigma_nn of the mean strain of the cell (Pa)
+  double pressure    = 0.; ///< -sigma_nn from the mean strain of the cell (Pa)
 };
 
-/** What a rank writes of a field: some rows of the second axis of the dataset. */
+/** Part of a field that a rank writes: rows of the second axis of the dataset. */
 struct FieldRows
 {
-  std::size_t first = 0;      ///< of its rows
-  std::vector<double> values; ///< components of a node together
+  std::size_t first = 0;      ///< index of its first row
+  std::vector<double> values; ///< components of a node are adjacent
 };
 
-/** Displacements of a body that a file has and ParaView shows. */
+/** Displacement fields that a file stores and ParaView shows. */
 struct ShownFields
 {
-  std::string name;                               ///< that ParaView shows
-  std::string dataset;                            ///< in the file
-  std::vector<const NodalField<double> *> fields; ///< of elastic() or vibrating()
+  std::string name;                               ///< name in ParaView
+  std::string dataset;                            ///< name of the dataset in the file
+  std::vector<const NodalField<double> *> fields; ///< fields of elastic() or vibrating()
   std::string unit;                               ///< empty: none
 };
 
-/** A body in its initial state on the flat, and what is read of it. */
+/** A body in its initial state on the flat, with probes and output. */
 template <int dim>
 struct BodyInMotion
 {
-  std::unique_ptr<SlidingBody<dim>> body; ///< all of it that moves
-  std::unique_ptr<ProbeRecorder> probes;  ///< refer to the body; null without any
+  std::unique_ptr<SlidingBody<dim>> body; ///< the moving body
+  std::unique_ptr<ProbeRecorder> probes;  ///< probes of the body; null without any
 
-  /** The displacement as it is now, of all ranks together once. Collective. */
+  /** Current displacement: the rows that this rank writes; every row is written by one
+   * rank. Collective. */
   std::function<FieldRows()> displacement;
 };
 
 /**
- * The body that parameters and files give, and what analyses ask of it: what it is made of, what
- * holds it, how it is advanced and solved for, and how its files look. GivenGrid is a plane grid,
- * GivenMesh a mesh or a box. Members are called by all ranks unless said otherwise.
+ * The body given by parameters and files, as the analyses see it: materials, supports,
+ * time integration, statics and file layout. GivenGrid is a plane grid, GivenMesh a mesh
+ * or a box. Members are collective unless documented otherwise.
  */
 template <int dim>
 class GivenBody
@@ -129,10 +132,10 @@ class GivenBody
 public:
   virtual ~GivenBody() = default;
 
-  GivenBody(const GivenBody &)            = delete; ///< is referred to
+  GivenBody(const GivenBody &)            = delete; ///< referred to
   GivenBody &operator=(const GivenBody &) = delete; ///< see the constructor
 
-  /** What is told of it. */
+  /** Facts of the body. */
   const BodyFacts<dim> &facts() const
   {
     return known;
@@ -141,74 +144,79 @@ public:
   /** Prints lines, degrees of freedom, memory and warnings for --validate. */
   void describe(std::ostream &out, const double more_memory = 0.) const;
 
-  /** Lines, and those of supports. */
+  /** Lines of facts() and on the supports. */
   std::vector<std::string> told() const;
 
   /** Writes lines and warnings to the log. */
   void log(RunContext &context) const;
 
-  /** Where the contact nodes are. */
+  /** Positions of the contact nodes. */
   ContactPlaces contact_nodes() const;
 
-  /** Adds to lines and warnings what is to be told of the flat. @throws UserError, see look_at_profile() */
+  /** Adds lines and warnings on the flat.
+   * @throws UserError, see look_at_profile() */
   void look_at_flat();
 
   /** Puts analysis, material and size of the body into summary.json. */
   void summarize(const std::string &analysis, RunContext &context) const;
 
-  /** The body at the start of a run, above @p counter if there is one; this, @p counter and @p context must outlive it. */
+  /** The body at the start of a run, above @p counter if there is one. This object,
+   * @p counter and @p context must outlive it. */
   virtual BodyInMotion<dim> start(const SlidingSetup &setup,
                                   RunContext &context,
                                   CounterMotion<dim> *counter) const = 0;
 
-  /** A counter body in its initial state; of a plane grid on rank 0 alone. */
+  /** A counter body in its initial state; for a plane grid on rank 0 only. */
   virtual CounterMotion<dim> start_below(const SlidingSetup &setup,
                                          RunContext &context) const = 0;
 
-  /** On rank 0: writes into the group /contact of a run where the nodes of the contact are. */
+  /** On rank 0: writes the positions of the contact nodes into the group /contact of a
+   * run. */
   virtual void write_contact(Hdf5File &file) const = 0;
 
   /**
    * @name Statics and modes
    * @{
    */
-  /** Makes the body that elastic() is from then on, with whole fields on all ranks if @p whole;
-   * contact nodes are then in the order of ElasticBody::surface(). */
+  /** Makes the body that elastic() returns, with fields replicated on all ranks if
+   * @p whole; contact nodes then have the order of ElasticBody::surface(). */
   virtual void make_elastic(const MPI_Comm communicator, const bool whole = false) = 0;
 
   virtual const ElasticBody<dim> &elastic() const = 0; ///< see make_elastic()
 
-  /** The same as it vibrates: displacements at its contact are absolute. */
+  /** The body for vibrations: elastic(), but with absolute displacements at its
+   * contact. */
   virtual const ElasticBody<dim> &vibrating() const
   {
     return elastic();
   }
 
-  /** Modes of elastic() below this @p top, with the contact held along the normal of the flat or free. Collective.
+  /** Modes of elastic() below @p top, with the contact held along the normal of the flat
+   * or free. Collective.
    * @throws as vibration_modes() */
   virtual VibrationModes<dim> modes(const TopSetup &top,
                                     const bool contact_held,
                                     const VibrationModesOptions &options) const;
 
-  /** Stiffness and masses of the body with phases_of_damping() for its own, in whole fields as those of vibrating().
-   * Collective. */
+  /** Stiffness and masses of the body with phases_of_damping() in place of its phases, in
+   * replicated fields laid out like those of vibrating(). Collective. */
   virtual DampingByPhase make_damping(const StepParameters &step,
                                       const MPI_Comm communicator) const = 0;
 
-  /** What supports and @p top hold of elastic(), all components of what platens move; with
-   * @p contact_held the contact along the normal of the flat. */
+  /** Constraints of elastic() by supports and @p top, including all components of nodes
+   * that platens move; with @p contact_held the contact along the normal of the flat. */
   virtual DofMask held(const TopSetup &top, const bool contact_held) const = 0;
 
   /** The platens of top and sides, which move nodes of elastic(). */
   std::vector<Platen> platens(const TopSetup &top) const;
 
-  /** In how many components they move. */
+  /** Number of components in which the platens move. */
   std::size_t n_platen_moves(const TopSetup &top) const;
 
-  /** The nodes of the top that this rank has. */
+  /** Locally stored nodes of the top. */
   virtual SupportNodes top_nodes() const = 0;
 
-  /** Sides of the body, and of one below it, that are loaded; platens first. */
+  /** Loaded sides of the body and of a counter body; platens first. */
   virtual std::vector<SideSupport> loaded_sides() const
   {
     return parameters.loaded_sides();
@@ -217,29 +225,30 @@ public:
   /** The nodes of each of loaded_sides(). */
   virtual std::vector<SupportNodes> side_nodes() const = 0;
 
-  /** The nodes of the contact in elastic(), of a counter body of its upper side. */
+  /** Contact nodes of elastic(); for a counter body on its upper side. */
   virtual std::vector<NodeIndex> contact_of_elastic() const
   {
     return elastic().surface(ElasticBody<dim>::bottom).nodes;
   }
 
-  /** A first guess of the displacement (m) under a uniform strain along the normal of the flat, where
-   * all of the contact touches; else zero. */
+  /** Initial guess of the displacement (m): uniform strain along the normal of the flat
+   * if the whole contact touches; else zero. */
   virtual NodalField<double> compressed(const double strain) const = 0;
 
-  /** On rank 0: the cells behind the faces of the contact under a displacement. */
+  /** On rank 0: the cells behind the contact faces under a displacement. */
   virtual std::vector<ContactCell> contact_cells(const NodalField<double> &u) const = 0;
 
-  /** On rank 0: where the contact nodes are (m), along the dim axes, of a plane grid along x. */
+  /** On rank 0: coordinates of the contact nodes (m), along the dim axes; for a plane
+   * grid along x only. */
   virtual std::vector<std::vector<double>> contact_places() const = 0;
 
-  /** Share of each phase in the tributary area of each contact node, and their names. */
+  /** Names of the phases and their shares in the tributary area of each contact node. */
   virtual ContactParts contact_parts() const = 0;
 
   /** Strains and rotations of the cells under a displacement. */
   virtual Deformation deformation(const NodalField<double> &u) const = 0;
 
-  /** Number of components that all this leaves free, without a platen. */
+  /** Number of free components under these constraints, without platen motions. */
   virtual std::size_t n_free(const TopSetup &top, const bool contact_held) const = 0;
   /** @} */
 
@@ -247,21 +256,23 @@ public:
    * @name Files
    * @{
    */
-  /** On rank 0: begins a file of contact_dynamics with header, cells and materials. */
+  /** On rank 0: creates a file of contact_dynamics with header, cells and materials. */
   virtual Hdf5File create_file(const std::string &path,
                                const std::string &format) const = 0;
 
-  /** On rank 0: extents of a displacement of the nodes in a file. */
+  /** On rank 0: shape of a nodal displacement field in a file. */
   virtual Shape vectors_shape() const = 0;
 
-  /** Writes displacements of elastic() as dataset @p name into @p file at @p path, which rank 0 has. */
+  /** Writes displacements of elastic() as dataset @p name into @p file at @p path, which
+   * is open on rank 0. */
   virtual void
   write_fields(std::optional<Hdf5File> &file,
                const std::string &path,
                const std::string &name,
                const std::vector<const NodalField<double> *> &fields) const = 0;
 
-  /** Writes @p shown into @p file at @p path, which rank 0 has, closes it and shows it, with @p numbers as times. */
+  /** Writes @p shown into @p file at @p path, which is open on rank 0, closes it and
+   * writes the XDMF file, with @p numbers as times. */
   void write_and_show(std::optional<Hdf5File> &file,
                       const std::string &path,
                       const std::vector<ShownFields> &shown,
@@ -273,8 +284,9 @@ public:
     return nullptr;
   }
 
-  /** On rank 0: writes what a counter body has of fields into the file at @p path, of this @p format and shows it, with @p numbers as
-   * times, and with the @p conditions of a run, unless there are none; nothing without a counter body. */
+  /** On rank 0: writes the counter body's part of the fields into the file at @p path, of
+   * this @p format, and its XDMF file, with @p numbers as times and with the
+   * @p conditions of a run, if there are any. Does nothing without a counter body. */
   virtual void write_below(const std::string & /*path*/,
                            const std::string & /*format*/,
                            const std::vector<ShownFields> & /*shown*/,
@@ -283,39 +295,43 @@ public:
   {
   }
 
-  /** On rank 0: writes NAME.xdmf with @p fields of the file NAME.h5 at @p path, and NAME-phases.xdmf,
-   * as ParaView does not read vectors of nodes and data of cells from one. */
+  /** On rank 0: writes NAME.xdmf with @p fields of the file NAME.h5 at @p path, and
+   * NAME-phases.xdmf: ParaView does not read nodal vectors and cell data from one
+   * file. */
   virtual void show(const std::string &path,
                     const std::vector<XdmfField> &fields,
                     const std::vector<double> &times) const = 0;
   /** @} */
 
-  const ContactParameters parameters; ///< all of them, checked
+  const ContactParameters parameters; ///< all parameters, checked
 
 protected:
-  /** @throws UserError if there are not as many constants of damping as phases */
+  /** @throws UserError if the number of damping constants differs from the number of
+   * phases */
   void check_damping() const;
 
-  /** Of these parameters. */
+  /** Stores @p parameters. */
   explicit GivenBody(const ContactParameters &parameters);
 
-  /** Adds which phases have mean dilatation to the lines of facts(). */
+  /** Adds the phases with mean dilatation to the lines of facts(). */
   void add_lines_on_cells();
 
-  /** Adds sentences on @p ranges, friction, springs of the contact, a static load and facts().phases that
-   * look like another unit, in a body of these @p scales. */
+  /** Adds warnings on values that look like another unit: @p ranges, friction, contact
+   * springs, a static load and facts().phases, relative to @p scales. */
   void add_implausible(std::vector<std::string> &sentences,
                        std::vector<PlausibleRange> ranges,
                        const BodyScales &scales) const;
 
-  /** What nodes of top and sides stand on in statics and modes. */
+  /** Springs, dashpots and masses at the nodes of top and sides, for statics and
+   * modes. */
   Foundation foundation() const;
 
-  BodyFacts<dim> known; ///< see facts(); for derived classes to set
+  BodyFacts<dim> known; ///< returned by facts(); set by derived classes
 };
 
-/** The body that @p parameters and their files give. Collective. @throws UserError for input that no
- * analysis can work with, or without the memory for it */
+/** The body that @p parameters and their files give. Collective.
+ * @throws UserError for input that no analysis supports, or if the memory is
+ * insufficient */
 template <int dim>
 std::unique_ptr<GivenBody<dim>> make_given_body(const ContactParameters &parameters);
 } // namespace mesoslip

@@ -50,7 +50,8 @@ void check_reference(const double x, const UniformGrid<2> &grid)
                     " m lies outside the body, 0 to " + to_text(grid.extent(0)) + " m");
 }
 
-/** The rows of nodes are divided among the ranks. @throws UserError for more than can have some */
+/** Checks that the rows of nodes can be divided among the ranks.
+ * @throws UserError for too many ranks */
 void check_ranks(const UniformGrid<2> &grid)
 {
   const unsigned int n_rows  = grid.cells[1] + 1,
@@ -74,10 +75,10 @@ ReferenceNode reference_node(const ContactParameters &parameters,
   const double x             = std::isnan(wanted) ? 0.5 * grid.extent(0) : wanted;
   ReferenceNode node;
   node.number = std::lround(std::clamp(x, 0., grid.extent(0)) / grid.spacing[0]);
-  if (parameters.periodic) // the last one is the first
+  if (parameters.periodic) // the last node is a copy
     node.number %= grid.cells[0];
   node.position = {{node.number * grid.spacing[0], 0., 0.}};
-  // As of a probe there: a point between two cells belongs to the upper one.
+  // Phase as for a probe there: a point between two cells belongs to the upper one.
   node.phase =
     static_cast<unsigned int>(body.phase_of(std::min(node.number, grid.cells[0] - 1)));
   node.area = tributary_width(grid, node.number, parameters.periodic);
@@ -102,7 +103,7 @@ GivenGrid::GivenGrid(const ContactParameters &given, const BodyDescription &desc
     check_ranks(body.grid);
   const double bytes = field_memory(parameters, body.grid);
   (is_repeated(parameters) ? known.memory.on_each : known.memory.divided) = bytes;
-  // Rank 0 looks for the largest frequency of the whole body.
+  // Rank 0 computes the largest frequency of the whole body.
   if (parameters.analysis == ContactAnalysis::transient)
     known.memory.on_rank_0 =
       bytes - known.memory.on_other_rank(mpi::n_mpi_processes(MPI_COMM_WORLD));
@@ -128,10 +129,10 @@ GivenGrid::GivenGrid(const ContactParameters &given, const BodyDescription &desc
   for (ProbePoint &probe : known.probes)
     probe.position = place_of_probe(probe, body.grid);
   known.long_run   = 6e8;
-  known.most_ranks = std::max(1U, body.grid.cells[1] / 40); // which hide what ranks tell
+  known.most_ranks = std::max(1U, body.grid.cells[1] / 40); // hides communication
 }
 
-/** Of the contact, whose last node is the first one again on a periodic grid. */
+/** Facets of the contact; on a periodic grid the last node is a copy of the first. */
 std::vector<SurfaceFacet> GivenGrid::facets() const
 {
   const unsigned int n         = body.grid.cells[0];
@@ -198,7 +199,8 @@ std::vector<std::string> GivenGrid::warnings() const
   return found;
 }
 
-/** What a platen at a side moves at least, of nodes of this density, for the area of the side (kg/m^2). */
+/** Least mass per area of a side (kg/m^2) that a platen moves, for nodes of this
+ * density. */
 double GivenGrid::mass_for_area(const SideSupport &platen, const double density) const
 {
   const auto &h         = body.grid.spacing;
@@ -211,7 +213,7 @@ BodyScales GivenGrid::scales() const
   BodyScales found(material);
   if (parameters.analysis != ContactAnalysis::transient)
     return found;
-  // Whole on one rank, so that the others do not need its fields.
+  // Computed on rank 0, so that the other ranks do not need its fields.
   double frequency = 0.;
   on_root(MPI_COMM_WORLD, [&]() { frequency = largest_frequency(material).upper; });
   broadcast_object(MPI_COMM_WORLD, frequency);
@@ -229,7 +231,8 @@ BodyScales GivenGrid::scales() const
     of_sides = std::max(of_sides, side.is_platen ? side.suspension.squared_frequency(
                                                      mass_for_area(side, lightest))
                                                  : of_springs(side.suspension, 0));
-  // That of a sum is at most the sum; a corner has the springs of top and side.
+  // The largest frequency of a sum is at most the sum; a corner has the springs of top
+  // and side.
   found.highest_frequency =
     std::hypot(frequency, std::sqrt(of_springs(parameters.top.suspension, 1) + of_sides));
   return found;
@@ -259,7 +262,7 @@ BodySize GivenGrid::size() const
   return size;
 }
 
-/** With what the supports of this body stand for. */
+/** Adds the nodes of the supports of this body. */
 SlidingSetup GivenGrid::with_sides(SlidingSetup setup) const
 {
   setup.top.nodes = top_nodes().carried;
@@ -296,7 +299,7 @@ void GivenGrid::write_contact(Hdf5File &file) const
 {
   const std::vector<double> x = contact_places()[0];
   std::vector<double> area    = known.size.area;
-  // Of a node that is written twice each has half.
+  // A periodic node is written twice, with half of its area each.
   if (parameters.periodic)
     for (double *end : {&area.front(), &area.back()})
       *end *= 0.5;

@@ -13,12 +13,12 @@
 namespace mesoslip
 {
 /**
- * The body that parameters and RVE file describe, if there is the memory for its fields.
- * The coefficient of a bottom node follows from those of the two cells beside it by
- * FrictionParameters::node_rule: their mean weighted with the stiffness D22 (as the
- * pressure is shared when both cells are compressed alike, eq. 18), the plain mean, the
- * largest or the smallest. @p n_copies ranks of this machine keep fields of the whole body.
- * @throws UserError naming key or file, or if the machine has not the memory
+ * The body that parameters and RVE file describe. The coefficient of a bottom node
+ * follows from the two cells beside it by FrictionParameters::node_rule: mean weighted
+ * with the stiffness D22 (as the pressure is shared when both cells have the same
+ * strain, eq. 18), plain mean, largest or smallest. @p n_copies ranks of this machine
+ * keep fields of the whole body.
+ * @throws UserError naming key or file, or if the memory is insufficient
  */
 BodyDescription make_body(const ContactParameters &parameters,
                           const unsigned int n_copies);
@@ -28,27 +28,29 @@ UniformMaterial make_material(const BodyDescription &body,
                               const MeanDilatation choice,
                               const bool periodic);
 
-/** What sides and top hold, of a platen u_x and u_y; with @p bottom_held u_y of the bottom. */
+/** Constraints by sides and top (a platen: u_x and u_y); with @p bottom_held also u_y of
+ * the bottom. */
 DofMask held_by_supports(const UniformMaterial &material,
                          const SideConstraints &sides,
                          const TopSetup &top,
                          const bool bottom_held = false);
 
-/** Exchanges above and below. */
+/** Mirrors the body: exchanges top and bottom. */
 void turn_over(BodyDescription &body);
 
 /** A plane grid. */
 class GivenGrid : public GivenBody<2>
 {
 public:
-  /** Rank 0 reads the RVE file. @throws UserError for input that no analysis can work with, or
-   * without the memory for its fields */
+  /** Rank 0 reads the RVE file.
+   * @throws UserError for input that no analysis supports, or if the memory for its
+   * fields is insufficient */
   explicit GivenGrid(const ContactParameters &given);
 
-  /** The body as it is described. */
+  /** A body with a given description. */
   GivenGrid(const ContactParameters &given, const BodyDescription &described);
 
-  /** Above @p counter, if there is one. */
+  /** Starts the body, above @p counter if there is one. */
   BodyInMotion<2> start(const SlidingSetup &given,
                         RunContext &context,
                         CounterMotion<2> *counter) const override;
@@ -81,7 +83,7 @@ public:
             const std::vector<double> &times) const override;
 
 protected:
-  const BodyDescription body;     ///< the same on all ranks, if so upside down
+  const BodyDescription body;     ///< the same on all ranks; may be upside down
   const UniformMaterial material; ///< stiffness and density of its cells
 
 private:

@@ -6,7 +6,7 @@
 
 namespace mesoslip
 {
-// Its fields are whole in any case.
+// Fields are replicated in any case.
 void GivenGrid::make_elastic(const MPI_Comm communicator, const bool /*whole*/)
 {
   of_statics = mesoslip::make_body(material, parameters.static_solver, communicator);
@@ -80,7 +80,7 @@ std::vector<SupportNodes> GivenGrid::side_nodes() const
   return sides;
 }
 
-/** Of each row of nodes. */
+/** Nodes of a side, one per row. */
 SideNodes GivenGrid::column_of(const SideSupport &side) const
 {
   const unsigned int n = body.grid.cells[1], m = body.grid.cells[0];
@@ -112,13 +112,13 @@ SideNodes GivenGrid::column_of(const SideSupport &side) const
   if (side.is_platen)
     {
       std::vector<bool> own(n + 1, true);
-      own.front() = own.back() = false; // of contact and top
+      own.front() = own.back() = false; // belong to contact and top
       carry_whole_side(nodes, own, side);
     }
   return nodes;
 }
 
-/** Nodes have the mean of the cells on either side, as these have the same area. */
+/** Nodes have the mean of the adjacent cells, which have the same area. */
 std::vector<std::vector<double>> GivenGrid::top_impedance() const
 {
   const unsigned int n    = body.grid.cells[0];
@@ -143,7 +143,7 @@ NodalField<double> GivenGrid::compressed(const double strain) const
 {
   const unsigned int n = material.n_columns(), top = body.grid.cells[1];
   const DofMask held = this->held(parameters.top, false);
-  const bool platen  = parameters.top.is_platen; // moves what it holds
+  const bool platen  = parameters.top.is_platen; // a platen holds its nodes
   NodalField<double> u(n, top + 1);
   for (unsigned int j = 0; j <= top; ++j)
     for (unsigned int i = 0; i < n; ++i)
@@ -175,7 +175,7 @@ std::vector<std::vector<double>> GivenGrid::contact_places() const
 
 ContactParts GivenGrid::contact_parts() const
 {
-  // A node has half of the cell on either side, those at the ends of a body one cell.
+  // A node has half of each adjacent cell, a node at the end of the body one half cell.
   const std::size_t n = body.grid.cells[0];
   const bool periodic = parameters.periodic;
   ContactParts parts;

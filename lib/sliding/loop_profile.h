@@ -16,9 +16,9 @@ template <class Part>
 class Timed : public Part
 {
 public:
-  using Interface = Part; ///< of what is timed
+  using Interface = Part; ///< interface that is timed
 
-  /** @p part and @p timer have to outlive it. */
+  /** @p part and @p timer must outlive it. */
   Timed(Part &part, const char *name, Timer &timer)
     : part(part)
     , name(name)
@@ -27,18 +27,18 @@ public:
   }
 
 protected:
-  Part &part;             ///< what is timed
-  const char *const name; ///< of the section
-  Timer &timer;           ///< gets the times
+  Part &part;             ///< wrapped object
+  const char *const name; ///< timer section
+  Timer &timer;           ///< collects the times
 };
 
-/** A boundary condition. */
+/** A boundary condition with a clock. */
 template <int dim>
 struct TimedSurface : Timed<SurfaceCondition<dim>>
 {
   using Timed<SurfaceCondition<dim>>::Timed;
 
-  /** One step of the boundary. */
+  /** Advances the boundary by one step. */
   void advance(const SurfaceView<dim> &surface) override
   {
     const auto scope = this->timer.scope(this->name);
@@ -46,12 +46,12 @@ struct TimedSurface : Timed<SurfaceCondition<dim>>
   }
 };
 
-/** Sending to and waiting for neighbours. */
+/** Halo exchange with a clock. */
 struct TimedHalo : Timed<Halo>
 {
   using Timed::Timed;
 
-  /** Starts to send. */
+  /** Starts sending. */
   void send(const Side side, const RowBlock &own) override
   {
     const auto scope = timer.scope(name);
@@ -65,32 +65,32 @@ struct TimedHalo : Timed<Halo>
     part.receive(side, ghosts);
   }
 
-  /** Every few rows: too often for a clock. */
+  /** Not timed: it is called every few rows. */
   void progress() override
   {
     part.progress();
   }
 };
 
-/** An observer. */
+/** An observer with a clock. */
 struct TimedObserver : Timed<StepObserver>
 {
   using Timed::Timed;
 
-  /** Is not timed. */
+  /** Not timed. */
   std::uint64_t next_step(const std::uint64_t n) const override
   {
     return part.next_step(n);
   }
 
-  /** What is observed before a step. */
+  /** Calls the observer before a step. */
   void before_step(const std::uint64_t n) override
   {
     const auto scope = timer.scope(name);
     part.before_step(n);
   }
 
-  /** What is observed after a step. */
+  /** Calls the observer after a step. */
   void after_step(const std::uint64_t n) override
   {
     const auto scope = timer.scope(name);
@@ -98,9 +98,9 @@ struct TimedObserver : Timed<StepObserver>
   }
 };
 /**
- * Puts clocks around what the time loop calls: boundary conditions, exchange between ranks,
- * observers. Each call costs some 50 ns, two or more a step, so only on request; without
- * a timer everything is handed back as it is.
+ * Wraps boundary conditions, halo exchange and observers of the time loop with clocks.
+ * Each call costs some 50 ns, two or more a step, so only on request; without a timer
+ * every part is returned as it is.
  */
 class LoopProfile
 {
@@ -111,7 +111,8 @@ public:
   {
   }
 
-  /** @p part, timed as @p name. The result lives as long as both. */
+  /** @p part, timed as @p name. The result is valid as long as @p part and this
+   * profile. */
   template <class TimedPart>
   typename TimedPart::Interface *timed(typename TimedPart::Interface &part,
                                        const char *name)
@@ -122,7 +123,7 @@ public:
     return static_cast<TimedPart *>(wrappers.back().get());
   }
 
-  Timer *const timer; ///< null if nothing is timed
+  Timer *const timer; ///< null: timing is off
 
 private:
   std::vector<std::shared_ptr<void>> wrappers;

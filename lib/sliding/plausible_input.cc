@@ -9,7 +9,7 @@ namespace mesoslip
 {
 namespace
 {
-// Of the wave speed: 250 m/s in the paper's pin.
+// Largest plausible speed over the wave speed: 250 m/s in the paper's pin.
 constexpr double fastest = 0.05;
 // Crossings of the body by a wave: 3 ms in a pin of 16 mm are a thousand.
 constexpr double most_crossings = 1e5;
@@ -29,13 +29,13 @@ PlausibleRange at_most(const std::string &key,
   return {key, value, unit, PlausibleRange().lowest, "", highest, if_high};
 }
 
-/** A load with its two keys. */
+/** A load with its section and key. */
 struct Load
 {
   const LoadHistory &history;
   const std::string section, key;
 
-  /** For its @p which ("largest") value. */
+  /** Name in texts of its @p which ("largest") value. */
   std::string name(const std::string &which) const
   {
     return history.is_expression()
@@ -44,7 +44,7 @@ struct Load
   }
 };
 
-/** Collects what is to be judged of a transient run. */
+/** Judges the keys of a transient run for plausibility. */
 class RunJudge
 {
 public:
@@ -68,7 +68,7 @@ public:
     std::vector<PlausibleRange> ranges;
     for (const auto &some : {times(), top(), velocities(), contact(), observation()})
       for (const PlausibleRange &range : some)
-        if (!std::isnan(range.value)) // of an expression, told below, or not asked for
+        if (!std::isnan(range.value)) // expressions are judged below; NaN: not requested
           ranges.push_back(range);
     std::vector<std::string> sentences = implausible(ranges);
     for (const Load *load : {&pressure, &velocity})
@@ -106,7 +106,7 @@ public:
 private:
   using Ranges = std::vector<PlausibleRange>;
 
-  /** A duration that has to act within the run. */
+  /** Range of a duration that has to act within the run. */
   PlausibleRange within_run(const std::string &key,
                             const double value,
                             const double longest,
@@ -117,7 +117,7 @@ private:
                      "; times are in s");
   }
 
-  /** That a ramp is over before the run is. */
+  /** Checks that a ramp ends within the run. */
   PlausibleRange ramp(const Load &load) const
   {
     const double amplitude = load.history.amplitude();
@@ -130,7 +130,7 @@ private:
               "; times are in s"};
   }
 
-  /** Against the speed of waves. */
+  /** Range of a speed relative to the wave speed. */
   PlausibleRange speed(const std::string &key, const double value) const
   {
     return at_most(key, value, "m/s", fastest * scales.wave_speed,
@@ -163,7 +163,7 @@ private:
                                      end, "the top is never held");
     hold.lowest         = std::numeric_limits<double>::min();
     hold.if_low         = "so that Supports/Top/Pressure never acts";
-    // What a ramp leaves of it in the run has a sentence of its own.
+    // The effect of a ramp that outlasts the run has a message of its own.
     const LoadRange all =
       load_range(top.pressure, std::max(end, top.pressure.duration()));
     return {
@@ -196,11 +196,11 @@ private:
 
   Ranges contact() const
   {
-    // In a short run the first vibrations count, of about ten crossings.
+    // In a short run the first vibrations matter, about ten crossings.
     const double longest         = std::max(end, 10. * crossing);
     const FrictionParameters &fr = parameters.friction;
     const std::string useless    = "friction hardly comes to act";
-    // How far the body can come towards the flat, when nothing stops it.
+    // Distance that the body can move towards the flat if it is not stopped.
     const double force =
       parameters.top.is_held() ? 0. : pressures.largest_size() * scales.area;
     const unsigned int normal = scales.dim - 1;
@@ -235,7 +235,8 @@ private:
           " at most before Time/End time: it never touches the flat; lengths are in m")};
   }
 
-  /** Of a law that changes with the slip, which is a few times what the flat moves at most. */
+  /** Range of the critical slip of a law that changes with the slip: at most ten times
+   * the flat's way. */
   PlausibleRange weakening_slip() const
   {
     const SlipLawParameters &law = parameters.friction.slip_law;
@@ -261,14 +262,14 @@ private:
       return automatic;
     const double largest = law.slip_law->largest(flat_speed);
     return std::isfinite(largest) ? largest
-                                  : automatic; // it may depend on more than the slip
+                                  : automatic; // may depend on more than the slip
   }
 
   Ranges observation() const
   {
     const ObservationParameters &o = parameters.observation;
     const auto interval            = [&](const std::string &key, const double steps) {
-      // 200 is the default where nothing is asked for.
+      // 200 is the default if the key is not set.
       return at_most("Observation/" + key, steps, "steps", std::max(200., n_steps),
                                 "more than " + run_text + " has, " +
                                   quantity_text(n_steps, "steps"));
@@ -283,8 +284,8 @@ private:
                     "long after the end of " + run_text + "; times are in s")};
   }
 
-  /** Where friction falls with the slip rate faster than waves carry away what that sets
-   * free, all wave lengths grow, the shortest the fastest. */
+  /** If friction falls with the slip rate by more than waves radiate, all wave lengths
+   * grow, the shortest fastest. */
   std::string weakening_text() const
   {
     const FrictionLaw &law = parameters.contact.law;
@@ -324,12 +325,12 @@ private:
   const ContactParameters &parameters;
   const BodyScales &scales;
   const double n_steps;
-  const double end, crossing; ///< of the run, of a wave through the body (s)
+  const double end, crossing; ///< run time, and crossing time of a wave (s)
   const std::string run_text;
   const Load pressure, velocity;
   const LoadRange pressures;
   const double flat_speed; ///< largest (m/s)
-  const bool is_pushed;    ///< a far end moves the top along the normal
+  const bool is_pushed;    ///< whether a far end moves the top along the normal
 };
 } // namespace
 

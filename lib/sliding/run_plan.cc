@@ -15,13 +15,14 @@ namespace mesoslip
 {
 namespace
 {
-/** Critical time step by the frequency of a single cell, which is free to compute: below the true one. */
+/** Lower bound of the critical time step by the frequency of a single cell, which is
+ * cheap to compute. */
 double lower_bound(const BodyScales &scales, const StepParameters &step)
 {
   return critical_time_step(scales.highest_frequency, step.beta2, step.beta);
 }
 
-/** Ends the run if @p load, given as an expression, stopped being a number up to step @p n. */
+/** Ends the run if the expression of @p load is not finite up to step @p n. */
 void require_finite(const LoadHistory &load,
                     const std::string &key,
                     const double dt,
@@ -77,7 +78,8 @@ std::string TimeStepChoice::text() const
 void require_frequency(const UniformMaterial &material)
 {
   const double omega = element_frequency_bound(material);
-  // Its square is multiplied and divided by lengths and times.
+  // The square of omega is multiplied and divided by lengths and times, so its range is
+  // limited.
   if (!(omega > 1e-100 && omega < 1e100))
     throw UserError("Body: stiffness, density and cells of " +
                     to_text(material.grid().spacing[0]) + " x " +
@@ -92,7 +94,8 @@ unsigned int statistics_interval(const double crossing, const double dt)
   return static_cast<unsigned int>(std::clamp(crossing / (6. * dt), 1., 10.));
 }
 
-/** @p x to ten digits, not more than x: the same on any number of ranks, which know it up to round-off. */
+/** @p x rounded down to ten digits: equal on any number of ranks, which compute it up to
+ * round-off. */
 static double rounded_down(const double x)
 {
   const double unit = std::pow(10., std::floor(std::log10(x)) - 9.);
@@ -129,7 +132,7 @@ ContactMapSetup contact_map_setup(const ContactParameters &parameters, const dou
   ContactMapSetup setup;
   if (!(map.interval > 0.))
     return setup;
-  // Without more steps than any run has, so that they are numbers.
+  // Limited to 1e18 steps to avoid overflow.
   const auto steps = [&](const double t) {
     return static_cast<std::uint64_t>(std::llround(std::min(t / dt, 1e18)));
   };
@@ -232,8 +235,8 @@ double static_node_memory(const ContactParameters &parameters,
 
 double field_memory(const ContactParameters &parameters, const UniformGrid<2> &grid)
 {
-  // In floating point, as too many nodes for a machine are a number, too. As measured:
-  // what finds the largest frequency, or with energies the run.
+  // In floating point, as the number of nodes may exceed the integer range. Measured: the
+  // power iteration for the largest frequency, or the run with energies.
   constexpr double bytes_of_steps = 160.;
   const double nodes              = (grid.cells[0] + 1.) * (grid.cells[1] + 1.);
   if (parameters.analysis == ContactAnalysis::complex_modes)
@@ -322,7 +325,7 @@ void require_upright_cells(const Deformation &found,
   const std::string text = inverted_cell_text(found, place);
   if (text.empty())
     return;
-  // Of an unstable run the time step is the cause, whatever the loads are.
+  // In an unstable run the time step is the cause for any loads.
   const bool unstable = time.step.dt > time.critical;
   throw NumericalFailure(
     (unstable ? "the run blew up: " : "") + text + "; likely cause: " +

@@ -19,7 +19,7 @@ SlidingSetup completed(SlidingSetup setup,
   const bool has_contact = mpi::this_mpi_process(communicator) == 0;
   setup.contact.periodic = setup.top.periodic = setup.periodic;
   setup.top.cell_width                        = material.grid().spacing[0];
-  // With periodic sides the last node is the first one again.
+  // On a periodic grid the last node is a copy of the first.
   setup.contact_places.resize(has_contact ? material.n_columns() - setup.periodic : 0);
   std::iota(setup.contact_places.begin(), setup.contact_places.end(), 0U);
   AssertDimension(setup.contact.friction_coefficient.size(), material.n_columns());
@@ -198,7 +198,7 @@ void SlidingGrid::set_initial_velocity(const std::array<double, 3> &v)
           of_row[0] = 0.;
         if (right[c])
           of_row[n - 1] = 0.;
-        // What the top holds does not move from the start.
+        // Nodes held by the top are at rest from the start.
         if (top_row && (c == 0 ? setup.top.holds(0) : setup.top.is_held()))
           std::fill_n(of_row, n, 0.);
       }
@@ -225,7 +225,8 @@ void SlidingGrid::start_contact()
       w.row(1, 0)[i] = contact_start.velocity + back * contact_start.acceleration[i];
 }
 
-/** Accelerations (m/s^2) of all nodes at the start, when they move with @p v, by weight, loads and what damps masses. */
+/** Initial accelerations (m/s^2) of all nodes moving with @p v, by weight, loads and
+ * damping proportional to mass. */
 NodalField<double> SlidingGrid::start_acceleration(const std::array<double, 3> &v) const
 {
   const unsigned int n     = w.n_columns();
@@ -271,7 +272,8 @@ NodalField<double> SlidingGrid::start_acceleration(const std::array<double, 3> &
   return a;
 }
 
-/** Makes the accelerations of @p nodes of these masses, in local rows, that of the @p platen that moves them. Collective. */
+/** Gives @p nodes (in local rows) with these masses the common acceleration of the
+ * @p platen that moves them. Collective. */
 void SlidingGrid::start_as_one(const RigidPlaten<2> &platen,
                                const std::vector<NodeIndex> &nodes,
                                const std::vector<double> &mass,
@@ -287,7 +289,8 @@ void SlidingGrid::start_as_one(const RigidPlaten<2> &platen,
       a.row(c, node.j)[node.i] = found[c];
 }
 
-/** Makes accelerations of the top row those under its load, and @p whole, their masses, those with what is on them. */
+/** Replaces the accelerations of the top row by accelerations under its load, and adds
+ * suspended masses to @p whole. */
 void SlidingGrid::load_top(const std::array<double, 3> &v,
                            std::vector<double> &whole,
                            NodalField<double> &a) const
@@ -305,7 +308,7 @@ void SlidingGrid::load_top(const std::array<double, 3> &v,
     }
 }
 
-/** The same of the node of side @p k in row @p l. */
+/** Like load_top(), for the node of side @p k in row @p l. */
 void SlidingGrid::load_side(const std::size_t k,
                             const unsigned int l,
                             const std::array<double, 3> &v,

@@ -5,7 +5,7 @@
 #include "contact/contact_recorder.h"
 #include "contact/pair/paired_contact.h"
 #include "dynamics/energy_audit.h"
-#include "dynamics/explicit_stepper.h"
+#include "dynamics/grid/explicit_stepper.h"
 #include "dynamics/supports/side_column.h"
 #include "dynamics/supports/top_surface.h"
 #include "grid/halo.h"
@@ -22,43 +22,44 @@
 
 namespace mesoslip
 {
-/** What a body on the flat is made of besides its material. */
+/** Setup of a body on the flat, without its material. */
 struct SlidingSetup
 {
   StepParameters step;            ///< time step, beta2, damping, body acceleration
   SideConstraints sides;          ///< components constrained on the left and right side
   ContactSetup contact;           ///< the flat
   TopSetup top;                   ///< the load
-  std::vector<LoadedSide> loaded; ///< other sides that are not just held, platens first
+  std::vector<LoadedSide> loaded; ///< loaded sides other than the top, platens first
   SweepOptions sweep;             ///< instruction set, temporal blocking
-  bool periodic = false;          ///< in x
+  bool periodic = false;          ///< periodic in x
 
-  /** Histories of contact and top have a sample every so many steps; 0: none. */
+  /** Steps between samples of contact and top histories; 0: no histories. */
   unsigned int history_interval = 1;
 
-  /** Probes have a sample every so many steps. */
+  /** Steps between probe samples. */
   unsigned int probe_interval = 1;
 
-  /** Contact nodes whose motion and tractions are kept with the histories. */
+  /** Contact nodes whose motion and tractions are stored with the histories. */
   std::vector<unsigned int> monitored_nodes;
 
-  /** Which share contact and top, each observing its own nodes; on a grid one has all. */
+  /** Ranks that share contact and top, each observing its own nodes; on a grid a single
+   * rank. */
   MPI_Comm ranks = MPI_COMM_SELF;
 
-  MPI_Comm platen_ranks = MPI_COMM_SELF; ///< which share platens at the sides
+  MPI_Comm platen_ranks = MPI_COMM_SELF; ///< ranks that share the platens of the sides
 
-  /** Numbers in the whole contact of the nodes that this rank owns. */
+  /** Numbers in the whole contact of the locally owned nodes. */
   std::vector<unsigned int> contact_places;
 
   /** Steps in a block of the node statistics; 0: one block for the whole run. */
   std::uint64_t steps_per_block = 0;
 
-  /** Whether the load on each contact node is summed up in every step. */
+  /** Whether the load on each contact node is accumulated in every step. */
   bool node_loads = false;
 
-  ContactMapSetup contact_map; ///< what the map of the contact has of which steps
+  ContactMapSetup contact_map; ///< fields and steps of the contact map
 
-  /** The energy balance has a sample every so many steps; 0: none. */
+  /** Steps between samples of the energy balance; 0: none. */
   unsigned int energy_interval = 0;
 };
 
@@ -66,9 +67,8 @@ template <int dim>
 struct CounterMotion;
 
 /**
- * A body on the moving flat, with load, histories and energies: everything of a run but
- * files, signals and checkpoints. What it is made of, and how its fields are advanced, is
- * for derived classes to say.
+ * A body on the moving flat, with load, histories and energies: a run without files,
+ * signals and checkpoints. Derived classes define the material and the time integration.
  */
 template <int dim>
 class SlidingBody
@@ -79,23 +79,23 @@ public:
   SlidingBody(const SlidingBody &)            = delete; ///< observed in place
   SlidingBody &operator=(const SlidingBody &) = delete; ///< see the constructor
 
-  /** What advances displacement and velocity. */
+  /** Time integration of displacement and velocity. */
   virtual Stepper &time_integration() = 0;
 
-  /** With a second body; else null. */
+  /** Contact with a counter body; else null. */
   const PairedContact<dim> *paired() const
   {
     return pair.get();
   }
 
-  /** Work done on and dissipated at contact and top since the start, of this rank. */
+  /** Work done on and dissipated at contact and top since the start, on this rank. */
   BoundaryWork boundary_work() const;
 
   /** States of all @p n_nodes nodes of the contact, on rank 0. Collective. */
   std::vector<NodeCounts> contact_states(const std::size_t n_nodes);
 
-  /** State between two steps (Boost.Serialization), for the same ranks: own rows, surfaces
-   * and energies. */
+  /** State between two steps (Boost.Serialization), for the same number of ranks: locally
+   * owned rows, surfaces and energies. */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
@@ -118,8 +118,9 @@ public:
       archive &*pair;
   }
 
-  /** Saves or restores the motion of own rows and what the contact remembers, from which a run of the same
-   * body may start (Boost.Serialization); its loads and its material may be others. */
+  /** Saves or restores the motion of locally owned rows and the memory of the contact
+   * (Boost.Serialization). A run of the same body may start from it, with different
+   * loads and material. */
   template <class Archive>
   void serialize_end(Archive &archive)
   {
@@ -132,60 +133,65 @@ public:
   const SlidingSetup setup;              ///< completed: widths, periodicity
   ContactSurface<dim> contact;           ///< the bottom
   TopSurface<dim> top;                   ///< the top
-  std::deque<RigidPlaten<dim>> platens;  ///< at other sides, the first ones loaded
-  std::deque<SideSurface<dim>> sides;    ///< that are loaded besides, in this order
+  std::deque<RigidPlaten<dim>> platens;  ///< on other sides, loaded ones first
+  std::deque<SideSurface<dim>> sides;    ///< the remaining loaded sides, in this order
   ContactRecorder<dim> contact_recorder; ///< histories of the contact
-  NodeLoadObserver<dim> node_loads;      ///< loads of the contact nodes, if wanted
+  NodeLoadObserver<dim> node_loads;      ///< loads of the contact nodes, if requested
   NodeStatistics<dim> node_statistics;   ///< states of the contact nodes
-  ContactMapSampler<dim> contact_map;    ///< samples of all of them
+  ContactMapSampler<dim> contact_map;    ///< samples of the contact map
   TopRecorder top_recorder;              ///< histories of the top
   LoopProfile profile;                   ///< clocks around the parts of a step
   std::unique_ptr<EnergyAudit> energy;   ///< null without an energy interval
 
 protected:
-  /** At rest at u = 0, for a top of @p n_top_nodes nodes. A @p timer, which may be null, gets the
-   * times of the parts of a step. */
+  /** Initial state: at rest, u = 0, with @p n_top_nodes nodes of the top. A @p timer,
+   * which may be null, gets the times of the parts of a step. */
   SlidingBody(const SlidingSetup &setup, const unsigned int n_top_nodes, Timer *timer);
 
-  /** What moves the @p nodes of the contact that this rank has: the contact, which is that with @p counter where there is one.
-   * Collective over the @p communicator. */
+  /** Boundary condition of the locally stored contact @p nodes: contact with the flat, or
+   * with @p counter if there is one. Collective over the @p communicator. */
   SurfaceCondition<dim> &contact_condition(CounterMotion<dim> *counter,
                                            const NodesOfContact &nodes,
                                            const MPI_Comm communicator);
 
-  /** To be called once time_integration() is there: observes the energies. */
+  /** Observes the energies; call it once time_integration() exists. */
   void watch_energy();
 
-  /** Starts partners that press on each other with their common acceleration, once both bodies have started. */
+  /** Starts paired contact nodes that press on each other with their common acceleration,
+   * once both bodies have started. */
   void start_together();
 
-  /** Sets the velocities of the scheme along the normal at the contact as contact_start tells. */
+  /** Sets the normal velocities of the scheme at the contact according to
+   * contact_start. */
   virtual void start_contact() = 0;
 
   NormalStart
-    contact_start; ///< of the nodes of the contact, after set_initial_velocity()
+    contact_start; ///< initial state of the contact nodes along the normal, set by
+                   ///< set_initial_velocity()
 
 private:
   void add_platen(const LoadedSide &side);
 
-  SlidingBody<dim> *below = nullptr;        ///< the second body; null: the flat is rigid
-  std::unique_ptr<PairedContact<dim>> pair; ///< with it
+  SlidingBody<dim> *below = nullptr;        ///< the counter body; null: the flat is rigid
+  std::unique_ptr<PairedContact<dim>> pair; ///< contact with it
 };
 
-/** The nodes of the contact of a grid with this completed @p setup, whose last one duplicates the first where it is periodic. */
+/** Contact nodes of a grid with this completed @p setup; if it is periodic, the last node
+ * is a copy of the first. */
 NodesOfContact nodes_of_contact(const SlidingSetup &setup);
 
 /**
- * On a plane grid. Each rank holds a slab of rows; the contact is on rank 0, the top on the
- * last one.
+ * A body on a plane grid. Each rank holds a slab of rows; the contact is on rank 0, the
+ * top on the last rank.
  */
 class SlidingGrid : public SlidingBody<2>
 {
 public:
   /**
-   * At rest at u = 0. @p material must outlive the body. @p bottom takes the place of the
-   * contact; a @p timer gets the times of the parts of a step; on the rank of the contact the body
-   * is above @p counter, if there is one, whose nodes at the contact are partners of its own.
+   * Initial state: at rest, u = 0. @p material must outlive the body. @p bottom replaces
+   * the contact. A @p timer gets the times of the parts of a step. On the rank of the
+   * contact the body is above @p counter, if there is one; their contact nodes are
+   * paired.
    */
   SlidingGrid(const UniformMaterial &material,
               const SlidingSetup &given,
@@ -199,8 +205,9 @@ public:
     return stepper;
   }
 
-  /** The velocities of the scheme, of beta2 dt before the start (see ExplicitStepper), of a
-   * body that starts with @p velocity (m/s); zero where it is held. */
+  /** Sets the velocities of the scheme at beta2 dt before the start (see
+   * ExplicitStepper), for a body that starts with @p velocity (m/s); zero where it is
+   * held. */
   void set_initial_velocity(const std::array<double, 3> &velocity);
 
 private:
@@ -222,10 +229,10 @@ private:
 
 public:
   const UniformMaterial &material; ///< the grid, with stiffness and density of its cells
-  const std::optional<UniformMaterial> damping; ///< of phases_of_damping(), if there are
-  const MPI_Comm communicator;                  ///< of the ranks that share the body
-  const NodeRows rows;                     ///< node rows of this rank, and ghost rows
-  NodalField<double> u;                    ///< displacement (m), own and ghost rows
+  const std::optional<UniformMaterial> damping; ///< phases_of_damping(), if there are any
+  const MPI_Comm communicator;                  ///< ranks that share the body
+  const NodeRows rows;                     ///< locally owned node rows and ghost rows
+  NodalField<double> u;                    ///< displacement (m), owned and ghost rows
   NodalField<double> w;                    ///< velocity of the scheme (m/s)
   MPIHalo halo;                            ///< exchange with the ranks above and below
   std::deque<PlatenColumn> platen_columns; ///< sides that platens move

@@ -8,8 +8,8 @@ namespace mesoslip
 {
 namespace
 {
-/** Iterations in single precision, if it lasts that long: what takes more of them is
- * likely to suffer from round-off, and needs half as many in double precision. */
+/** Largest number of iterations in single precision: more iterations indicate round-off,
+ * and double precision needs half as many. */
 constexpr unsigned int max_single_iterations = 100;
 
 UniformMaterial to_precondition(const UniformMaterial &material)
@@ -85,7 +85,8 @@ void GridSolver::for_each_row(const Function &function) const
       function(c, j);
 }
 
-/** Zero in constrained degrees of freedom and duplicates: what remains is summed once. */
+/** Zero in constrained degrees of freedom and periodic copies, so that sums count each
+ * unknown once. */
 void GridSolver::restrict_to_unknowns(NodalField<double> &v) const
 {
   for (unsigned int c = 0; c < 2; ++c)
@@ -122,7 +123,7 @@ double GridSolver::norm(const NodalField<double> &v) const
   return std::sqrt(sum);
 }
 
-/** || f - K u_constrained ||: the scale of the residual, whatever the first guess. */
+/** || f - K u_constrained ||: scale of the residual, independent of the initial guess. */
 double GridSolver::right_hand_side_norm(const NodalField<double> &u,
                                         const NodalField<double> &f)
 {
@@ -171,9 +172,10 @@ SolverReport GridSolver::solve(NodalField<double> &u,
 }
 
 /**
- * Flexible conjugate gradients (Polak and Ribiere's beta), which do not mind that the
- * preconditioner is symmetric up to its precision only, until the number @p last of
- * iterations in all. Returns why it ended before the tolerance was met.
+ * Flexible conjugate gradients (Polak and Ribiere's beta), which tolerate a
+ * preconditioner that is symmetric only up to its precision, until iteration number
+ * @p last in total.
+ * @return the reason if the tolerance was not met
  */
 template <typename Preconditioner>
 std::optional<NotConverged::Reason> GridSolver::iterate(Preconditioner &preconditioner,
@@ -195,7 +197,7 @@ std::optional<NotConverged::Reason> GridSolver::iterate(Preconditioner &precondi
     {
       if (report.iterations == last)
         return Reason::iterations;
-      // One over the norm brings r into the range of single precision.
+      // Scaling by the norm brings r into the range of single precision.
       for_each_row([&](const unsigned int c, const unsigned int j) {
         k.scaled(n, 1. / residual_norm, r.row(c, j), preconditioner.b.row(c, j));
       });
@@ -208,7 +210,7 @@ std::optional<NotConverged::Reason> GridSolver::iterate(Preconditioner &precondi
         dots[0] += row[0];
         dots[1] += row[1];
       });
-      // z is short of the factor residual_norm, which beta has to make up for.
+      // z lacks the factor residual_norm, which beta has to compensate.
       const double rz_new = dots[0] * residual_norm;
       const double beta   = alpha == 0. ? 0. : -alpha * dots[1] * residual_norm / rz;
       rz                  = rz_new;

@@ -9,14 +9,14 @@
 namespace mesoslip
 {
 /**
- * Flexible conjugate gradients in double precision on UniformGridOperator. What u brings
- * in free entries is the first guess.
+ * Flexible conjugate gradients in double precision on UniformGridOperator. Free entries
+ * of u are the initial guess.
  *
  * StaticSolverKind::multigrid: preconditioned by one cycle of multigrid::Multigrid in
  * single precision. About ten iterations for the contrasts of composites, whatever the
- * size; time and memory linear in the number of cells. When single precision breaks down
+ * size; time and memory linear in the number of cells. If single precision breaks down
  * or takes more than 100 iterations, the rest of this and all further solves with the
- * same mask have the cycle in double precision. StaticSolverKind::jacobi, and grids with
+ * same mask use the cycle in double precision. StaticSolverKind::jacobi, and grids with
  * fewer than three cells in both directions: preconditioned by the diagonal, which needs
  * no set-up and up to 100000 iterations.
  *
@@ -26,24 +26,24 @@ namespace mesoslip
 class GridSolver : public StaticSolver
 {
 public:
-  /** Sets up what does not depend on the constraints. @p material must outlive it. A @p
-   * limit of the iterations takes the place of that of the kind. */
+  /** Sets up everything independent of the constraints. @p material must outlive this
+   * object. @p limit replaces the iteration limit of @p kind. */
   explicit GridSolver(const UniformMaterial &material,
                       const StaticSolverKind kind = StaticSolverKind::multigrid,
                       const std::optional<unsigned int> &limit = {});
 
-  /** Costs about as much as two solves, nothing if the mask has not changed. Throws
-   *  std::invalid_argument if it has another size than the grid. */
+  /** Costs about as much as two solves; free if the mask has not changed. Throws
+   * std::invalid_argument if the size of the mask differs from the grid's. */
   void set_constrained(const DofMask &mask) override;
 
-  /** Where rigid motions are left, what the forces have of them (round-off, one hopes) is
-   *  ignored. */
+  /** Force components along unconstrained rigid modes (usually round-off) are projected
+   * out. */
   SolverReport solve(NodalField<double> &u,
                      const NodalField<double> &force,
                      const double tolerance) override;
 
 private:
-  /** A multigrid cycle in one precision, with the fields that it takes and gives. */
+  /** A multigrid cycle in one precision, with its input and output fields. */
   template <typename N>
   struct Cycle
   {
@@ -58,7 +58,7 @@ private:
       multigrid.set_constrained(mask);
     }
 
-    /** z = M^-1 b */
+    /** Applies the cycle: z = M^-1 b. */
     void apply()
     {
       multigrid.vmult(z, b);
@@ -68,7 +68,7 @@ private:
     NodalField<Number> b, z;
   };
 
-  /** The diagonal of K, one over it, or zero where entries are constrained. */
+  /** Jacobi preconditioner: inverse diagonal of K, zero for constrained entries. */
   struct Diagonal
   {
     using Number = double;
@@ -87,7 +87,7 @@ private:
             }
     }
 
-    /** z = D^-1 b */
+    /** Applies the inverse diagonal: z = D^-1 b. */
     void apply()
     {
       for (std::size_t k = 0; k < z.size(); ++k)
@@ -114,17 +114,17 @@ private:
   const UniformMaterial &material;
   const bool use_diagonal;
   const unsigned int max_iterations;
-  const unsigned int unique_columns, unique_rows; ///< without periodic duplicates
+  const unsigned int unique_columns, unique_rows; ///< without periodic copies
   const unsigned int n;                           ///< columns in whole vectors
   const UniformGridOperator stiffness;
-  const UniformMaterial gentle;               ///< of phase_to_precondition()
-  const UniformGridOperator gentle_stiffness; ///< of it, for multigrid
+  const UniformMaterial gentle;               ///< phases from phase_to_precondition()
+  const UniformGridOperator gentle_stiffness; ///< operator of `gentle`, for multigrid
   NodalField<double> r, p, q;
 
   DofMask mask;
   multigrid::ConstrainedUnknowns constrained;
   multigrid::RigidModes modes;
-  /** One of the three, none before set_constrained(). */
+  /** Preconditioner: exactly one is set after set_constrained(). */
   std::unique_ptr<Cycle<float>> single;
   std::unique_ptr<Cycle<double>> twice;
   std::unique_ptr<Diagonal> diagonal;

@@ -13,33 +13,33 @@
 
 namespace mesoslip
 {
-/** How K u = f is solved. */
+/** Solver of K u = f. */
 enum class StaticSolverKind
 {
   multigrid, ///< conjugate gradients with a multigrid cycle
   jacobi,    ///< conjugate gradients with the diagonal; needs no set-up
   ml,        ///< deal.II mesh, Trilinos matrix and ML; on several ranks
-  divided ///< of load cases on a grid alone: voxel::Solver, rows divided among the ranks
+  divided    ///< grids' load cases only: voxel::Solver, rows divided among the ranks
 };
 
-/** Entry (c, d) of the stiffness (N/m) of a spring that holds a node. Both triangles of its symmetric
- * matrix are listed. */
+/** Entry (c, d) of the stiffness (N/m) of a spring at a node. Both triangles of its
+ * symmetric matrix are listed. */
 struct SpringEntry
 {
-  NodeIndex node;        ///< that it holds
+  NodeIndex node;        ///< supported node
   unsigned int c   = 0;  ///< row: component of the force
   unsigned int d   = 0;  ///< column: component of the displacement
   double stiffness = 0.; ///< N/m
   double rest      = 0.; ///< displacement of d without force (m)
 };
 
-/** What a solve took. */
+/** Statistics of a solve. */
 struct SolverReport
 {
-  unsigned int iterations = 0;  ///< of the iterative solver
+  unsigned int iterations = 0;  ///< iterations of the solver
   double residual         = 0.; ///< relative to the right-hand side
 
-  /** Where multigrid went on in double precision: those in single precision before. */
+  /** Iterations in single precision before multigrid continued in double precision. */
   std::optional<unsigned int> single_iterations = std::nullopt;
 
   /** Saves or restores all members, for boost::serialization. */
@@ -50,19 +50,19 @@ struct SolverReport
   }
 };
 
-/** A solve that failed, for a reason that advice may depend on. */
+/** A failed solve, with the reason for advice. */
 class NotConverged : public std::runtime_error
 {
 public:
-  /** Why it ended. */
+  /** Reason for stopping. */
   enum class Reason
   {
-    iterations, ///< as many as are allowed
+    iterations, ///< limit of iterations reached
     broke_down, ///< the preconditioner is indefinite, by round-off
-    not_finite  ///< forces or displacements overflow or are no numbers
+    not_finite  ///< forces or displacements overflow or are NaN
   };
 
-  /** @p text says what happened, without advice. */
+  /** @p text describes the failure, without advice. */
   explicit NotConverged(const std::string &text,
                         const Reason reason  = Reason::iterations,
                         const double reached = 1.)
@@ -72,28 +72,27 @@ public:
   {
   }
 
-  const Reason reason; ///< why it ended
+  const Reason reason; ///< reason for stopping
   const double
-    reached; ///< smallest residual before that, relative to the right-hand side
+    reached; ///< smallest residual before the failure, relative to the right-hand side
 };
 
 /**
- * Static equilibrium K u = f of a body with constrained (held) degrees of freedom;
- * without enough of them the solution is fixed by being orthogonal to the rigid motions
- * that are left, and what f has of these is ignored. Periodic bodies give periodic
- * solutions.
+ * Static equilibrium K u = f of a body with constrained degrees of freedom. With
+ * remaining rigid motions the solution is orthogonal to them, and force components along
+ * them are projected out. Periodic bodies give periodic solutions.
  */
 class StaticSolver
 {
 public:
   virtual ~StaticSolver() = default;
 
-  /** Which degrees of freedom are held from now on; the costly part of the set-up. */
+  /** Sets the constrained degrees of freedom; the expensive part of the set-up. */
   virtual void set_constrained(const DofMask &mask) = 0;
 
-  /** The same for K with the stiffness of @p springs, which is positive semidefinite; solve() then has to
-   * begin with u = 0. Solvers that know no springs leave them out, so that their solutions are only
-   * corrections towards those with springs. */
+  /** Sets the constraints for K plus the stiffness of @p springs, which is positive
+   * semidefinite; solve() must then start from u = 0. The default ignores the springs:
+   * its solutions are only corrections in an outer iteration. */
   virtual void set_constrained_on_springs(const DofMask &mask,
                                           const std::vector<SpringEntry> & /*springs*/)
   {
@@ -101,9 +100,9 @@ public:
   }
 
   /**
-   * Solves for the free entries of @p u; the held ones are prescribed values on entry.
-   * @p force (N/m) is ignored there. Stops at |r| <= tolerance |r_0|, r_0 being the
-   * residual of the prescribed values alone.
+   * Solves for the free entries of @p u; constrained entries are prescribed values on
+   * entry, and @p force (N/m) is ignored there. Stops at |r| <= tolerance |r_0|, where
+   * r_0 is the residual of the prescribed values only.
    * @throws NotConverged
    */
   virtual SolverReport solve(NodalField<double> &u,

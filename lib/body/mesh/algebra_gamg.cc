@@ -22,7 +22,7 @@ void require(const PetscErrorCode error)
                              std::to_string(error));
 }
 
-/** By deal.II's MPI_InitFinalize or here. */
+/** Starts PETSc, by deal.II's MPI_InitFinalize or here. */
 void start_petsc()
 {
   PetscBool is_started = PETSC_FALSE;
@@ -31,7 +31,7 @@ void start_petsc()
     require(PetscInitializeNoArguments());
 }
 
-/** While it is there, a vector of PETSc has the numbers of one of deal.II. */
+/** A PETSc vector that uses the memory of a deal.II vector while this object lives. */
 class Placed
 {
 public:
@@ -72,7 +72,7 @@ struct DistributedMatrix::Library
     MatDestroy(&matrix);
   }
 
-  /** What a new matrix has. */
+  /** Sets the options of a new matrix. */
   void set_up()
   {
     require(MatSetOption(matrix, MAT_SPD, PETSC_TRUE));
@@ -112,7 +112,7 @@ void DistributedMatrix::reinit(const dealii::IndexSet &owned,
   require(MatSetSizes(matrix, n, n, PETSC_DETERMINE, PETSC_DETERMINE));
   require(MatSetBlockSize(matrix, static_cast<PetscInt>(n_components)));
   require(MatSetType(matrix, MATAIJ));
-  // One of them is meant, the other one does nothing.
+  // Only the call for the type of the matrix has an effect.
   require(MatSeqAIJSetPreallocation(matrix, 0, inside.data()));
   require(MatMPIAIJSetPreallocation(matrix, 0, inside.data(), 0, outside.data()));
   library->set_up();
@@ -189,7 +189,7 @@ struct AlgebraicMultigrid::Library
     PCDestroy(&gamg);
   }
 
-  /** PETSc wants them orthonormal, and one at least. */
+  /** Orthonormalizes the motions, as PETSc requires; it needs at least one vector. */
   static void set_near_null_space(Mat matrix, std::vector<Vector> motions)
   {
     std::vector<Vec> vectors;
@@ -209,7 +209,7 @@ struct AlgebraicMultigrid::Library
         require(VecRestoreArray(vector, &values));
         vectors.push_back(vector);
       }
-    if (vectors.empty()) // nothing is free
+    if (vectors.empty()) // no motion is free
       return;
     MatNullSpace space = nullptr;
     require(MatNullSpaceCreate(PetscObjectComm(reinterpret_cast<PetscObject>(matrix)),

@@ -16,7 +16,7 @@ namespace mesoslip
 struct DistributedMatrix::Library
 {
   dealii::TrilinosWrappers::SparseMatrix matrix;
-  unsigned int n_components = 0; ///< of a node
+  unsigned int n_components = 0; ///< degrees of freedom per node
 };
 
 DistributedMatrix::DistributedMatrix()
@@ -58,8 +58,8 @@ void DistributedMatrix::compress()
   library->matrix.compress(dealii::VectorOperation::add);
 }
 
-// Dropping rows and columns keeps the matrix symmetric, which ML relies on. (deal.II's
-// iterators clear a buffer as long as the matrix is wide for each row they visit.)
+// Zeroing rows and columns keeps the matrix symmetric, as ML requires. (deal.II's
+// iterators clear a buffer of the width of the matrix for each row they visit.)
 void DistributedMatrix::copy_without(const DistributedMatrix &other,
                                      const std::vector<bool> &fixed)
 {
@@ -108,14 +108,14 @@ void DistributedMatrix::for_each(
 
 namespace
 {
-// With which ML starts on one process. It estimates eigenvalues from random vectors, and
-// otherwise results depended, within the tolerance, on what was solved before.
+// Initial seed of ML on one process. ML estimates eigenvalues with random vectors;
+// without a fixed seed, results would depend on previous solves, within the tolerance.
 constexpr int seed = 1073741823;
 } // namespace
 
 struct AlgebraicMultigrid::Library
 {
-  std::vector<double> null_space; ///< vector after vector, as ML wants them
+  std::vector<double> null_space; ///< vector after vector, as ML expects
   dealii::TrilinosWrappers::PreconditionAMG ml;
 };
 
@@ -146,8 +146,8 @@ void AlgebraicMultigrid::initialize(const DistributedMatrix &matrix,
   Teuchos::ParameterList parameters;
   ML_Epetra::SetDefaults("SA", parameters);
   parameters.set("ML output", 0);
-  // W cycles: iterations hardly grow with the mesh; V cycles took 1.5 to 2.2 times as many in
-  // 2D, in about the same time.
+  // W cycles: the number of iterations hardly grows with the mesh. V cycles took 1.5 to
+  // 2.2 times as many in 2D, in about the same time.
   parameters.set("prec type", "MGW");
   parameters.set("PDE equations", static_cast<int>(matrix.native().n_components));
   parameters.set("smoother: type", "Chebyshev");

@@ -6,16 +6,17 @@
 namespace mesoslip
 {
 /**
- * Smoothed aggregation for a stiffness matrix with some degrees of freedom a node, one after the
- * other: ML of Trilinos, or GAMG of PETSc, as CMake was told (MESOSLIP_MULTIGRID). Coarse spaces
- * contain @p near_null_space, the rigid motions (zero where degrees of freedom are fixed): with
- * these the number of iterations grows slowly with the size of the mesh, without them as fast as
- * without a preconditioner. Matrix and vectors must outlive it. Collective.
+ * Smoothed aggregation multigrid for a stiffness matrix whose degrees of freedom are
+ * numbered node by node: ML of Trilinos or GAMG of PETSc, as configured by
+ * MESOSLIP_MULTIGRID. Coarse spaces contain @p near_null_space, the rigid motions (zero
+ * at constrained degrees of freedom). The number of iterations then grows slowly with the
+ * size of the mesh; without these vectors it grows as fast as without a preconditioner.
+ * Matrix and vectors must outlive it. Collective.
  */
 class AlgebraicMultigrid
 {
 public:
-  using Vector = DistributedVector; ///< owned degrees of freedom
+  using Vector = DistributedVector; ///< values of locally owned degrees of freedom
 
   AlgebraicMultigrid();
   ~AlgebraicMultigrid();
@@ -23,7 +24,7 @@ public:
   /** "ML" or "GAMG". */
   static const char *name();
 
-  /** Sets it up anew. */
+  /** Sets up the preconditioner for @p matrix. */
   void initialize(const DistributedMatrix &matrix,
                   const std::vector<Vector> &near_null_space);
 

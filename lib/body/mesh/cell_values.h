@@ -15,7 +15,7 @@
 
 namespace mesoslip
 {
-/** Strain (engineering shear) of each shape function in a column. */
+/** Strain of each shape function, one per column (Voigt, engineering shear). */
 template <int dim>
 using ShapeStrains = Eigen::Matrix<double, n_voigt<dim>, Eigen::Dynamic>;
 
@@ -36,8 +36,10 @@ ShapeStrains<dim> shape_strains(const dealii::FEValues<dim> &values, const unsig
   return B;
 }
 
-/** Whether a cell of a phase with mean dilatation differs from one without: the strain of linear simplices is
- * its own mean. */
+/**
+ * Whether mean dilatation changes the strains of a cell; the strain of linear simplices
+ * is constant.
+ */
 template <int dim>
 bool may_be_apart(const dealii::FiniteElement<dim> &element)
 {
@@ -45,9 +47,10 @@ bool may_be_apart(const dealii::FiniteElement<dim> &element)
 }
 
 /**
- * Functions whose combinations are the changes of volume of a cell with mean dilatation, at quadrature point @p q: the
- * constant one, of quadratic quadrilaterals and hexahedra also the coordinates. With these they converge as
- * others do; of quadratic simplices changes of volume are linear without.
+ * Basis of the volume changes of a cell with mean dilatation, at quadrature point @p q:
+ * constant; for quadratic quadrilaterals and hexahedra also the coordinates, which gives
+ * them the usual order of convergence. Volume changes of quadratic simplices are linear
+ * anyway.
  */
 template <int dim>
 Eigen::VectorXd dilatation_basis(const dealii::FEValues<dim> &values,
@@ -62,8 +65,10 @@ Eigen::VectorXd dilatation_basis(const dealii::FEValues<dim> &values,
   return basis;
 }
 
-/** Strains of the shape functions at all quadrature points of a cell of @p phase, with what the
- * phase makes of changes of volume (ElasticPhase::mean_dilatation). */
+/**
+ * Strains of the shape functions at all quadrature points of a cell of @p phase, with its
+ * mean dilatation if set (ElasticPhase::mean_dilatation).
+ */
 template <int dim>
 std::vector<ShapeStrains<dim>> cell_strains(const dealii::FEValues<dim> &values,
                                             const ElasticPhase<dim> &phase)
@@ -94,7 +99,7 @@ std::vector<ShapeStrains<dim>> cell_strains(const dealii::FEValues<dim> &values,
   return B;
 }
 
-/** Stiffness of a cell of @p phase, of which @p B are the cell_strains(). */
+/** Stiffness of a cell of @p phase from its cell_strains() @p B. */
 template <int dim>
 Eigen::MatrixXd cell_matrix(const dealii::FEValues<dim> &values,
                             const std::vector<ShapeStrains<dim>> &B,
@@ -106,7 +111,7 @@ Eigen::MatrixXd cell_matrix(const dealii::FEValues<dim> &values,
   return K;
 }
 
-/** What a cell of @p phase is for a preconditioner. */
+/** Phase that a preconditioner uses for a cell of @p phase. */
 template <int dim>
 ElasticPhase<dim> phase_in_cell(const dealii::FEValues<dim> &values,
                                 const ElasticPhase<dim> &phase)
@@ -114,7 +119,7 @@ ElasticPhase<dim> phase_in_cell(const dealii::FEValues<dim> &values,
   return may_be_apart(values.get_fe()) ? phase_to_precondition(phase) : phase;
 }
 
-/** Whether phase_in_cell() changes some cell. Collective. */
+/** Whether phase_in_cell() differs from the phase in any cell. Collective. */
 template <int dim>
 bool has_two_matrices(const DistributedMesh<dim> &mesh,
                       const std::vector<ElasticPhase<dim>> &phases)
@@ -126,7 +131,7 @@ bool has_two_matrices(const DistributedMesh<dim> &mesh,
   return mpi::max(changed, mesh.communicator()) > 0;
 }
 
-/** Calls @p action (cell, FEValues, degrees of freedom) for each cell of this rank. */
+/** Calls @p action (cell, FEValues, degrees of freedom) for each locally owned cell. */
 template <int dim, typename Action>
 void for_each_cell(const DistributedMesh<dim> &mesh, const Action &action)
 {

@@ -4,7 +4,10 @@
 
 namespace mesoslip
 {
-/** That which a cell adds to in place of @p dof; invalid where it is held. */
+/**
+ * Degree of freedom that receives the contributions to @p dof; invalid if @p dof is
+ * constrained to zero.
+ */
 CondensedCells::Index CondensedCells::target(const Index dof) const
 {
   if (!constraints.is_constrained(dof))

@@ -11,10 +11,11 @@
 namespace mesoslip
 {
 /**
- * Adds matrices and vectors of cells to those of the body, whose degrees of freedom may be tied to
- * another one or held at zero; these have a positive diagonal entry and no other ones. As
- * AffineConstraints::distribute_local_to_global(), which in deal.II 9.4 reads in front of a list
- * where all degrees of freedom of a cell are constrained, as in a periodic body one cell wide.
+ * Adds matrices and vectors of cells to the global ones. Degrees of freedom may be tied
+ * to another one or constrained to zero; their rows and columns have only a positive
+ * diagonal entry. Replaces AffineConstraints::distribute_local_to_global(), which in
+ * deal.II 9.4 reads out of bounds if all degrees of freedom of a cell are constrained, as
+ * in a periodic body one cell wide.
  */
 class CondensedCells
 {
@@ -27,19 +28,21 @@ public:
   {
   }
 
-  /** Gives @p matrix the entries that all cells of @p mesh add to, zero; @p with_held: also those
-   * of what is held. Collective. */
+  /**
+   * Gives @p matrix the sparsity pattern of all cells of @p mesh and sets it to zero;
+   * with @p with_held also the entries of constrained degrees of freedom. Collective.
+   */
   template <int dim>
   void reinit(DistributedMatrix &matrix,
               const DistributedMesh<dim> &mesh,
               const bool with_held = false) const;
 
-  /** Adds @p cell of the degrees of freedom @p indices. */
+  /** Adds the matrix @p cell with degrees of freedom @p indices. */
   void add(const Eigen::MatrixXd &cell,
            const std::vector<Index> &indices,
            DistributedMatrix &matrix);
 
-  /** The same of a vector, which has the lines of the constraints. */
+  /** Adds the vector @p cell; @p vector contains the lines of the constraints. */
   void add(const Eigen::VectorXd &cell,
            const std::vector<Index> &indices,
            DistributedVector &vector) const;

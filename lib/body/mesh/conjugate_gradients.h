@@ -9,8 +9,9 @@
 namespace mesoslip
 {
 /**
- * Solves A x = b from @p x on by deal.II's conjugate gradients, until the residual is @p tolerance times
- * @p reference. Collective. @throws NotConverged, which names the load case @p of
+ * Solves A x = b with deal.II's conjugate gradients from the initial guess @p x, until
+ * the residual is @p tolerance times @p reference. Collective. @throws NotConverged,
+ * which names the load case @p of
  */
 SolverReport conjugate_gradients(const DistributedMatrix &A,
                                  AlgebraicMultigrid::Vector &x,

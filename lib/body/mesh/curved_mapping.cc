@@ -16,15 +16,18 @@ namespace mesoslip
 {
 namespace
 {
-/** Maps the reference cell by quadratic functions, so that edges and faces are curved as in the mesh. */
+/** Quadratic mapping of the reference cell with edges and faces curved as in the mesh. */
 template <int dim>
 class CurvedMapping : public dealii::MappingFE<dim>
 {
 public:
-  /** Of all cells of the mesh, cell after cell; copies of the mapping share them. */
+  /**
+   * Middle nodes of all cells of the mesh, cell after cell; shared by copies of the
+   * mapping.
+   */
   using Nodes = std::shared_ptr<const std::vector<CurvedNode<dim>>>;
 
-  /** Of the cells of @p element, which is scalar and of degree 2. */
+  /** Mapping with the scalar @p element of degree 2 and the nodes of @p all cells. */
   CurvedMapping(const dealii::FiniteElement<dim> &element, const Nodes &all)
     : dealii::MappingFE<dim>(element)
     , nodes(all)
@@ -36,7 +39,7 @@ public:
     return std::make_unique<CurvedMapping<dim>>(*this);
   }
 
-  /** Cells keep their corners but not their volume. */
+  /** Returns true: corners stay in place; the volume of a cell may change. */
   bool preserves_vertex_locations() const override
   {
     return true;

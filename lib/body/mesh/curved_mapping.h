@@ -9,8 +9,11 @@
 
 namespace mesoslip
 {
-/** Mappings of quadrilaterals and hexahedra, and of simplices, for displacements of this @p degree: linear ones, or with the second degree and
- * curved cells quadratic ones. Only rank 0 has to have the mesh. Collective. */
+/**
+ * Mappings of quadrilaterals and hexahedra, and of simplices, for displacements of this
+ * @p degree: quadratic if @p degree is 2 and cells are curved, else linear. Only rank 0
+ * needs the mesh. Collective.
+ */
 template <int dim>
 dealii::hp::MappingCollection<dim> mappings_of(const Mesh<dim> &mesh,
                                                const MPI_Comm communicator,

@@ -11,26 +11,30 @@
 
 namespace mesoslip
 {
-/** A number for each degree of freedom of a mesh; each rank owns some and may know others. */
+/**
+ * Values of the degrees of freedom of a mesh; each rank owns some and may have ghost
+ * values.
+ */
 using DistributedVector = dealii::LinearAlgebra::distributed::Vector<double>;
 
 /**
- * A symmetric matrix whose rows are divided among the ranks: Trilinos' on Epetra or PETSc's, as
- * the multigrid that works with it (MESOSLIP_MULTIGRID).
+ * A symmetric matrix with rows distributed over the ranks: a Trilinos (Epetra) or PETSc
+ * matrix, as MESOSLIP_MULTIGRID selects.
  */
 class DistributedMatrix
 {
 public:
-  using Index =
-    dealii::types::global_dof_index; ///< number of a row or column in the whole matrix
-  using Vector = DistributedVector;  ///< each rank has at least the numbers of its rows
+  using Index  = dealii::types::global_dof_index; ///< global number of a row or column
+  using Vector = DistributedVector; ///< each rank has at least the values of its rows
 
   DistributedMatrix();
   ~DistributedMatrix();
 
-  /** Zero, with the @p entries of the rows to which this rank adds, which are those of its index
-   * set; @p owned are those that it keeps, @p n_components a node. The entries may be used up.
-   * Collective. */
+  /**
+   * Sets the sparsity pattern @p entries and all values to zero. The index set of
+   * @p entries has all rows to which this rank adds; @p owned are the locally owned rows,
+   * with @p n_components per node. The pattern may be consumed. Collective.
+   */
   void reinit(const dealii::IndexSet &owned,
               dealii::DynamicSparsityPattern &entries,
               const unsigned int n_components,
@@ -41,11 +45,16 @@ public:
            const std::vector<Index> &columns,
            const std::vector<double> &values);
 
-  /** Ends adding: the ranks send one another what is of rows of others. Collective. */
+  /**
+   * Ends adding: contributions to rows of other ranks are sent to their owners.
+   * Collective.
+   */
   void compress();
 
-  /** Becomes @p other with nothing but the diagonal in the rows and columns of owned degrees of freedom that
-   * are @p fixed. Collective. */
+  /**
+   * Copies @p other; rows and columns of locally owned degrees of freedom that are
+   * @p fixed keep only their diagonal entry. Collective.
+   */
   void copy_without(const DistributedMatrix &other, const std::vector<bool> &fixed);
 
   /** y = A x. Collective. */
@@ -56,7 +65,7 @@ public:
     const std::function<void(const Index, const Index, const double)> &action) const;
 
   struct Library;
-  /** The library's own. */
+  /** The matrix object of the library. */
   const Library &native() const
   {
     return *library;

@@ -20,7 +20,7 @@ namespace mesoslip
 {
 namespace
 {
-/** On rank 0 the points' places in the mesh: a cell and which of its corners. */
+/** On rank 0: a cell and the index of one of its corners for each point. */
 template <int dim>
 std::vector<std::array<unsigned int, 2>>
 find_corners(const Mesh<dim> &mesh, const std::vector<unsigned int> &points)
@@ -100,7 +100,10 @@ DistributedMesh<dim>::dofs_of_points(const Mesh<dim> &mesh,
 
 namespace
 {
-/** Without lines. @p used are those that this rank may have, @p owned the degrees of freedom it owns. */
+/**
+ * Clears @p constraints. @p used are the degrees of freedom for which this rank may have
+ * lines, @p owned the locally owned ones.
+ */
 void reinit(dealii::AffineConstraints<double> &constraints,
             [[maybe_unused]] const dealii::IndexSet &owned,
             const dealii::IndexSet &used)
@@ -134,7 +137,8 @@ void DistributedMesh<dim>::require_cells() const
 std::map<dealii::types::global_dof_index, dealii::types::global_dof_index> originals_of(
   const std::vector<std::array<dealii::types::global_dof_index, 2>> &duplicates)
 {
-  // Corners are duplicates of duplicates; each is led on to its last original.
+  // Periodic copies of periodic copies (corners) are mapped to their final periodic
+  // master.
   std::map<dealii::types::global_dof_index, dealii::types::global_dof_index> originals;
   for (auto pair = duplicates.rbegin(); pair != duplicates.rend(); ++pair)
     {

@@ -17,11 +17,11 @@
 namespace mesoslip
 {
 /**
- * A mesh divided among the ranks by METIS, with dim degrees of freedom a node, linear or quadratic
- * displacements on simplices, and such ones along each axis on quadrilaterals and hexahedra.
- * The sides of its cells are straight, with quadratic displacements also curved as the mesh has them.
+ * A mesh partitioned by METIS, with dim degrees of freedom per node. Displacements are
+ * linear or quadratic: P1, P2 on simplices, Q1, Q2 on quadrilaterals and hexahedra. Cells
+ * have straight sides; with quadratic displacements they may be curved as in the mesh.
  *
- * For the few files that work with it: its headers take long to compile.
+ * Include this header in few files: it takes long to compile.
  */
 template <int dim>
 class DistributedMesh
@@ -29,33 +29,39 @@ class DistributedMesh
 public:
   using Index = dealii::types::global_dof_index; ///< a degree of freedom
 
-  /** Divides @p mesh, which only rank 0 has to have; displacements have the @p degree 1 or 2. Collective. */
+  /**
+   * Partitions @p mesh, which only rank 0 needs; @p degree of displacements is 1 or 2.
+   * Collective.
+   */
   DistributedMesh(const Mesh<dim> &mesh,
                   const MPI_Comm communicator,
                   const unsigned int degree = 1);
 
-  /** What ML needs. @throws UserError if there are fewer cells than ranks */
+  /** Checks a requirement of ML. @throws UserError if there are fewer cells than ranks */
   void require_cells() const;
 
-  /** Its active FE index is 1 for simplices, 0 for other cells. */
+  /** Degrees of freedom; the active FE index is 1 for simplices, 0 for other cells. */
   const dealii::DoFHandler<dim> &dofs() const
   {
     return dof_handler;
   }
 
-  /** Degrees of freedom of the cells that this rank owns and of their neighbours. */
+  /** Degrees of freedom of locally owned cells and of their neighbours. */
   const dealii::IndexSet &relevant() const
   {
     return relevant_dofs;
   }
 
-  /** Linear mappings, or quadratic ones of a mesh with curved cells, by active FE index. */
+  /** Mappings by active FE index: linear, or quadratic for meshes with curved cells. */
   const dealii::hp::MappingCollection<dim> &mapping() const
   {
     return mappings;
   }
 
-  /** Exact for products of two gradients on parallelepipeds, by active FE index. */
+  /**
+   * Quadratures by active FE index: exact for products of two gradients on
+   * parallelepipeds.
+   */
   const dealii::hp::QCollection<dim> &quadrature() const
   {
     return quadratures;
@@ -68,13 +74,16 @@ public:
   }
 
   /**
-   * The dim degrees of freedom of each of @p points, one point after the other, on all
-   * ranks. Mesh and points are those of rank 0. Collective.
+   * The dim degrees of freedom of each of @p points, point after point, on all ranks.
+   * Only rank 0 needs mesh and points. Collective.
    */
   std::vector<Index> dofs_of_points(const Mesh<dim> &mesh,
                                     const std::vector<unsigned int> &points) const;
 
-  /** Begins @p constraints of its degrees of freedom. */
+  /**
+   * Clears @p constraints and sets their index sets to the degrees of freedom of the
+   * mesh.
+   */
   void begin(dealii::AffineConstraints<double> &constraints) const;
 
 private:
@@ -87,15 +96,17 @@ private:
   dealii::IndexSet relevant_dofs;
 };
 
-/** Of each duplicate degree of freedom its last original: that of one pair may be the
- * duplicate of a later one. */
+/**
+ * Final periodic master of each periodic copy; the master in one pair may be the copy in
+ * a later pair.
+ */
 std::map<dealii::types::global_dof_index, dealii::types::global_dof_index> originals_of(
   const std::vector<std::array<dealii::types::global_dof_index, 2>> &duplicates);
 
 /**
- * Constrains duplicate degrees of freedom to be equal to their originals, see
- * originals_of(). Only those among @p relevant get a line, which contains those that this rank has
- * @p owned; their originals, on whatever rank, become local to @p constraints, which is left open.
+ * Constrains periodic copies to their periodic masters, see originals_of(). Adds lines
+ * only for @p relevant degrees of freedom, a superset of the locally @p owned ones.
+ * Masters on any rank become local to @p constraints, which is not closed.
  */
 void tie_duplicates(
   const std::vector<std::array<dealii::types::global_dof_index, 2>> &duplicates,

@@ -57,7 +57,7 @@ Mesh<2> cut_into_triangles(const Mesh<2> &mesh)
 
 namespace
 {
-/** Cells that are evaluated at once. */
+/** Number of cells evaluated at once. */
 constexpr std::size_t group_size = 1024;
 
 template <int dim>
@@ -67,7 +67,7 @@ MeshBodyInput<dim> with_mesh(MeshBodyInput<dim> input, Mesh<dim> &&mesh)
   return input;
 }
 
-/** The indices of @p numbers in the order of these. */
+/** Permutation that sorts @p numbers. */
 std::vector<unsigned int> order_of(const std::vector<unsigned int> &numbers)
 {
   std::vector<unsigned int> order(numbers.size());
@@ -185,7 +185,7 @@ template <int dim>
 void MeshBody<dim>::copy_duplicates(NodalField<double> &field) const
 {
   if (this->communicator() == MPI_COMM_SELF)
-    ElasticBody<dim>::copy_duplicates(field); // whole fields: without other ranks
+    ElasticBody<dim>::copy_duplicates(field); // replicated fields: no communication
   else
     discretization->to_field(field, discretization->to_vector(field));
 }
@@ -254,7 +254,7 @@ void MeshBody<dim>::multiply(NodalField<double> &Ku, const NodalField<double> &u
 template <int dim>
 std::vector<MatrixEntry> MeshBody<dim>::stiffness_entries() const
 {
-  // The matrix has ones of its own in the rows of duplicates.
+  // The matrix has unit entries in the rows of periodic copies.
   std::vector<bool> duplicate(mesh.points.size(), false);
   for (const auto &pair : this->duplicates)
     duplicate[static_cast<std::size_t>(pair[0].j) * this->n_columns() + pair[0].i] = true;

@@ -12,25 +12,30 @@
 
 namespace mesoslip
 {
-/** A mesh with everything that makes a body of it. */
+/** A mesh with phases, periodicity and boundaries of a body. */
 template <int dim>
 struct MeshBodyInput
 {
-  Mesh<dim> mesh; ///< material_id of its cells is an index into phases
+  Mesh<dim> mesh; ///< material_id of a cell is an index into phases
 
   std::vector<ElasticPhase<dim>> phases; ///< stiffness (Pa) and density (kg/m^3)
 
-  /** Sides of the bounding box that are one, in 2D; with Mesh::originals the axes along
-   * which these repeat the mesh. */
+  /**
+   * Axes with periodic sides. In 2D sides of the bounding box; with Mesh::originals the
+   * axes along which these repeat the mesh.
+   */
   Periodicity periodicity = {};
 
-  /** Fields have the points in rows of this many; 0: all in one row. */
+  /** Number of points in a row of a field; 0: all in one row. */
   unsigned int n_columns = 0;
 
-  /** Name of the group of faces that rub; empty: the lower side of the bounding box. */
+  /**
+   * Name of the face group of the contact side; empty: the lower side of the bounding
+   * box.
+   */
   std::string contact_boundary = {};
 
-  /** Name of the group of faces that are loaded; empty: the upper side. */
+  /** Name of the face group of the loaded side; empty: the upper side. */
   std::string top_boundary = {};
 };
 
@@ -38,7 +43,7 @@ struct MeshBodyInput
  */
 MeshBodyInput<2> mesh_of_grid(const UniformMaterial &material);
 
-/** Every quadrilateral of @p mesh cut into two triangles, in alternating directions. */
+/** Cuts every quadrilateral of @p mesh into two triangles, in alternating directions. */
 Mesh<2> cut_into_triangles(const Mesh<2> &mesh);
 
 template <int dim>
@@ -47,9 +52,9 @@ template <int dim>
 struct MeshShare;
 
 /**
- * The body on a mesh of deal.II, elements of order one, in two dimensions or three:
- * stiffness as a DistributedMatrix, solves by MlSolver. Work and matrices are divided among
- * the ranks by METIS.
+ * The body on a deal.II mesh with elements of order one, in 2D or 3D: stiffness as
+ * DistributedMatrix, solves by MlSolver. Work and matrices are distributed over the ranks
+ * by METIS.
  */
 template <int dim>
 class MeshBody final : public PointBody<dim>
@@ -57,14 +62,17 @@ class MeshBody final : public PointBody<dim>
 public:
   using Cells = typename ElasticBody<dim>::Cells; ///< values in a group of cells
 
-  /** With mesh and fields that are whole on all ranks, which all have the same @p given.
-   * Collective over @p communicator. @throws UserError
-   * if a cell is flat or inside out, the body is in pieces, a boundary has no face, or the
-   * sides of a periodic mesh do not match */
+  /**
+   * Body with replicated mesh and fields; @p given is the same on all ranks. Collective
+   * over @p communicator. @throws UserError if a cell is flat or inside out, the body is
+   * in pieces, a boundary has no face, or the sides of a periodic mesh do not match
+   */
   MeshBody(const MeshBodyInput<dim> &given, const MPI_Comm communicator);
 
-  /** With fields that are divided like the cells. Only rank 0 has to have @p mesh, which stands in
-   * for that of @p given. Collective. @throws UserError as above */
+  /**
+   * Body with fields distributed like the cells. Only rank 0 needs @p mesh, which
+   * replaces the mesh of @p given. Collective. @throws UserError as the constructor
+   */
   static std::unique_ptr<MeshBody> divide(const Mesh<dim> &mesh,
                                           const MeshBodyInput<dim> &given,
                                           const MPI_Comm communicator);
@@ -73,13 +81,13 @@ public:
 
   std::optional<NodeIndex> find(const unsigned int number) const override;
 
-  /** Points and cells of the fields of this rank. */
+  /** Points and cells of the local fields. */
   const Mesh<dim> &local_mesh() const
   {
     return mesh;
   }
 
-  /** Numbers in the mesh of the cells of local_mesh(). */
+  /** Numbers in the whole mesh of the cells of local_mesh(). */
   const std::vector<unsigned int> &cell_numbers() const
   {
     return cell_in_mesh;
@@ -105,14 +113,14 @@ private:
   NodeIndex node(const std::size_t point) const;
   void set_sides(const MeshShare<dim> &share);
 
-  const MeshBodyInput<dim> input;           ///< its mesh has the points of fields
-  const Mesh<dim> &mesh;                    ///< the same: points and cells of this rank
-  const MPI_Comm all_ranks;                 ///< that share the work
-  const std::array<double, dim> lower;      ///< corner of the bounding box (m)
-  const std::vector<unsigned int> in_mesh;  ///< see MeshShare::point_in_mesh
-  const std::vector<unsigned int> in_order; ///< points of fields, by in_mesh
+  const MeshBodyInput<dim> input;               ///< its mesh has the local points
+  const Mesh<dim> &mesh;                        ///< mesh of input: the local part
+  const MPI_Comm all_ranks;                     ///< ranks that share the work
+  const std::array<double, dim> lower;          ///< corner of the bounding box (m)
+  const std::vector<unsigned int> in_mesh;      ///< see MeshShare::point_in_mesh
+  const std::vector<unsigned int> in_order;     ///< local points sorted by in_mesh
   const std::vector<unsigned int> cell_in_mesh; ///< see cell_numbers()
-  const std::vector<double> volumes;            ///< of the cells (m^2, m^3)
+  const std::vector<double> volumes;            ///< volumes of the cells (m^2, m^3)
   std::unique_ptr<MeshDiscretization<dim>> discretization;
 };
 } // namespace mesoslip

@@ -10,40 +10,42 @@
 namespace mesoslip
 {
 /**
- * Stiffness and mass of a mesh that is divided among the ranks. The degrees of freedom of duplicate
- * nodes are constrained to those of their originals; in vectors they are zero.
+ * Stiffness and mass matrices of a partitioned mesh. Degrees of freedom of periodic
+ * copies are constrained to their periodic masters; in vectors they are zero.
  *
- * For the few files that work with it: its headers take long to compile.
+ * Include this header in few files: it takes long to compile.
  */
 template <int dim>
 class MeshDiscretization
 {
 public:
-  using Vector = DistributedVector;               ///< owned degrees of freedom
+  using Vector = DistributedVector;               ///< locally owned values
   using Index  = dealii::types::global_dof_index; ///< a degree of freedom
 
-  /** Of @p body only layout and phases are used. Collective. */
+  /** Uses only layout and phases of @p body. Collective. */
   MeshDiscretization(MeshShare<dim> &&share, const ElasticBody<dim> &body);
 
-  /** What ML needs. @throws UserError if there are fewer cells than ranks */
+  /** Checks a requirement of ML. @throws UserError if there are fewer cells than ranks */
   void require_cells() const
   {
     distributed->require_cells();
   }
 
-  /** K (N/m) with the rows of duplicates added to those of their originals. */
+  /** K (N/m); rows of periodic copies are added to the rows of their masters. */
   const DistributedMatrix &stiffness() const
   {
     return matrix;
   }
 
-  /** The same of phase_to_precondition(), which is K where no phase has mean dilatation. */
+  /**
+   * The matrix of phase_to_precondition() (N/m); it is K if no phase has mean dilatation.
+   */
   const DistributedMatrix &to_precondition() const
   {
     return is_apart ? gentle : matrix;
   }
 
-  /** Whether to_precondition() is another matrix than stiffness(). */
+  /** Whether to_precondition() and stiffness() are different matrices. */
   bool has_two_matrices() const
   {
     return is_apart;
@@ -55,29 +57,37 @@ public:
     return mass;
   }
 
-  /** Degree of freedom of component @p c of a node of fields, of duplicates that of the
-   * original. */
+  /**
+   * Degree of freedom of component @p c of a node; for a periodic copy that of its
+   * master.
+   */
   Index dof(const unsigned int c, const NodeIndex &node) const
   {
     return dofs[entry(c, node)];
   }
 
-  /** Number of degrees of freedom, duplicates included. */
+  /** Number of degrees of freedom, periodic copies included. */
   Index n_dofs() const
   {
     return distributed->dofs().n_dofs();
   }
 
-  /** The owned part of a field. */
+  /** Locally owned values of a field. */
   Vector to_vector(const NodalField<double> &field) const;
 
-  /** The same of what @p mask constrains, elsewhere zero. */
+  /** Locally owned values at components that @p mask constrains, zero elsewhere. */
   Vector to_vector(const NodalField<double> &field, const DofMask &mask) const;
 
-  /** For each owned degree of freedom whether it is a duplicate or @p mask constrains it. */
+  /**
+   * For each locally owned degree of freedom: whether it is a periodic copy or
+   * constrained by @p mask.
+   */
   std::vector<bool> held_by(const DofMask &mask) const;
 
-  /** The nodes of fields on this rank, with duplicates. Collective. */
+  /**
+   * Copies @p vector to all nodes of the local field, periodic copies included.
+   * Collective.
+   */
   void to_field(NodalField<double> &field, const Vector &vector) const;
 
 private:
@@ -86,7 +96,9 @@ private:
     return dim * (static_cast<std::size_t>(node.j) * body.n_columns() + node.i) + c;
   }
 
-  /** Calls action(place in owned vectors, c, node) where fields have what this rank owns. */
+  /**
+   * Calls action(index in owned vectors, c, node) for locally owned entries of fields.
+   */
   template <typename Action>
   void for_each_owned(const Action &action) const;
 
@@ -96,13 +108,12 @@ private:
   const ElasticBody<dim> &body;
   const std::unique_ptr<const DistributedMesh<dim>> distributed;
   dealii::AffineConstraints<double> constraints;
-  std::vector<Index> dofs; ///< dim for each node of fields, see dof()
+  std::vector<Index> dofs; ///< dim per node of fields, see dof()
 
-  static constexpr int nowhere =
-    -1;                      ///< where a node is a duplicate or another rank owns it
-  std::vector<int> in_owned; ///< places of dofs in a Vector
-  std::vector<unsigned int> in_needed; ///< places of dofs in needed
-  mutable Vector needed;               ///< all that fields have
+  static constexpr int nowhere = -1;   ///< index of a periodic copy or of a ghost node
+  std::vector<int> in_owned;           ///< index of dofs in a Vector
+  std::vector<unsigned int> in_needed; ///< index of dofs in needed
+  mutable Vector needed;               ///< values at all local nodes
   const bool is_apart;                 ///< see has_two_matrices()
   DistributedMatrix matrix, gentle;
   Vector mass;

@@ -19,7 +19,7 @@ namespace mesoslip
 {
 namespace
 {
-/** The faces in one of the planes of the bounding box. */
+/** Faces in a plane of the bounding box. */
 template <int dim>
 std::vector<BoundaryFace<dim>> faces_in_plane(const Mesh<dim> &mesh,
                                               const std::vector<BoundaryFace<dim>> &faces,
@@ -41,7 +41,7 @@ std::vector<BoundaryFace<dim>> faces_in_plane(const Mesh<dim> &mesh,
   return result;
 }
 
-/** Areas of points that move together summed up at the original. */
+/** Sums areas of periodic copies at their periodic master. */
 template <int dim>
 BoundaryPoints<dim> of_originals(const Mesh<dim> &mesh, const BoundaryPoints<dim> &all)
 {
@@ -75,7 +75,7 @@ std::vector<BoundaryFace<dim>> faces_called(const Mesh<dim> &mesh,
   return result;
 }
 
-/** In 2D in ascending order along the side @p id. */
+/** In 2D sorts the points in ascending order along side @p id. */
 template <int dim>
 typename MeshOutline<dim>::Side
 in_order(const Mesh<dim> &mesh, const BoundaryPoints<dim> &side, const unsigned int id)

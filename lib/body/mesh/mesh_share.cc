@@ -11,7 +11,7 @@ namespace mesoslip
 namespace
 {
 
-/** On rank 0 the rank of each cell of the mesh. */
+/** On rank 0: owning rank of each cell of the mesh. */
 template <int dim>
 std::vector<unsigned int> rank_of_cells(const Mesh<dim> &mesh,
                                         const DistributedMesh<dim> &distributed)
@@ -28,7 +28,7 @@ std::vector<unsigned int> rank_of_cells(const Mesh<dim> &mesh,
   return ranks;
 }
 
-/** The degrees of freedom of the points of @p part. */
+/** Degrees of freedom of the points of @p part. */
 template <int dim>
 std::vector<dealii::types::global_dof_index>
 dofs_of_part(const MeshPart<dim> &part, const DistributedMesh<dim> &distributed)
@@ -89,8 +89,8 @@ MeshShare<dim> divided_share(const Mesh<dim> &mesh,
   MeshPart<dim> part =
     distribute(mesh, rank_of_cells(mesh, *share.all_ranks), communicator);
   const auto dofs = dofs_of_part(part, *share.all_ranks);
-  // Where cells are of several kinds the owner of a degree of freedom may be another rank
-  // than that of the point in MeshPart.
+  // With mixed cell types, the owner of a degree of freedom may differ from the owner of
+  // the point in MeshPart.
   const dealii::IndexSet &owned = share.all_ranks->dofs().locally_owned_dofs();
   const auto kind               = [&](const unsigned int i) {
     const bool is_original = part.original_in_mesh[i] == part.point_in_mesh[i];

@@ -10,15 +10,15 @@ namespace mesoslip
 {
 namespace
 {
-/** A node that some rank has. */
+/** A node of the body, possibly of another rank. */
 template <int dim>
 struct Place
 {
-  std::array<double, dim> point = {}; ///< m, see ElasticBody::point()
-  std::array<dealii::types::global_dof_index, dim> dofs = {}; ///< of its components
+  std::array<double, dim> point = {}; ///< position (m), see ElasticBody::point()
+  std::array<dealii::types::global_dof_index, dim> dofs = {}; ///< its degrees of freedom
 };
 
-/** The node of the whole body where @p distance of a point is largest, on all ranks. */
+/** The node of the whole body with the largest @p distance, on all ranks. */
 template <int dim, typename Distance>
 Place<dim> farthest(const ElasticBody<dim> &body,
                     const MeshDiscretization<dim> &discretization,
@@ -49,7 +49,7 @@ Place<dim> farthest(const ElasticBody<dim> &body,
   return mpi::broadcast(place, static_cast<int>(owner), ranks);
 }
 
-/** Three nodes that are far from one another and not in line. */
+/** Three nodes far from one another and not collinear. */
 template <int dim>
 std::array<Place<dim>, 3> distant_nodes(const ElasticBody<dim> &body,
                                         const MeshDiscretization<dim> &discretization)
@@ -89,7 +89,7 @@ void MlSolver<dim>::set_constrained_on_springs(const DofMask &mask,
   const std::vector<SpringEntry> springs = with_foundation(body.foundation(), on);
   is_ready                               = true;
   constrained_dofs                       = mask;
-  // Axis after axis, so that the original of an original is held as well.
+  // Axis after axis, so that masters of masters are constrained, too.
   for (const auto &[duplicate, original] : body.duplicate_nodes())
     for (unsigned int c = 0; c < dim; ++c)
       if (constrained_dofs.is_constrained(c, duplicate))
@@ -117,7 +117,7 @@ void MlSolver<dim>::set_constrained_on_springs(const DofMask &mask,
   set_up_preconditioner();
 }
 
-// Supports that are just enough carry nothing, as forces are in equilibrium.
+// Statically determinate supports carry no load, as forces are in equilibrium.
 template <int dim>
 void MlSolver<dim>::support(const std::vector<SpringEntry> &springs)
 {
@@ -141,7 +141,7 @@ void MlSolver<dim>::support(const std::vector<SpringEntry> &springs)
   Assert(n_free == 0, dealii::ExcInternalError());
 }
 
-// A rank adds those of the nodes whose rows it owns.
+// A rank adds the springs whose rows it owns.
 template <int dim>
 void MlSolver<dim>::add_springs(const std::vector<SpringEntry> &springs,
                                 DistributedMatrix &matrix) const
@@ -195,7 +195,7 @@ SolverReport MlSolver<dim>::solve(NodalField<double> &u,
 {
   if (!is_ready)
     set_constrained(DofMask(body.n_columns(), body.n_rows()));
-  // The scale is the residual of the prescribed values alone.
+  // Residuals are relative to the residual of the prescribed values alone.
   const Vector prescribed = discretization.to_vector(u, constrained_dofs);
   Vector f                = discretization.to_vector(force), r(f);
   remove_motions(f);
@@ -206,7 +206,7 @@ SolverReport MlSolver<dim>::solve(NodalField<double> &u,
     return r.l2_norm();
   };
   const double reference = residual(prescribed);
-  // A first guess would move the supports of a floating body.
+  // An initial guess would move the supports of a floating body.
   Vector x = motions.empty() ? discretization.to_vector(u) : prescribed;
   SolverReport report;
   report.residual = reference == 0. ? 0. : residual(x) / reference;
@@ -216,7 +216,8 @@ SolverReport MlSolver<dim>::solve(NodalField<double> &u,
       correction = 0.;
       report = conjugate_gradients(constrained, correction, r, preconditioner, reference,
                                    tolerance);
-      // Aggregates of GAMG may mix held components with free ones, which CG undoes to its tolerance.
+      // GAMG aggregates may mix constrained and free components; CG corrects this up to
+      // its tolerance.
       clear_fixed(correction);
       x += correction;
     }

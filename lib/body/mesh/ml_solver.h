@@ -7,7 +7,7 @@
 namespace mesoslip
 {
 /**
- * Conjugate gradients of deal.II with algebraic multigrid, which is told the rigid motions.
+ * deal.II's conjugate gradients with algebraic multigrid that knows the rigid motions.
  * Distributed over the ranks of the discretization; all calls are collective.
  */
 template <int dim>
@@ -43,14 +43,16 @@ private:
   const MeshDiscretization<dim> &discretization;
   DofMask constrained_dofs;
   bool is_ready = false;       ///< whether constraints were set
-  std::vector<Vector> motions; ///< free rigid motions, orthonormal
+  std::vector<Vector> motions; ///< unconstrained rigid motions, orthonormal
 
-  /** Per owned degree of freedom: constrained, duplicate or needed as support. */
+  /**
+   * Per locally owned degree of freedom: constrained, periodic copy or used as support.
+   */
   std::vector<bool> fixed;
 
-  /** Rows and columns of fixed degrees of freedom have only their diagonal. */
+  /** Stiffness; rows and columns of fixed degrees of freedom have only their diagonal. */
   DistributedMatrix constrained;
-  DistributedMatrix gentle; ///< the same of to_precondition(), if that is another matrix
+  DistributedMatrix gentle; ///< likewise for to_precondition(), if it is another matrix
   AlgebraicMultigrid preconditioner;
 };
 } // namespace mesoslip

@@ -16,10 +16,10 @@
 
 namespace mesoslip
 {
-/** The rigid flat. */
+/** Parameters of the contact with a rigid flat. */
 struct ContactSetup
 {
-  FrictionLaw law; ///< target, limit and regularization of the tangential force
+  FrictionLaw law; ///< limit, target and regularization of friction
 
   /** Coulomb coefficient of each node of the surface. */
   std::vector<double> friction_coefficient;
@@ -27,65 +27,78 @@ struct ContactSetup
   /** Velocity of the flat along flat_direction (m/s). */
   LoadHistory flat_velocity;
 
-  /** Along x and y, of length one; x in 2D. */
+  /** Unit vector along x and y; x in 2D. */
   std::array<double, 2> flat_direction = {{1., 0.}};
 
   /** Distance between surface and plane of the flat in the undeformed state (m). */
   double gap = 0.;
 
-  /** Height of the flat over its plane; null: it is even. */
+  /** Height of the flat over its plane; null: the flat is even. */
   std::shared_ptr<const FlatProfile> profile;
 
-  /** Springs between surface and flat; of infinite stiffness: there are none. */
+  /** Normal springs between surface and flat; infinite stiffness: none. */
   PowerSpring normal_spring = {std::numeric_limits<double>::infinity(), 1., 0.};
 
-  /** Of springs along the flat, through which it drags the surface, for the area (Pa/m); infinite: there are none. */
+  /**
+   * Stiffness of tangential springs through which the flat drags the surface, per area
+   * (Pa/m); infinite: none.
+   */
   double tangential_stiffness = std::numeric_limits<double>::infinity();
 
-  /** Of each node above the lowest of them in the undeformed state (m); empty: all are
-   * equally high. */
+  /**
+   * Height of each node above the lowest one in the undeformed state (m); empty: equal
+   * heights.
+   */
   std::vector<double> height;
 
-  /** The last node duplicates the first. */
+  /** Whether the last node is the periodic copy of the first. */
   bool periodic = false;
 
-  /** Tributary length (m, in 3D m^2) of each node, for springs and laws with a pressure. */
+  /**
+   * Tributary length (m, in 3D m^2) of each node, for springs and laws that depend on
+   * pressure.
+   */
   std::vector<double> area;
 
-  /** x and, in 3D, y (m) of each node, for laws with a place and profiles. */
+  /** x and, in 3D, y (m) of each node, for profiles and laws that depend on position. */
   std::array<std::vector<double>, 2> position;
 
-  /** Whether there are springs. */
+  /** Whether there are normal springs. */
   bool is_compliant() const
   {
     return std::isfinite(normal_spring.stiffness);
   }
 
-  /** Whether nodes take part in more than linear springs along the normal of an even flat. */
+  /** Whether the contact needs more than linear normal springs and an even flat. */
   bool is_full() const
   {
     return profile || is_coupled || slips_on_springs() ||
            (is_compliant() && !normal_spring.is_linear());
   }
 
-  /** Forces reach neighbours through the surface below, or it rises and falls under the nodes, see ContactSurface::ride(). */
+  /**
+   * Whether forces affect neighbours through the surface below, or the surface rises and
+   * falls under the nodes, see ContactSurface::ride().
+   */
   bool is_coupled = false;
 
-  /** Whether there are springs along the flat. */
+  /** Whether there are tangential springs. */
   bool slips_on_springs() const
   {
     return std::isfinite(tangential_stiffness);
   }
 
-  /** Whether area and place of the nodes are needed. */
+  /** Whether area and position of the nodes are needed. */
   bool wants_area() const
   {
     return is_compliant() || slips_on_springs() || profile ||
            (law.slip_law && law.slip_law->looks_around());
   }
 
-  /** The first nodes, which this rank owns; those from the next whole vector on are copies
-   * (SharedNodes). Not given: all. */
+  /**
+   * Number of locally owned nodes, the first ones; ghost nodes start at the next whole
+   * vector (SharedNodes). Empty: all nodes are owned.
+   */
   std::optional<unsigned int> n_owned;
 };
 } // namespace mesoslip

@@ -29,7 +29,7 @@ std::pair<std::size_t, double> ProfileAxis::locate(double x, const bool repeats)
   if (repeats)
     x -= length * std::floor((x - at.front()) / length);
   x = std::clamp(x, at.front(), at.back());
-  // Near to where it is, as places are mostly equally far from each other.
+  // Initial guess for mostly equidistant grid points.
   const std::size_t last = at.size() - 2;
   std::size_t i =
     static_cast<std::size_t>((x - at.front()) / length * static_cast<double>(last + 1));

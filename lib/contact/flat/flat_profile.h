@@ -9,7 +9,10 @@
 
 namespace mesoslip
 {
-/** Height of the flat over its plane (m) at places on it (m), in the coordinates that the body has at the start. */
+/**
+ * Height of the flat over its plane (m) as a function of position (m), in the coordinates
+ * of the body at the start.
+ */
 class FlatProfile
 {
 public:
@@ -18,18 +21,18 @@ public:
   /** The height (m) at @p x and, in 3D, @p y (m). */
   virtual double operator()(const double x, const double y) const = 0;
 
-  /** Whether the height has more than one value along y. */
+  /** Whether the height varies along y. */
   virtual bool varies_along_y() const = 0;
 
-  /** For logs and comparisons of runs. */
+  /** Description for logs and comparisons of runs. */
   virtual std::string text() const = 0;
 };
 
-/** A formula in x and, in 3D, y. */
+/** Profile given by a formula in x and, in 3D, y. */
 class ProfileExpression final : public FlatProfile
 {
 public:
-  /** @throws std::invalid_argument for a text that is no such formula */
+  /** Parses @p text. @throws std::invalid_argument for an invalid formula */
   ProfileExpression(const std::string &text, const unsigned int dim);
 
   double operator()(const double x, const double y) const override
@@ -52,31 +55,34 @@ private:
   const bool in_space;
 };
 
-/** Places in ascending order between which heights are linear. */
+/** Ascending grid points with linear interpolation in between. */
 struct ProfileAxis
 {
-  std::vector<double> at; ///< m; one or more
+  std::vector<double> at; ///< grid points (m), at least one
 
-  /** The first of the two places around @p x, and the share of the way to the second. Beyond the ends it is an end,
-   * or, where the axis @p repeats, what is as far from the first in one of the copies of the axis. */
+  /**
+   * Index of the grid point at or before @p x, and the fraction of the interval behind
+   * it. Beyond the ends it is the end or, if the axis @p repeats, the equivalent point of
+   * the period.
+   */
   std::pair<std::size_t, double> locate(double x, const bool repeats) const;
 };
 
-/** Heights of a table or picture. */
+/** Profile given by a table or picture of heights. */
 class ProfileTable final : public FlatProfile
 {
 public:
-  /** What it is made of. */
+  /** Data of the profile. */
   struct Points
   {
-    ProfileAxis x;              ///< places along x
-    ProfileAxis y;              ///< along y; a single one: the height does not vary there
-    std::vector<double> height; ///< m, [y][x]
-    bool repeats = false;       ///< beyond its ends; else the height there goes on
-    std::string source;         ///< its text()
+    ProfileAxis x;              ///< grid points along x
+    ProfileAxis y;              ///< along y; a single point: no variation along y
+    std::vector<double> height; ///< heights (m), [y][x]
+    bool repeats = false;       ///< periodic; else constant beyond its ends
+    std::string source;         ///< description, returned by text()
   };
 
-  /** As many heights as there are pairs of places. */
+  /** Requires one height per pair of grid points. */
   explicit ProfileTable(const Points &points);
 
   double operator()(const double x, const double y) const override;

@@ -12,27 +12,35 @@
 namespace mesoslip
 {
 /**
- * The flat below the contact nodes while it moves along itself: the gap of each node in a step is that to the place
- * of the flat where the node is going to be, its displacement along the flat extrapolated from the step before.
+ * Profile of the flat below the contact nodes while it moves along itself. The gap of a
+ * node in a step is evaluated at the predicted position of the node on the flat; its
+ * tangential displacement is extrapolated from the previous step.
  */
 template <int dim>
 class MovingProfile
 {
 public:
-  /** Nodes at @p position (x and, in 3D, y, m) and @p heights (m) over the plane of a flat with the profile @p given; one
-   * that is infinitely high is no node. */
+  /**
+   * Nodes at @p position (x and, in 3D, y, m) and @p heights (m) over the plane of a flat
+   * with the profile @p given; an infinite height marks padding.
+   */
   MovingProfile(std::shared_ptr<const FlatProfile> given,
                 const std::array<std::vector<double>, 2> &position,
                 const std::vector<double> &heights);
 
-  /** The gaps (m) before the first step of a body that is not displaced. */
+  /** Gaps (m) of the undeformed body before the first step. */
   void start(double *gap) const;
 
-  /** What the flat rose by below the nodes before the first step, in which it moved by @p moved (m) and the nodes by
-   * the increments in @p contact. */
+  /**
+   * Sets the rise of the flat below the nodes before the first step, in which the flat
+   * moved by @p moved (m) and the nodes by the increments in @p contact.
+   */
   void start_rise(const std::array<double, 2> &moved, const ContactArrays &contact) const;
 
-  /** Gaps and rises in @p contact for the step in which the flat moves by @p moved (m). */
+  /**
+   * Sets gaps and rises in @p contact for the step in which the flat moves by @p moved
+   * (m).
+   */
   void advance(const SurfaceView<dim> &surface,
                const std::array<double, 2> &moved,
                const ContactArrays &contact);
@@ -46,10 +54,10 @@ public:
 
 private:
   const std::shared_ptr<const FlatProfile> profile;
-  std::vector<unsigned int> nodes; ///< numbers of those that are not infinitely high
-  std::array<std::vector<double>, 2> place; ///< x and y of each of them at the start (m)
-  std::vector<double> height;               ///< likewise, over the plane of the flat (m)
-  std::array<double, 2> way = {};           ///< of the flat since the start (m)
+  std::vector<unsigned int> nodes;          ///< indices of the nodes with finite height
+  std::array<std::vector<double>, 2> place; ///< initial x and y of each of nodes (m)
+  std::vector<double> height;               ///< height of nodes over the plane (m)
+  std::array<double, 2> way = {};           ///< displacement of the flat (m)
 };
 } // namespace mesoslip
 

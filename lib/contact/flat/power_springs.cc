@@ -48,8 +48,9 @@ void PowerSprings<dim>::press(const SurfaceView<dim> &surface,
     }
 }
 
-// h + gap + yields f(h) = 0 has one root from -h_(n-1) to -gap, as f rises with h. Below 0, where the node has left its
-// spring within the step, F is odd and W even: what then is stored no more was lost.
+// h + gap + yields f(h) = 0 has one root from -h_(n-1) to -gap, as f rises with h. Below
+// 0, where the node leaves its spring within the step, F is odd and W even: the energy
+// that is no longer stored is dissipated.
 template <int dim>
 double PowerSprings<dim>::force(const double area,
                                 const double gap,
@@ -70,7 +71,8 @@ double PowerSprings<dim>::force(const double area,
     return std::max(0., mean + 0.5 * (1. - phi) * (F - F_before));
   };
   double low = -before, high = -gap, h = std::clamp(now, low, high);
-  // Newton's method with the tangent of a node that follows its spring, in the bracket.
+  // Newton's method with the tangent of a node that follows its spring, inside the
+  // bracket.
   for (unsigned int n = 0; n < 60; ++n)
     {
       const double off        = h + gap + yields * at(h);

@@ -8,8 +8,10 @@
 
 namespace mesoslip
 {
-/** Distance (m) from the flat at which node @p i of @p surface would end the step without it, as the contact kernel has
- * it; @p gap is that of the undeformed node after the step (m). */
+/**
+ * Gap (m) at which node @p i of @p surface would end the step without contact, computed
+ * as in the contact kernel; @p gap is the gap of the undeformed node after the step (m).
+ */
 template <int dim>
 double free_gap(const SurfaceView<dim> &surface,
                 const double gap,

@@ -12,27 +12,30 @@
 namespace mesoslip
 {
 /**
- * mu as an expression in the slip rate V (m/s), the accumulated slip D (m), the pressure p
- * (Pa), the time t (s) and the place x and, in 3D, y (m). Where it is negative it is not
- * defined.
+ * mu as an expression in the slip rate V (m/s), the accumulated slip D (m), the pressure
+ * p (Pa), the time t (s) and the position x and, in 3D, y (m). Negative values count as
+ * undefined.
  */
 class FrictionExpression final : public NodewiseLaw<FrictionExpression>
 {
 public:
-  /** @throws std::invalid_argument for a text that is no such expression */
+  /** Parses @p text. @throws std::invalid_argument for an invalid expression */
   FrictionExpression(const std::string &text,
                      const unsigned int dim,
                      const Healing &healing);
 
   double coefficient(const SlipPoint &at) const override;
 
-  /** By a central difference, next to V = 0 by one to the right. */
+  /** Central difference; one-sided at V = 0. */
   double slope(const SlipPoint &at) const override;
 
   std::optional<StateVariable> state() const override;
   double next_state(const double state, const SlipStep &step) const override;
 
-  /** The largest of 101 slip rates up to @p fastest; infinite where anything else takes part. */
+  /**
+   * Maximum over 101 slip rates up to @p fastest; infinite if mu depends on another
+   * variable.
+   */
   double largest(const double fastest) const override;
 
   bool knows_falls() const override
@@ -42,13 +45,13 @@ public:
 
   bool looks_around() const override;
 
-  /** Whether the accumulated slip takes part. */
+  /** Whether mu depends on the accumulated slip. */
   bool has_slip() const;
 
 private:
   const std::unique_ptr<const Expression> expression;
   const Healing healing;
-  mutable std::vector<double> values; ///< of the variables, for one evaluation
+  mutable std::vector<double> values; ///< values of the variables in an evaluation
 };
 } // namespace mesoslip
 

@@ -1,16 +1,18 @@
-// Friction of the nodes of one vector, a part of contact/contact_kernel.cc in its namespace.
+// Friction of the nodes of one vector; part of contact/contact_kernel.cc, in its
+// namespace.
 
-/** What slips without friction in this step, and what friction changes of it. */
+/** Slip without friction in this step, and its compliance with respect to friction. */
 template <int dim>
 struct Sliding
 {
-  vdouble slip[dim - 1];        ///< of the node, see put_on_springs() (m)
-  vdouble slip_before[dim - 1]; ///< that slid in the step before (m)
+  vdouble slip[dim - 1];        ///< slip of the node, see put_on_springs() (m)
+  vdouble slip_before[dim - 1]; ///< slip in the previous step (m)
   vdouble compliance[dim - 1];  ///< c / m, see put_on_springs() (m/N, in 2D m^2/N)
 };
 
-/** Sticking nodes, and tangential force and Coulomb's force on the body as if all nodes
- * touched. */
+/**
+ * Sticking nodes; tangential force and Coulomb force on the body as if all nodes touched.
+ */
 template <int dim>
 struct Friction
 {
@@ -18,7 +20,7 @@ struct Friction
   vdouble force[dim - 1], target[dim - 1];
 };
 
-/** How friction follows its target. */
+/** Friction force that relaxes towards its target. */
 MESOSLIP_INLINE vdouble relax(const vdouble target,
                               const vdouble target_before,
                               const vdouble force_before,
@@ -28,7 +30,9 @@ MESOSLIP_INLINE vdouble relax(const vdouble target,
   return target + (force_before - target_before) * decay - (target - target_before) * lag;
 }
 
-/** Nodes that stick, where @p within the limit is what this takes: by the decision of the first trial, where there was one. */
+/**
+ * Sticking nodes: @p within the limit or, if there was a first trial, by its decision.
+ */
 template <bool full>
 MESOSLIP_INLINE vint64 hold(const ContactArrays &a,
                             const std::size_t i,
@@ -40,7 +44,7 @@ MESOSLIP_INLINE vint64 hold(const ContactArrays &a,
   return (decided > zero) | ((decided < zero) & within);
 }
 
-/** In the direction of what makes the node stick. */
+/** 2D friction, in the direction of the force that makes the node stick. */
 template <bool full>
 MESOSLIP_INLINE Friction<2> friction(const ContactArrays &a,
                                      const ContactStep &,
@@ -58,7 +62,7 @@ MESOSLIP_INLINE Friction<2> friction(const ContactArrays &a,
   const vdouble relaxed = relax(target, at(Arrays::target), at(Arrays::tangential_force),
                                 at(Arrays::decay), at(Arrays::lag));
 
-  // In its own direction friction never exceeds the force that makes the node stick.
+  // In its direction, friction never exceeds the force that makes the node stick.
   const vint64 same_direction = relaxed * to_stick > zero;
   const vint64 excess         = same_direction & (absolute(relaxed) > absolute(to_stick));
   const vdouble sliding       = excess ? to_stick : relaxed;
@@ -66,14 +70,19 @@ MESOSLIP_INLINE Friction<2> friction(const ContactArrays &a,
   return {holds & within, {holds ? held : sliding}, {target}};
 }
 
-/** Of what @p slip Coulomb's force leaves where it moves the node by @p push along each axis: y of y_k + push_k y_k / |y|
- * = slip_k, so that y_k = slip_k r / (r + push_k) with r = |y|. By Newton's method for 1 / |slip / (r + push)| = 1,
- * which is linear in r where both are pushed alike, and approaches r from below: in six steps to round-off of all but one
- * in ten thousand drawn slips, in ten to 3e-4 where one component is about to stick and the other is held. Returns y / r. */
+/**
+ * Slip that remains of @p slip if the Coulomb force moves the node by @p push along each
+ * axis: y with y_k + push_k y_k / |y| = slip_k, so that y_k = slip_k r / (r + push_k)
+ * with r = |y|. Newton's method for 1 / |slip / (r + push)| = 1, which is linear in r for
+ * equal pushes, and approaches r from below. Six steps reach round-off for all but one in
+ * ten thousand random slips; ten steps reach 3e-4 if one component is about to stick and
+ * the other one is constrained. Returns y / r.
+ */
 MESOSLIP_INLINE void
 slip_left(const vdouble (&slip)[2], const vdouble (&push)[2], vdouble (&left)[2])
 {
-  // As long as the slip less the longer push, and as each component less its own, whose push may be none.
+  // Lower bound of r: length of the slip minus the longer push, and each component minus
+  // its own push, which may be zero.
   const vdouble most = push[0] > push[1] ? push[0] : push[1];
   vdouble least      = at_least_smallest(length_of(slip[0], slip[1]) - most);
   for (int k = 0; k < 2; ++k)
@@ -99,9 +108,12 @@ slip_left(const vdouble (&slip)[2], const vdouble (&push)[2], vdouble (&left)[2]
     left[k] = slip[k] / at_least_smallest(r + push[k]);
 }
 
-/** The same with two tangential components. Coulomb's force is along the slip at its instant: of
- * the step before, and of this one as friction leaves it. The weight of the latter is beta2, and
- * more where the slip across the force would turn back by more than it was (doc/theory.md). */
+/**
+ * 3D friction, with two tangential components. The Coulomb force has the direction of the
+ * slip at the same instant: a mean of the slip of the previous step and of the current
+ * slip with friction. The weight of the latter is beta2, or more if the slip across the
+ * force would reverse by more than it was (doc/theory.md).
+ */
 template <bool full>
 MESOSLIP_INLINE Friction<3> friction(const ContactArrays &a,
                                      const ContactStep &step,
@@ -120,11 +132,13 @@ MESOSLIP_INLINE Friction<3> friction(const ContactArrays &a,
   const vdouble decay = at(Arrays::decay), lag = at(Arrays::lag);
   Friction<3> result;
   const vdouble zero = {};
-  // Masses of their own along each axis, as at corners with dashpots, or one that is held.
+  // Different masses along the axes, as at corners with dashpots or with a constrained
+  // component.
   const vint64 differ = (compliance[0] != compliance[1]) & (absolute(slip[0]) > zero) &
                         (absolute(slip[1]) > zero);
 
-  // With what friction remembers, without what the new target adds: K (1 - lag) limit along e.
+  // Includes remembered friction, without the contribution of the new target: K (1 - lag)
+  // limit along e.
   vdouble free[2], added[2], both[2], left[2];
   for (int k = 0; k < 2; ++k)
     {
@@ -143,7 +157,7 @@ MESOSLIP_INLINE Friction<3> friction(const ContactArrays &a,
   const vint64 goes_on = both[0] * slip[0] + both[1] * slip[1] > zero;
   for (int k = 0; k < 2; ++k)
     left[k] = both[k] = goes_on ? both[k] : after * slip[k];
-  if (any(differ)) // of few bodies; takes ten times as long as all else
+  if (any(differ)) // in few bodies; takes ten times as long as everything else
     {
       const vdouble push[2] = {after * added[0], after * added[1]};
       vdouble found[2];
@@ -153,7 +167,7 @@ MESOSLIP_INLINE Friction<3> friction(const ContactArrays &a,
     }
   const vdouble distance_left = length_of(left[0], left[1]);
   vdouble to_stick[2], direction[2], pull[2];
-  // Along the force: by friction, by a unit force, and of the slip.
+  // Along the force: displacement by friction, compliance, and slip.
   vdouble moved = {}, softness = {}, distance = {};
   for (int k = 0; k < 2; ++k)
     {

@@ -9,8 +9,10 @@ namespace mesoslip
 {
 namespace
 {
-/** Where a number is among ascending ones: between number i and the next, at @p share of
- * the way; beyond the ends at the ends. */
+/**
+ * Position of a number in an ascending list: between number i and the next one, at
+ * fraction @p share; clamped at the ends.
+ */
 struct TablePlace
 {
   TablePlace(const std::vector<double> &axis, const double x)

@@ -8,13 +8,13 @@
 namespace mesoslip
 {
 /**
- * mu(V, p) from a table: bilinear between its points and constant beyond them in each
+ * mu(V, p) from a table: bilinear interpolation, constant beyond the table in each
  * direction.
  */
 class FrictionTable final : public NodewiseLaw<FrictionTable>
 {
 public:
-  /** The points. */
+  /** Points of the table. */
   struct Points
   {
     std::vector<double> slip_rate; ///< m/s, ascending, one or more
@@ -24,7 +24,7 @@ public:
     std::vector<double> coefficient;
   };
 
-  /** Between these. */
+  /** Law that interpolates @p points. */
   explicit FrictionTable(Points points);
 
   double coefficient(const SlipPoint &at) const override;
@@ -38,7 +38,7 @@ public:
   }
 
 private:
-  /** mu at row i and the pressure @p at. */
+  /** mu in row i at the pressure of @p at. */
   double on_row(const std::size_t i, const SlipPoint &at) const;
 
   const Points points;

@@ -7,20 +7,20 @@
 
 namespace mesoslip
 {
-/** What becomes of the slip that a node has accumulated. */
+/** Healing of the accumulated slip of a node. */
 struct Healing
 {
-  /** When it is forgotten. */
+  /** When the accumulated slip is reset. */
   enum class Kind
   {
     none,       ///< never
-    separation, ///< once the node is off the flat
-    sticking,   ///< once it sticks or is off the flat
-    time        ///< exponentially while it sticks or is off the flat
+    separation, ///< when the node leaves the flat
+    sticking,   ///< when it sticks or leaves the flat
+    time        ///< exponential decay while it sticks or is off the flat
   };
 
-  Kind kind   = Kind::none; ///< when
-  double time = 0.;         ///< of Kind::time (s)
+  Kind kind   = Kind::none; ///< kind of healing
+  double time = 0.;         ///< decay time of Kind::time (s)
 
   /** The accumulated slip (m) after a step that began with @p slip. */
   double next_slip(const double slip, const SlipStep &step) const

@@ -8,11 +8,11 @@
 namespace mesoslip
 {
 /**
- * The slip rate V from 0 to @p free_rate with V + softness mu(V) = free_rate, by Newton's
- * method within an interval that always holds a solution. 0 where softness mu(0) alone stops
- * the node. There is only one as long as softness |d mu/d V| < 1 where mu falls; of several a
- * node that slides takes one with which it goes on. @p at has all but the slip rate, which
- * begins with its value.
+ * Slip rate V from 0 to @p free_rate with V + softness mu(V) = free_rate, by Newton's
+ * method within an interval that always contains a solution; 0 if softness mu(0) alone
+ * stops the node. The solution is unique if softness |d mu/d V| < 1 where mu falls;
+ * otherwise a sliding node gets a solution with which it continues to slide. @p at has
+ * all arguments of mu; its slip rate is the initial guess.
  */
 template <class Law>
 double solve_slip_rate(const Law &law,
@@ -20,7 +20,7 @@ double solve_slip_rate(const Law &law,
                        const double free_rate,
                        const double softness)
 {
-  constexpr double close   = 1e-7; // what Newton's method squares in the next step
+  constexpr double close   = 1e-7; // Newton's method squares this error in the next step
   constexpr int most_steps = 200;
   const auto excess        = [&](const double rate) {
     at.slip_rate = rate;
@@ -53,7 +53,7 @@ double solve_slip_rate(const Law &law,
           knows_rest = true;
           rate       = 1e-3 * upper;
         }
-      else // rates may lie decades apart
+      else // rates may differ by decades
         rate = lower > 0. ? std::sqrt(lower * upper) : 1e-3 * upper;
       if (arrives)
         break;
@@ -61,13 +61,15 @@ double solve_slip_rate(const Law &law,
   return rate;
 }
 
-/** A law whose functions are compiled into the loop over the nodes; nothing is solved where mu
- * is no function of the slip rate. */
+/**
+ * Base class of laws whose functions are inlined into the loop over the nodes. Nothing is
+ * solved if mu does not depend on the slip rate.
+ */
 template <class Law, bool depends_on_rate = true>
 class NodewiseLaw : public SlipLaw
 {
 public:
-  /** See SlipLaw; law functions are not called through pointers. */
+  /** See SlipLaw; calls no functions of the law through pointers. */
   void update(const SlipNodes &nodes) const final
   {
     const Law &law = static_cast<const Law &>(*this);

@@ -6,16 +6,17 @@
 namespace mesoslip
 {
 /**
- * Springs between body and flat whose pressure is p = at (g / g_0)^exponent at the depth g, with g_0 such that their
- * stiffness dp/dg is that given at the pressure p = at. Rough surfaces have exponents of 2 to 3.3.
+ * Springs between body and flat with pressure p = at (g / g_0)^exponent at compression g;
+ * g_0 gives the stiffness dp/dg = stiffness at the pressure p = at. Rough surfaces have
+ * exponents of 2 to 3.3.
  */
 struct PowerSpring
 {
-  double stiffness = 0.; ///< at that pressure, or, with the exponent 1, always (Pa/m)
-  double exponent  = 1.; ///< 1 or more
-  double at        = 0.; ///< pressure (Pa), of no effect with the exponent 1
+  double stiffness = 0.; ///< dp/dg at pressure at, or constant with exponent 1 (Pa/m)
+  double exponent  = 1.; ///< at least 1
+  double at        = 0.; ///< pressure (Pa), not used with exponent 1
 
-  /** Whether the stiffness depends on the pressure. */
+  /** Whether the stiffness is constant. */
   bool is_linear() const
   {
     return exponent == 1.;

@@ -8,31 +8,31 @@
 namespace mesoslip
 {
 /**
- * Friction of rate V and state theta (Dieterich 1979, Ruina 1983), regularized so that it is
- * zero at rest (Rice, Lapusta and Ranjith 2001),
+ * Rate-and-state friction with slip rate V and state theta (Dieterich 1979, Ruina 1983),
+ * regularized so that it is zero at rest (Rice, Lapusta and Ranjith 2001),
  *
  *     mu = a asinh( V / (2 V_0) exp((f_0 + b ln(V_0 theta / L)) / a) )
  *     d theta / dt = 1 - V theta / L                       aging law
  *     d theta / dt = -(V theta / L) ln(V theta / L)        slip law
  *
- * A step takes V for constant and is exact for it. Off the flat theta begins anew.
+ * A step assumes constant V and is exact for it. After separation theta is reset.
  */
 class RateAndState final : public NodewiseLaw<RateAndState>
 {
 public:
-  /** The constants. */
+  /** Constants of the law. */
   struct Constants
   {
-    double reference     = 0.;    ///< f_0 > 0, steady friction at V_0
-    double a             = 0.01;  ///< of the direct effect, > 0
-    double b             = 0.015; ///< of the evolution
+    double reference     = 0.;    ///< f_0 > 0, steady coefficient at V_0
+    double a             = 0.01;  ///< direct effect, > 0
+    double b             = 0.015; ///< evolution effect
     double length        = 1e-5;  ///< L > 0 (m)
     double velocity      = 1e-6;  ///< V_0 > 0 (m/s)
-    double initial_state = 10.;   ///< theta of a node that begins to touch, > 0 (s)
-    bool aging           = true;  ///< else the slip law
+    double initial_state = 10.;   ///< theta of a node at first contact, > 0 (s)
+    bool aging           = true;  ///< aging law; else slip law
   };
 
-  /** With these. */
+  /** Uses @p constants. */
   explicit RateAndState(const Constants &constants)
     : c(constants)
   {
@@ -40,7 +40,7 @@ public:
 
   double coefficient(const SlipPoint &at) const override
   {
-    // asinh(exp(x)); the exponential may be beyond all numbers.
+    // asinh(exp(x)) without overflow of the exponential.
     const double x = argument(at);
     return c.a * (x > 20. ? x + M_LN2 : std::asinh(std::exp(x)));
   }
@@ -63,7 +63,7 @@ public:
     if (!step.touches)
       return c.initial_state;
     const double x = step.slip_rate * step.dt / c.length; // slip over L
-    if (c.aging)                                          // dt (1 - exp(-x)) / x comes in
+    if (c.aging)                                          // adds dt (1 - exp(-x)) / x
       return state * std::exp(-x) + step.dt * (x > 0. ? -std::expm1(-x) / x : 1.);
     if (!(x > 0.))
       return state;
@@ -76,7 +76,8 @@ public:
     return slip_rate > 0. ? c.length / slip_rate : c.initial_state;
   }
 
-  // Of a node that has just come down; the aging law makes it stronger without an end.
+  // Value of a node that has just landed; with the aging law, friction grows without
+  // bound in time.
   double largest(const double fastest) const override
   {
     SlipPoint at;

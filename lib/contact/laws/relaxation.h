@@ -18,7 +18,7 @@ struct Relaxation
   {
     if (!(delta > 0.))
       return;
-    // From 1 - exp(-x), which keeps its digits for small x.
+    // expm1 keeps its digits for small x.
     const double x = dt / delta, relaxed = -std::expm1(-x);
     decay = 1. - relaxed;
     lag   = x > 0. ? relaxed / x : 1.;

@@ -8,67 +8,67 @@
 
 namespace mesoslip
 {
-/** What a coefficient of friction may depend on. */
+/** Arguments of a coefficient of friction. */
 struct SlipPoint
 {
   double slip_rate               = 0.; ///< V (m/s), at least 0
-  double state                   = 0.; ///< of the law, in its unit
+  double state                   = 0.; ///< state of the law, in its unit
   double pressure                = 0.; ///< Pa
   double time                    = 0.; ///< s
   std::array<double, 2> position = {}; ///< x and, in 3D, y (m)
 };
 
-/** What a law remembers of each node. */
+/** State variable of a law, stored for each node. */
 struct StateVariable
 {
-  std::string name;    ///< "slip"
-  std::string unit;    ///< "m"
-  double initial = 0.; ///< before the first contact
+  std::string name;    ///< name, such as "slip"
+  std::string unit;    ///< unit, such as "m"
+  double initial = 0.; ///< value before the first contact
 };
 
-/** How a node got through the step that ends now. */
+/** Motion of a node in the step that ends now. */
 struct SlipStep
 {
-  double dt        = 0.;    ///< its length (s)
-  double slip_rate = 0.;    ///< (m/s)
+  double dt        = 0.;    ///< length of the step (s)
+  double slip_rate = 0.;    ///< slip rate (m/s)
   bool touches     = false; ///< in contact
   bool sticks      = false; ///< in contact without slip
 };
 
 /**
- * Nodes of a contact in one step. A node would slide with free_rate if its coefficient were
- * zero; a coefficient mu takes softness * mu of that away.
+ * Contact nodes in one step. A node would slide with free_rate if its coefficient were
+ * zero; a coefficient mu reduces the rate by softness * mu.
  */
 struct SlipNodes
 {
   std::size_t n                          = 0;       ///< number of nodes
   const SlipStep *before                 = nullptr; ///< the step that ends now
   const double *free_rate                = nullptr; ///< m/s
-  const double *softness                 = nullptr; ///< m/s; negative: does not touch
+  const double *softness                 = nullptr; ///< m/s; negative: no contact
   const double *pressure                 = nullptr; ///< Pa, or null
   std::array<const double *, 2> position = {};      ///< m, or null
   double time                            = 0.;      ///< s
-  double *state       = nullptr; ///< in the law's unit, or null; updated
-  double *coefficient = nullptr; ///< result where a node touches
+  double *state       = nullptr; ///< in the unit of the law, or null; updated
+  double *coefficient = nullptr; ///< result for touching nodes
 };
 
 /**
- * A coefficient of friction mu(V, state, p, t, x), V being the slip rate, with the evolution
- * of its state. One small class a law: derive from NodewiseLaw<Law>, which makes the loop
- * over the nodes of the functions here.
+ * A coefficient of friction mu(V, state, p, t, x), with slip rate V, and the evolution of
+ * its state. Write one small class per law: derive it from NodewiseLaw<Law>, which adds
+ * the loop over the nodes.
  */
 class SlipLaw
 {
 public:
   virtual ~SlipLaw() = default;
 
-  /** mu; NaN where it is not defined, which stops a run. */
+  /** mu; NaN where it is undefined, which stops a run. */
   virtual double coefficient(const SlipPoint &at) const = 0;
 
-  /** d mu / d V with the state as it is (s/m). */
+  /** d mu / d V at constant state (s/m). */
   virtual double slope(const SlipPoint &at) const = 0;
 
-  /** Name, unit and first value of the state, if there is one. */
+  /** Name, unit and initial value of the state, if there is one. */
   virtual std::optional<StateVariable> state() const
   {
     return std::nullopt;
@@ -80,41 +80,43 @@ public:
     return state;
   }
 
-  /** The state after long sliding with @p slip_rate (m/s); at 0 that of a start. */
+  /** The steady state of sliding with @p slip_rate (m/s); at 0 the initial state. */
   virtual double steady_state(const double) const
   {
     return 0.;
   }
 
-  /** An upper bound of mu for slip rates up to @p fastest (m/s); infinite: not known. */
+  /** An upper bound of mu for slip rates up to @p fastest (m/s); infinite if unknown. */
   virtual double largest(const double fastest) const = 0;
 
-  /** An upper bound of -d mu / d V (s/m); 0: mu never falls with the slip rate. */
+  /** An upper bound of -d mu / d V (s/m); 0 if mu never falls with the slip rate. */
   virtual double steepest_fall() const
   {
     return 0.;
   }
 
-  /** An upper bound of -d mu / d slip by what the state does (1/m). */
+  /** An upper bound of -d mu / d slip through the evolution of the state (1/m). */
   virtual double steepest_fall_in_slip() const
   {
     return 0.;
   }
 
-  /** Whether steepest_fall() and steepest_fall_in_slip() are such bounds. */
+  /** Whether steepest_fall() and steepest_fall_in_slip() are valid bounds. */
   virtual bool knows_falls() const
   {
     return true;
   }
 
-  /** Whether pressure, or place and time, take part. */
+  /** Whether mu depends on pressure, position or time. */
   virtual bool looks_around() const
   {
     return false;
   }
 
-  /** Updates the states and finds the coefficients of @p nodes: the slip rate V and mu(V)
-   * of one instant belong together, V + softness mu(V) = free_rate. */
+  /**
+   * Updates the states and computes the coefficients of @p nodes. Slip rate V and mu(V)
+   * belong to the same instant: V + softness mu(V) = free_rate.
+   */
   virtual void update(const SlipNodes &nodes) const = 0;
 };
 } // namespace mesoslip

@@ -11,7 +11,7 @@
 namespace mesoslip
 {
 /**
- * A coefficient that changes with the slip D that a node has accumulated,
+ * A coefficient that depends on the accumulated slip D of a node,
  *
  *     mu = mu_k + (mu_s - mu_k) max(0, 1 - D / D_c)    linear (Ida 1972, Andrews 1976)
  *     mu = mu_k + (mu_s - mu_k) exp(-D / D_c)          exponential
@@ -19,17 +19,17 @@ namespace mesoslip
 class SlipWeakening final : public NodewiseLaw<SlipWeakening, false>
 {
 public:
-  /** The constants. */
+  /** Constants of the law. */
   struct Constants
   {
     double at_rest       = 0.;    ///< mu_s
-    double kinetic       = 0.;    ///< mu_k; above mu_s: friction rises with D
+    double kinetic       = 0.;    ///< mu_k; above mu_s friction rises with D
     double critical_slip = 1.;    ///< D_c > 0 (m)
-    bool exponential     = false; ///< else linear
-    Healing healing;              ///< when D is forgotten
+    bool exponential     = false; ///< exponential; else linear
+    Healing healing;              ///< reset of D
   };
 
-  /** With these. */
+  /** Uses @p constants. */
   explicit SlipWeakening(const Constants &constants)
     : c(constants)
   {

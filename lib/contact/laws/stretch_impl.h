@@ -1,6 +1,7 @@
-// Springs along the flat of the nodes of one vector, a part of contact/contact_kernel.cc in its namespace.
+// Tangential springs of the nodes of one vector; part of contact/contact_kernel.cc, in
+// its namespace.
 
-/** Columns of the stretch along x and, in 3D, y: now and a step ago. */
+/** Columns of the stretch along x and, in 3D, y: now and in the previous step. */
 constexpr ContactArrays::Column stretch_column[] = {ContactArrays::stretch,
                                                     ContactArrays::lateral_stretch},
                                 earlier_column[] = {
@@ -8,9 +9,9 @@ constexpr ContactArrays::Column stretch_column[] = {ContactArrays::stretch,
                                   ContactArrays::lateral_stretch_before};
 
 /**
- * Puts the spring of a node in series with what friction moves it by. With r = phi / (2 - phi) the force that holds the
- * node is (s + e_n + r e_(n-1)) / (k + slack + r slack), as of a node that slips by the numerator and yields by the
- * denominator.
+ * Puts the spring of a node in series with its compliance. With r = phi / (2 - phi) the
+ * force that holds the node is (s + e_n + r e_(n-1)) / (k + slack + r slack), as for a
+ * node with the slip in the numerator and the compliance in the denominator.
  */
 template <int dim>
 MESOSLIP_INLINE void
@@ -30,9 +31,10 @@ put_on_springs(const ContactArrays &a, const std::size_t i, Sliding<dim> &slidin
 }
 
 /**
- * Stretches the springs in the step in which the nodes slip by @p slip under @p force, of Coulomb's @p limit: by all of
- * it where they stick. Where they slide, to what the force of the next step is going to be, as it changes now, but by
- * no more than they slip, unless friction that lags points the other way. Adds energies to @p s.
+ * Updates the stretches in the step in which the nodes slip by @p slip under @p force,
+ * with the Coulomb @p limit. Sticking nodes: by the whole slip. Sliding nodes: to the
+ * extrapolated force of the next step, but by no more than the slip, unless lagging
+ * friction has the opposite sign. Adds energies to @p s.
  */
 template <int dim>
 MESOSLIP_INLINE void stretch_springs(const ContactArrays &a,

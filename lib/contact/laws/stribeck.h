@@ -8,26 +8,27 @@
 namespace mesoslip
 {
 /**
- * Static and kinetic coefficient with the curve of Stribeck and a viscous term,
+ * Static and kinetic coefficient with a Stribeck curve and a viscous term,
  *
  *     mu = mu_k + (mu_s - mu_k) exp(-(V / V_c)^n) + c V
  *
- * (Bo and Pavelescu 1982, Armstrong-Helouvry et al. 1994); n = 1, c = 0 is exponential decay.
+ * (Bo and Pavelescu 1982, Armstrong-Helouvry et al. 1994); n = 1, c = 0 is exponential
+ * decay.
  */
 class Stribeck final : public NodewiseLaw<Stribeck>
 {
 public:
-  /** The constants. */
+  /** Constants of the law. */
   struct Constants
   {
     double at_rest           = 0.; ///< mu_s
-    double kinetic           = 0.; ///< mu_k; above mu_s: friction rises with V
+    double kinetic           = 0.; ///< mu_k; above mu_s friction rises with V
     double critical_velocity = 1.; ///< V_c > 0 (m/s)
     double exponent          = 1.; ///< n >= 1
     double viscous           = 0.; ///< c >= 0 (s/m)
   };
 
-  /** With these. */
+  /** Uses @p constants. */
   explicit Stribeck(const Constants &constants)
     : c(constants)
   {
@@ -54,7 +55,7 @@ public:
     return std::fmax(c.at_rest, c.kinetic) + c.viscous * fastest;
   }
 
-  // exp(-x^n) falls most where x^n = (n - 1) / n.
+  // exp(-x^n) is steepest where x^n = (n - 1) / n.
   double steepest_fall() const override
   {
     const double y    = (c.exponent - 1.) / c.exponent,

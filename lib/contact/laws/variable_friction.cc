@@ -36,7 +36,7 @@ VariableFriction<dim>::VariableFriction(
     kept.remembered.assign(factor.size(), 0.);
 }
 
-// As the contact kernel does it; see the class.
+// As in the contact kernel; see the class.
 template <int dim>
 typename VariableFriction<dim>::Node
 VariableFriction<dim>::predict(const SurfaceView<dim> &surface,
@@ -62,14 +62,15 @@ VariableFriction<dim>::predict(const SurfaceView<dim> &surface,
                            of_before[]  = {Arrays::stretch_before,
                                            Arrays::lateral_stretch_before};
   const double slack = at(Arrays::slackness), ahead = last.touches ? 2. : 1.;
-  double slip[dim - 1], rate[dim - 1]; // slips and V_n, both without this step's friction
+  double slip[dim - 1], rate[dim - 1]; // without friction of this step
   double moved = 0., distance = 0.;
   for (unsigned int k = 0; k + 1 < dim; ++k)
     {
       const double w         = surface.w[k][i],
                    braking   = surface.force[k][i] * surface.inverse_mass[k][i],
                    remembers = decay * at(forces[k]) + (lag - decay) * at(targets[k]);
-      // What the spring along the flat is stretched by may slide, but not what it is stretched to, see stretch_springs().
+      // The previous stretch of the tangential spring may slide, the new stretch may not,
+      // see stretch_springs().
       const double stretch = at(stretches[k]), stretched = stretch - at(of_before[k]),
                    next = slack * (ahead * remembers - (ahead - 1.) * at(forces[k]));
       slip[k]           = (flat.now[k] - w) * dt + c * braking + stretch;
@@ -125,7 +126,7 @@ void VariableFriction<dim>::update(const SurfaceView<dim> &surface,
     {
       const Node node = predict(surface, flat, contact, i);
       normal[i]       = node.normal;
-      double pressing = node.normal; // to friction
+      double pressing = node.normal; // normal force that enters friction
       if (!kept.remembered.empty())
         {
           const Relaxation r = law.normal_stress.step(step.dt, before[i].slip_rate);

@@ -21,7 +21,10 @@ SurfaceFacet moved(SurfaceFacet facet, const SurfaceFacet::Place &by)
   return facet;
 }
 
-/** Images of a surface with this @p period, which begins at @p lowest, that may lie below the @p part. */
+/**
+ * First and last image of a surface with this @p period, starting at @p lowest, that may
+ * lie below the range @p part.
+ */
 std::array<long long, 2>
 images(const std::array<double, 2> &part, const double lowest, const double period)
 {
@@ -31,7 +34,10 @@ images(const std::array<double, 2> &part, const double lowest, const double peri
            std::llround(std::floor((part[1] - lowest) / period))}};
 }
 
-/** The matrix of psi = dual phi: with the integrals s_i of phi_i and M_ik of phi_i phi_k it is diag(s) M^-1. */
+/**
+ * The matrix of psi = dual phi: diag(s) M^-1 with the integrals s_i of phi_i and M_ik of
+ * phi_i phi_k.
+ */
 std::array<std::array<double, 4>, 4> dual_functions(const SurfaceFacet &facet)
 {
   std::vector<WeightedPlace> points;
@@ -54,12 +60,12 @@ std::array<std::array<double, 4>, 4> dual_functions(const SurfaceFacet &facet)
 }
 } // namespace
 
-/** What is found, and what is filled again for each pair of facets. */
+/** Results, and work arrays for each pair of facets. */
 struct MortarWeights::Work
 {
   std::vector<Product> products;
   std::vector<WeightedPlace> points;
-  double covered = 0.; ///< of the facet at work (m^2, in 2D m)
+  double covered = 0.; ///< covered part of the current facet (m^2, in 2D m)
 };
 
 MortarWeights::MortarWeights(const ContactFacets &upper,
@@ -100,7 +106,7 @@ SparseRows MortarWeights::rows_at(const std::array<double, 2> &way) const
   return rows_of(work.products);
 }
 
-/** In the frame of the surface below, into whose images the facet may reach. */
+/** Works in the frame of the surface below, whose images the facet may overlap. */
 void MortarWeights::add_facet(const Upper &upper,
                               const std::array<double, 2> &way,
                               Work &work) const
@@ -121,7 +127,7 @@ void MortarWeights::add_facet(const Upper &upper,
                            to_text(upper.facet.place[0][0]) + " m");
 }
 
-/** Of the @p facet where it has moved to with those below it. */
+/** Adds the products of the moved @p facet with the facets below it. */
 void MortarWeights::add_overlaps(const Upper &upper,
                                  const SurfaceFacet &facet,
                                  Work &work) const
@@ -139,7 +145,7 @@ void MortarWeights::add_overlaps(const Upper &upper,
       quadrature_of_overlap(facet, other, work.points);
       if (work.points.empty())
         continue;
-      double sums[4][4] = {}; // of phi_k phi_j
+      double sums[4][4] = {}; // sums of phi_k phi_j
       for (const auto &[place, weight] : work.points)
         {
           const std::array<double, 4> own = facet.shapes(place),
@@ -160,7 +166,9 @@ void MortarWeights::add_overlaps(const Upper &upper,
     }
 }
 
-/** Each node's products with the same node below together, over what they are in all. */
+/**
+ * Sums each node's products with the same node below, and divides by the sum of its row.
+ */
 SparseRows MortarWeights::rows_of(const std::vector<Product> &products) const
 {
   std::vector<std::size_t> begin(n_above + 2);

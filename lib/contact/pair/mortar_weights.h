@@ -9,26 +9,32 @@
 namespace mesoslip
 {
 /**
- * The weights of two surfaces whose nodes do not match, by a mortar method with dual multipliers (Wohlmuth 2000): the pressure on a
- * facet of the upper one is a combination of functions psi_i, linear or bilinear, with the integrals of psi_i phi_k none for other
- * nodes k of the facet and that of phi_i for its own, so that
+ * Coupling weights of two surfaces with non-matching nodes, by a mortar method with dual
+ * multipliers (Wohlmuth 2000). The pressure on a facet of the upper surface is a
+ * combination of linear or bilinear functions psi_i. The integral of psi_i phi_k is zero
+ * for other nodes k of the facet, and the integral of phi_i for k = i, so that
  *
  *     W_ij = (integral of psi_i phi_j) / (integral of phi_i)
  *
- * with phi_j of the surface below. A constant pressure is one on both sides, and what is uniform below is met everywhere. While the
- * surfaces slide the integrals change once continuously differentiable, so that no force jumps where a node passes another one.
+ * with phi_j of the surface below. A constant pressure is the same on both sides, and a
+ * uniform motion of the surface below is reproduced. While the surfaces slide, the
+ * integrals are continuously differentiable: forces do not jump when a node passes
+ * another one.
  */
 class MortarWeights : public MovingWeights
 {
 public:
-  /** Of the @p upper surface over the @p lower one, which repeats itself after a @p period along x and y (m; 0: not). */
+  /**
+   * Weights of the @p upper surface over the @p lower one, which has a @p period along x
+   * and y (m; 0: not periodic).
+   */
   MortarWeights(const ContactFacets &upper,
                 const ContactFacets &lower,
                 const std::array<double, 2> &period);
 
   SurfaceWeights at(const std::array<double, 2> &way) const override;
 
-  /** The rows of these weights alone. */
+  /** Matrix of the weights, by rows. */
   SparseRows rows_at(const std::array<double, 2> &way) const;
 
 private:
@@ -54,11 +60,11 @@ private:
 
   const unsigned int n_above, n_below;
   std::vector<Upper> above;
-  std::vector<SurfaceFacet> below;    ///< in the order of their lowest x
-  std::vector<double> first;          ///< lowest x of these (m)
+  std::vector<SurfaceFacet> below;    ///< sorted by their lowest x
+  std::vector<double> first;          ///< lowest x of each facet of below (m)
   const std::array<double, 2> period; ///< m
-  double longest             = 0.;    ///< of the facets below along x (m)
-  SurfaceFacet::Place lowest = {};    ///< of the surface below (m)
+  double longest             = 0.;    ///< longest facet of below along x (m)
+  SurfaceFacet::Place lowest = {};    ///< lower corner of the surface below (m)
 };
 } // namespace mesoslip
 

@@ -10,25 +10,31 @@
 
 namespace mesoslip
 {
-/** A contact as its nodes and facets. */
+/** Nodes and facets of a contact. */
 struct ContactFacets
 {
-  unsigned int n_nodes = 0;         ///< of the whole contact
-  std::vector<SurfaceFacet> facets; ///< between them
+  unsigned int n_nodes = 0;         ///< nodes of the whole contact
+  std::vector<SurfaceFacet> facets; ///< facets between the nodes
 };
 
-/** The weights of two surfaces, one of which moves below the other one. */
+/** Weights of two surfaces while the lower one moves. */
 class MovingWeights
 {
 public:
   virtual ~MovingWeights() = default;
 
-  /** With the surface below moved by @p way (m) along x and y. @throws NumericalFailure where it ends below the upper one */
+  /**
+   * Weights after a displacement @p way (m) of the lower surface along x and y. @throws
+   * NumericalFailure if the lower surface does not cover the upper one
+   */
   virtual SurfaceWeights at(const std::array<double, 2> &way) const = 0;
 };
 
-/** Those of surface @p above over surface @p below, which repeats itself after a @p period along x and y (m; 0: not): TensorWeights of
- * two grids of rectangles, else MortarWeights, which are the same. */
+/**
+ * Weights of surface @p above over surface @p below, which has a @p period along x and y
+ * (m; 0: not periodic). TensorWeights for two grids of rectangles, otherwise
+ * MortarWeights; both give the same weights.
+ */
 std::shared_ptr<const MovingWeights>
 make_moving_weights(const ContactFacets &above,
                     const ContactFacets &below,

@@ -50,7 +50,10 @@ void PairedContact<dim>::set_weights(SurfaceWeights weights)
     of_node *= partners ? 1. : 0.5;
 }
 
-/** What the surface below adds to the compliance of node @p k: d_i - 1/m_i of the class, by one over the masses below. */
+/**
+ * Compliance that the surface below adds to node @p k: d_i - 1/m_i of the class, from the
+ * inverse masses below.
+ */
 template <int dim>
 double PairedContact<dim>::yielding(const double *inverse_below,
                                     const std::size_t k) const
@@ -65,7 +68,7 @@ double PairedContact<dim>::yielding(const double *inverse_below,
   return sum;
 }
 
-/** Of components of the second body in the frame of the first one. */
+/** Sign of a component of the second body in the frame of the first one. */
 template <int dim>
 double PairedContact<dim>::sign(const unsigned int c) const
 {
@@ -79,7 +82,7 @@ void PairedContact<dim>::advance(const SurfaceView<dim> &surface)
   advance_partner();
 }
 
-/** With the nodes of both bodies before the step. */
+/** Called with the nodes of both bodies before the step. */
 template <int dim>
 void PairedContact<dim>::meet(const SurfaceView<dim> &below)
 {
@@ -132,7 +135,10 @@ void PairedContact<dim>::share_partner(const SurfaceView<dim> &below)
   of_partner.share();
 }
 
-/** What is below the nodes after the step: how it rises, and what it did in the step before. */
+/**
+ * Updates the surface below the nodes: its rise in this step, and its motion in the
+ * previous step.
+ */
 template <int dim>
 void PairedContact<dim>::slide()
 {
@@ -158,7 +164,10 @@ void PairedContact<dim>::slide()
   contact.ride(w.row(dim - 1, 0), change_of_moved);
 }
 
-/** The motion of the first body seen from the second one, and what makes it in the step without contact. */
+/**
+ * Sets the motion of the first body relative to the second one, and the forces that drive
+ * it without contact.
+ */
 template <int dim>
 void PairedContact<dim>::take_relative()
 {
@@ -181,7 +190,7 @@ void PairedContact<dim>::take_relative()
     }
 }
 
-/** What forces.share() told, as the forces of the last step. */
+/** Copies the values of forces.share() to the forces of the last step. */
 template <int dim>
 void PairedContact<dim>::take_shared_forces()
 {
@@ -200,7 +209,7 @@ void PairedContact<dim>::share_forces()
   forces.share();
 }
 
-/** One step of component @p c of the nodes under @p f times @p sign. */
+/** Advances component @p c of the nodes by one step under @p f times @p sign. */
 template <int dim>
 void PairedContact<dim>::move(const SurfaceView<dim> &surface,
                               const NodesOfContact &of_surface,

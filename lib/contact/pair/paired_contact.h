@@ -13,82 +13,101 @@
 
 namespace mesoslip
 {
-/** The contact of a second body, whose nodes PairedContact moves. */
+/** Contact side of a second body, advanced by PairedContact. */
 template <int dim>
 struct PartnerSurface : SurfaceCondition<dim>
 {
-  NodesOfContact nodes; ///< with their numbers in the contact of this body
+  NodesOfContact nodes; ///< nodes numbered in the contact of this body
 
-  /** 1, or -1 for a body that is computed upside down: its own normal points away from the first one. */
+  /**
+   * 1, or -1 for a body computed upside down: its own normal points away from the first
+   * body.
+   */
   double normal = 1.;
 
-  /** What moves the nodes. */
+  /** Called to advance the nodes. */
   std::function<void(const SurfaceView<dim> &)> meet;
 
-  /** One step, within one of the first body. */
+  /** Advances the nodes by one step, within a step of the first body. */
   void advance(const SurfaceView<dim> &surface) override
   {
     meet(surface);
   }
 };
 
-/** What the nodes of a contact meet of a second body. */
+/** Coupling of the nodes of a contact to a second body. */
 struct SurfaceMeeting
 {
-  SurfaceWeights weights; ///< at the start
+  SurfaceWeights weights; ///< weights at the start
 
-  /** What makes the weights as the second body slides on; null: displacements are small, and weights stay. */
+  /**
+   * Computes the weights while the second body slides; null: small displacements,
+   * constant weights.
+   */
   std::shared_ptr<const MovingWeights> sliding;
 
-  /** Whether forces on a node reach others, or the surface below rises and falls under it. */
+  /**
+   * Whether forces affect neighbouring nodes, or the surface below rises and falls under
+   * the nodes.
+   */
   bool couples() const
   {
     return sliding || !weights.are_partners();
   }
 };
 
-/** How forces of neighbours were found together. */
+/** Statistics of the iteration for coupled forces. */
 struct PairSettling
 {
-  std::uint64_t trials    = 0;  ///< of all steps
-  std::uint64_t unsettled = 0;  ///< steps in which friction went on changing
-  double change           = 0.; ///< in these, of the largest force, at most
+  std::uint64_t trials    = 0;  ///< trials in all steps
+  std::uint64_t unsettled = 0;  ///< steps in which friction did not converge
+  double change           = 0.; ///< largest relative change in these steps
 };
 
-/** How the nodes of a contact that a rank has start along the normal. */
+/** Initial motion along the normal of the contact nodes of a rank. */
 struct NormalStart
 {
-  std::vector<double> inverse_inertia; ///< 1/kg, in 2D m/kg; 0: held
-  std::vector<double> acceleration;    ///< without contact (m/s^2)
-  double velocity = 0.;                ///< of the whole body along the normal (m/s)
+  std::vector<double> inverse_inertia; ///< 1/kg, in 2D m/kg; 0: constrained
+  std::vector<double> acceleration;    ///< acceleration without contact (m/s^2)
+  double velocity = 0.;                ///< normal velocity of the whole body (m/s)
 };
 
 /**
- * Two bodies that meet: the contact sees the motion of the nodes of the first one relative to what is below them of the second one,
- * W u_2 with SurfaceWeights W, whose nodes yield as well. Contact forces f accelerate them against each other by
+ * Contact of two bodies. The contact law sees the motion of the nodes of the first body
+ * relative to the second body below them, W u_2 with SurfaceWeights W. Both bodies yield:
+ * contact forces f accelerate the nodes against each other by
  *
  *     G f,   G = M_1^-1 + W M_2^-1 W^T,
  *
- * so that the forward-increment Lagrange multipliers of the rigid flat are those of the pair with this compliance. Where each node has
- * one partner, G is diagonal. Else forces of neighbours are found together: each node answers the forces of the others as if its own
- * compliance were
+ * so that the forward-increment Lagrange multipliers of the rigid flat apply to the pair
+ * with this compliance. If each node has one partner, G is diagonal. Otherwise the forces
+ * of neighbours are found by iteration: each node responds to the forces of the other
+ * nodes as if its own compliance were
  *
  *     d_i = 1/m_i + r_i / 2,   r_i = sum over j of |W_ij| (sum over k of |W_kj|) / m_j,
  *
- * again and again until nothing changes. As 1/m_i and 1/m_i + r_i enclose all of G, what is left shrinks on nodes that touch and slide,
- * or stick, at least by r_i / (2 d_i) each time, with Chebyshev's acceleration faster (Golub and Varga 1961).
+ * until nothing changes. As 1/m_i and 1/m_i + r_i enclose all of G, the error on nodes
+ * that touch and slide, or stick, shrinks at least by r_i / (2 d_i) per iteration, and
+ * faster with Chebyshev acceleration (Golub and Varga 1961).
  *
- * The velocity of the flat is that of the second body along the first one. While that body slides on by more than its cells, weights
- * follow its way; its surface then rises and falls under the nodes, and what drives it does the work of that.
+ * The velocity of the flat is the velocity of the second body along the first one. If the
+ * second body slides by more than its cells, the weights follow its displacement; its
+ * surface then rises and falls under the nodes, and its drive does the corresponding
+ * work.
  *
- * Nodes may be on different ranks, which tell each other those of both contacts in each step.
+ * Nodes may be on different ranks, which exchange the values of both contacts in each
+ * step.
  */
 template <int dim>
 class PairedContact : public SurfaceCondition<dim>
 {
 public:
-  /** @p contact is of the @p nodes of the first body, which have the meeting @p given with those of @p partner, of whose body @p advance_partner
-   * makes one step. Both must outlive this. Collective over the @p communicator of ranks that have them. */
+  /**
+   * @p contact has the @p nodes of the first body, coupled by @p given to the nodes of
+   * @p partner. @p advance_partner makes one step of the second body. Contact and partner
+   * must outlive this object. Collective over the @p communicator of the ranks that have
+   * contact nodes.
+   */
   PairedContact(ContactSurface<dim> &contact,
                 const NodesOfContact &nodes,
                 PartnerSurface<dim> &partner,
@@ -97,16 +116,19 @@ public:
                 const StepParameters &step,
                 const MPI_Comm communicator);
 
-  PairedContact(const PairedContact &)            = delete; ///< the partner refers to it
+  PairedContact(const PairedContact &)            = delete; ///< partner refers to it
   PairedContact &operator=(const PairedContact &) = delete; ///< see the constructor
 
-  /** One step of the nodes and of the second body. Collective. */
+  /** Advances the nodes and the second body by one step. Collective. */
   void advance(const SurfaceView<dim> &surface) override;
 
-  /** Nodes that press on the second body from the start get one acceleration with what is below them. Collective. */
+  /**
+   * Gives nodes that press on the second body initially the same acceleration as the
+   * surface below. Collective.
+   */
   void start_as_one(NormalStart &own, NormalStart &other);
 
-  /** Since the start. */
+  /** Statistics since the start. */
   const PairSettling &settling() const
   {
     return settled;
@@ -123,18 +145,17 @@ public:
   }
 
 private:
-  /** What the second body tells of a component. */
+  /** Values per component that the second body provides. */
   enum Row : unsigned int
   {
     displacement,  ///< m
-    velocity,      ///< of the scheme (m/s)
-    braking,       ///< minus the acceleration without contact (m/s^2)
+    velocity,      ///< velocity of the scheme (m/s)
+    braking,       ///< minus acceleration without contact (m/s^2)
     one_over_mass, ///< 1/kg, in 2D m/kg
-    increment,     ///< in the step before (m)
+    increment,     ///< increment of the previous step (m)
     n_rows
   };
-  using Forces =
-    std::vector<double>; ///< on all nodes of the contact, components together
+  using Forces = std::vector<double>; ///< forces on all contact nodes, node after node
 
   void meet(const SurfaceView<dim> &below);
   void set_weights(SurfaceWeights weights);
@@ -164,25 +185,26 @@ private:
   SurfaceMeeting meeting;
   const std::function<void()> advance_partner;
   const StepParameters step;
-  const SurfaceView<dim> *above = nullptr; ///< in the step under way
-  SurfaceValues
-    of_partner; ///< u, w, acceleration without contact, inverse mass and, of a body that slides on, its last increment
-  SurfaceValues
-    forces; ///< on the first body (N, in 2D N/m), by component; behind them how far they are from settled
+  const SurfaceView<dim> *above = nullptr; ///< surface in the current step
+  SurfaceValues of_partner;                ///< values of the second body, see Row
+  SurfaceValues forces; ///< on the first body (N, in 2D N/m), then rows of the trial
 
   std::vector<double>
-    share;      ///< of each node below: half of the sum of |W_kj| over k, of partners one
-  Forces taken; ///< from the nodes below, W^T f (N, in 2D N/m)
-  Forces last;  ///< of the last step (N, in 2D N/m)
-  std::array<double, 2> way = {}; ///< of the second body since the start (m)
+    share;      ///< for each node below, half of the sum of |W_kj| over k; 1 for partners
+  Forces taken; ///< forces on the nodes below, W^T f (N, in 2D N/m)
+  Forces last;  ///< forces of the last step (N, in 2D N/m)
+  std::array<double, 2> way = {}; ///< displacement of the second body since the start (m)
   std::vector<double>
-    moved_before; ///< increments of the nodes of the second body of this rank in the last step (m)
+    moved_before; ///< last increments of the nodes of the second body on this rank (m)
   PairSettling settled;
-  std::vector<double> acceleration; ///< in the work of a step
+  std::vector<double> acceleration; ///< work array of a step
 
-  /** Of the relative motion: displacement (m), velocity of the scheme (m/s), force without contact (N, in 2D N/m), one over
-   * the inertia (1/kg, in 2D m/kg), the inertia (0: held) and minus the acceleration without contact (m/s^2), a column for each node; and
-   * forces that are tried with what settle() asks of them. */
+  /**
+   * Relative motion, one column per node: displacement (m), velocity of the scheme (m/s),
+   * force without contact (N, in 2D N/m), inverse inertia (1/kg, in 2D m/kg), inertia (0:
+   * constrained) and minus the acceleration without contact (m/s^2); and trial forces
+   * with work arrays of settle().
+   */
   NodalField<double> u, w, force, inverse_mass, mass, apart, trial;
 };
 } // namespace mesoslip

@@ -1,4 +1,4 @@
-// Forces of a pair that reach the neighbours of a node.
+// Coupled forces of a pair, which affect the neighbours of a node.
 #include "base/exchange.h"
 #include "contact/pair/paired_contact.h"
 
@@ -10,11 +10,14 @@ namespace mesoslip
 {
 namespace
 {
-/** Rows behind the components of forces that are tried: how far they are from settled, and by what each trial brings them nearer. */
+/**
+ * Rows behind the components of trial forces: their distance from convergence, and the
+ * contraction of each trial.
+ */
 constexpr unsigned int of_change = 0, of_contraction = 1;
 } // namespace
 
-/** What accelerates the nodes besides a force on themselves, under the forces of a @p guess. */
+/** Sets the accelerations of the nodes by the forces @p guess on other nodes. */
 template <int dim>
 void PairedContact<dim>::press_with(const Forces &guess)
 {
@@ -47,7 +50,10 @@ void PairedContact<dim>::press_with(const Forces &guess)
   });
 }
 
-/** What the nodes answer, and how far that is from the @p guess where it moves them by more than rounding does. */
+/**
+ * Computes the response of the nodes, and its difference from @p guess where it moves
+ * nodes by more than round-off.
+ */
 template <int dim>
 void PairedContact<dim>::share_trial(const SurfaceView<dim> &relative,
                                      const Forces &guess,
@@ -81,7 +87,7 @@ void PairedContact<dim>::share_trial(const SurfaceView<dim> &relative,
   forces.share();
 }
 
-/** The largest value that is shared in a row, from 0 on. */
+/** Largest shared absolute value in a row. */
 template <int dim>
 double PairedContact<dim>::largest_of(const unsigned int row) const
 {
@@ -92,9 +98,12 @@ double PairedContact<dim>::largest_of(const unsigned int row) const
   return largest;
 }
 
-/** Until the forces of neighbours in the step of @p relative are those that the nodes answer with; begins with those of the last
- * step. Where friction jumps between two values it may never be: after some time the mean of them is taken, and the
- * step counted. */
+/**
+ * Iterates until the coupled forces in the step of @p relative agree with the response of
+ * the nodes, starting from the forces of the last step. If friction jumps between two
+ * values it may not converge: after some iterations the mean is taken, and the step is
+ * counted as unsettled.
+ */
 template <int dim>
 void PairedContact<dim>::settle(const SurfaceView<dim> &relative)
 {
@@ -139,7 +148,9 @@ void PairedContact<dim>::settle(const SurfaceView<dim> &relative)
     }
 }
 
-/** Forces at the start on nodes that rest, with which none of them comes nearer to what is below it. */
+/**
+ * Initial forces on resting nodes that prevent them from approaching the surface below.
+ */
 template <int dim>
 std::vector<double> PairedContact<dim>::common_forces(const SurfaceValues &own,
                                                       const double *inverse_below) const

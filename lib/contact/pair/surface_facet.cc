@@ -9,7 +9,7 @@ namespace
 {
 using FacetPlace = SurfaceFacet::Place;
 
-/** A convex polygon; each edge of another one cuts off a corner at most. */
+/** A convex polygon; a cut along an edge of another facet removes at most one corner. */
 struct Polygon
 {
   std::array<FacetPlace, 8> corner;
@@ -21,7 +21,7 @@ struct Polygon
   }
 };
 
-/** Twice the area of a triangle, positive if it turns left. */
+/** Twice the signed area of a triangle, positive if counterclockwise. */
 double turn(const FacetPlace &a, const FacetPlace &b, const FacetPlace &c)
 {
   return (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]);
@@ -35,7 +35,10 @@ double signed_size(const SurfaceFacet &facet)
   return 0.5 * (turn(p[0], p[1], p[2]) + (facet.n == 4 ? turn(p[0], p[2], p[3]) : 0.));
 }
 
-/** What of @p polygon lies to the left of the line from @p a to @p b (Sutherland and Hodgman 1974). */
+/**
+ * The part of @p polygon to the left of the line from @p a to @p b (Sutherland and
+ * Hodgman 1974).
+ */
 Polygon cut(const Polygon &polygon, const FacetPlace &a, const FacetPlace &b)
 {
   Polygon result;
@@ -70,7 +73,7 @@ void add_interval(const SurfaceFacet &one,
   points.push_back({{{middle + away, 0.}}, half});
 }
 
-/** Seven points of degree five (Radon 1948). */
+/** Adds a quadrature rule with seven points of degree five (Radon 1948). */
 void add_triangle(const FacetPlace &a,
                   const FacetPlace &b,
                   const FacetPlace &c,
@@ -94,7 +97,10 @@ void add_triangle(const FacetPlace &a,
       }
 }
 
-/** Bilinear coordinates from 0 to 1 of a place, by Newton's method; of a parallelogram in one step. */
+/**
+ * Bilinear coordinates (0 to 1) of a position by Newton's method; one step for a
+ * parallelogram.
+ */
 FacetPlace coordinates_in(const std::array<FacetPlace, 4> &corner, const FacetPlace &at)
 {
   FacetPlace xi = {{0.5, 0.5}};

@@ -8,26 +8,30 @@
 
 namespace mesoslip
 {
-/** A facet of a contact seen along the normal: an edge, a triangle or a quadrilateral. */
+/**
+ * A facet of a contact projected along the normal: an edge, a triangle or a
+ * quadrilateral.
+ */
 struct SurfaceFacet
 {
   using Place = std::array<double, 2>; ///< x and, in 3D, y (m)
 
-  unsigned int n = 0; ///< number of corners
-  std::array<unsigned int, 4> node =
-    {}; ///< of the contact, one after the other around the facet
-  std::array<Place, 4> place = {}; ///< of the corners
+  unsigned int n                   = 0;  ///< number of corners
+  std::array<unsigned int, 4> node = {}; ///< contact nodes in the order around the facet
+  std::array<Place, 4> place       = {}; ///< positions of the corners
 
-  /** Values of the shape functions at a @p place: linear, or bilinear on a quadrilateral. */
+  /**
+   * Values of the shape functions at a position: linear, or bilinear on a quadrilateral.
+   */
   std::array<double, 4> shapes(const Place &at) const;
 
-  /** From where to where it goes along an axis (m). */
+  /** Lower and upper bound along an axis (m). */
   std::array<double, 2> range(const unsigned int axis) const;
 
   /** Length (m) or area (m^2). */
   double size() const;
 
-  /** Of boost::serialization. */
+  /** Saves or restores all members (Boost.Serialization). */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
@@ -35,15 +39,17 @@ struct SurfaceFacet
   }
 };
 
-/** A place with its share of an area (m^2) or length (m). */
+/** A quadrature point with its weight, an area (m^2) or length (m). */
 struct WeightedPlace
 {
-  SurfaceFacet::Place place = {}; ///< where it is (m)
+  SurfaceFacet::Place place = {}; ///< position of the point (m)
   double weight             = 0.; ///< m^2, of an edge m
 };
 
-/** Points of a quadrature over what two facets have in common, exact for the product of their shape functions where facets are edges,
- * triangles or parallelograms. */
+/**
+ * Quadrature points on the overlap of two facets; exact for the product of their shape
+ * functions if the facets are edges, triangles or parallelograms.
+ */
 void quadrature_of_overlap(const SurfaceFacet &one,
                            const SurfaceFacet &other,
                            std::vector<WeightedPlace> &points);

@@ -9,16 +9,16 @@
 
 namespace mesoslip
 {
-/** The nodes of a contact that a rank has: those that it owns and, behind them, copies. */
+/** Contact nodes on a rank: locally owned nodes, followed by ghost nodes. */
 struct NodesOfContact
 {
-  /** No node: what stands for one where arrays are filled up. */
+  /** Placeholder number of padding. */
   static constexpr unsigned int none = std::numeric_limits<unsigned int>::max();
 
-  std::vector<unsigned int> number; ///< of each in the whole contact, or none
-  unsigned int n_owned = 0;         ///< the first ones
+  std::vector<unsigned int> number; ///< number in the whole contact, or none
+  unsigned int n_owned = 0;         ///< number of locally owned nodes, the first ones
 
-  /** Calls what (i, number in the whole contact) for the nodes that are some. */
+  /** Calls what (i, number in the whole contact) for all nodes except padding. */
   template <typename Function>
   void for_each(const Function &what) const
   {
@@ -28,22 +28,24 @@ struct NodesOfContact
   }
 };
 
-/** Some numbers for each node of a contact, which the ranks that own the nodes tell all others. */
+/** Values at the nodes of a contact, sent by the owners of the nodes to all ranks. */
 class SurfaceValues
 {
 public:
-  /** @p n_rows numbers a node, zero at first. Collective. */
+  /** @p n_rows values per node, initially zero. Collective. */
   SurfaceValues(const NodesOfContact &nodes,
                 const unsigned int n_rows,
                 const MPI_Comm communicator);
 
-  /** Takes number @p r of the nodes of this rank, of which copies are left out. */
+  /**
+   * Sets row @p r from the @p values of the nodes of this rank; ghost nodes are ignored.
+   */
   void set(const unsigned int r, const double *values);
 
-  /** Tells all ranks what was set. Collective. */
+  /** Sends the values to all ranks. Collective. */
   void share();
 
-  /** Those that share them. */
+  /** Ranks that share the values. */
   MPI_Comm ranks() const
   {
     return communicator;
@@ -55,18 +57,18 @@ public:
     return of_ranks.size();
   }
 
-  /** Number @p r of all nodes, in the order of the whole contact. */
+  /** Row @p r of all nodes, in the order of the whole contact. */
   const double *row(const unsigned int r) const
   {
     return whole.row(r, 0);
   }
 
 private:
-  const std::vector<unsigned int> owned; ///< numbers of the nodes of this rank
+  const std::vector<unsigned int> owned; ///< numbers of the locally owned nodes
   const MPI_Comm communicator;
-  std::vector<unsigned int> of_ranks; ///< the same of all ranks, one after the other
-  std::vector<int> counts, starts;    ///< of the values of each rank
-  std::vector<double> own, all;       ///< values of this rank, and of all
+  std::vector<unsigned int> of_ranks; ///< owned numbers of all ranks, rank after rank
+  std::vector<int> counts, starts;    ///< counts and offsets of the values of each rank
+  std::vector<double> own, all;       ///< values of this rank, and of all ranks
   NodalField<double> whole;
 };
 } // namespace mesoslip

@@ -7,18 +7,18 @@
 
 namespace mesoslip
 {
-/** A sparse matrix by rows. */
+/** A sparse matrix stored by rows. */
 struct SparseRows
 {
-  /** What a row has in a column. */
+  /** A matrix entry in a row. */
   struct Entry
   {
-    unsigned int column; ///< its number
-    double weight;       ///< the value
+    unsigned int column; ///< column index
+    double weight;       ///< value of the entry
   };
 
-  std::vector<std::size_t> start = {0}; ///< of each row in the entries and, last, of none
-  std::vector<Entry> entries;           ///< of the rows, one after the other
+  std::vector<std::size_t> start = {0}; ///< first entry of each row, and the end
+  std::vector<Entry> entries;           ///< entries, row after row
 
   /** Number of rows. */
   std::size_t n_rows() const
@@ -26,13 +26,13 @@ struct SparseRows
     return start.size() - 1;
   }
 
-  /** Ends the row that entries were added to. */
+  /** Ends the current row. */
   void end_row()
   {
     start.push_back(entries.size());
   }
 
-  /** Row @p k times @p values, of which each column has @p n, one after the other. */
+  /** Row @p k times @p values, which have @p n numbers per column. */
   template <int n>
   std::array<double, n> times(const double *values, const std::size_t k) const
   {
@@ -48,21 +48,26 @@ struct SparseRows
   SparseRows transposed(const std::size_t n_columns) const;
 };
 
-/** What each node of a contact meets of the nodes of the surface below it: a matrix W with rows of the sum one, so that W u is what
- * the surface below moves by under the nodes, and W^T f what forces f on the nodes are on that surface. */
+/**
+ * Interpolation from the surface below to the nodes of a contact: a matrix W with row
+ * sums of one. W u are the displacements of the surface below at the nodes; W^T f are the
+ * forces on that surface from nodal forces f.
+ */
 class SurfaceWeights
 {
 public:
   SurfaceWeights() = default;
 
-  /** W, of @p n_below columns. */
+  /** W with @p n_below columns. */
   SurfaceWeights(SparseRows weights, const std::size_t n_below)
     : rows(std::move(weights))
     , columns(rows.transposed(n_below))
   {
   }
 
-  /** Whether each node has one partner of its own, so that no force reaches the nodes beside it. */
+  /**
+   * Whether each node has exactly one partner, so that forces do not affect neighbours.
+   */
   bool are_partners() const
   {
     return rows.entries.size() == rows.n_rows();
@@ -74,7 +79,7 @@ public:
     return rows.times<1>(values, k)[0];
   }
 
-  /** W^T times @p forces, @p n of each node, into those @p below. */
+  /** Writes W^T times @p forces, @p n per node, to @p below. */
   template <int n>
   void spread(const std::vector<double> &forces, std::vector<double> &below) const
   {
@@ -86,7 +91,7 @@ public:
       }
   }
 
-  /** For each node j below the sum over k of |W_kj|. */
+  /** For each node j below: the sum over k of |W_kj|. */
   std::vector<double> reach() const;
 
   SparseRows rows;    ///< W

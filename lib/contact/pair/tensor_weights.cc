@@ -10,7 +10,7 @@ namespace
 {
 constexpr unsigned int no_number = std::numeric_limits<unsigned int>::max();
 
-/** Places of the lines at which facets begin or end along an axis (m). */
+/** Coordinates of the lines at which facets begin or end along an axis (m). */
 class Lines
 {
 public:
@@ -33,7 +33,7 @@ public:
         at.push_back(x);
   }
 
-  /** Number of the line of a corner, or of lines. */
+  /** Index of the line through a corner; the number of lines if there is none. */
   std::size_t find(const SurfaceFacet::Place &corner) const
   {
     const auto found = std::lower_bound(at.begin(), at.end(), corner[axis] - tolerance);
@@ -42,14 +42,14 @@ public:
              : at.size();
   }
 
-  std::vector<double> at; ///< in ascending order
+  std::vector<double> at; ///< ascending
 
 private:
   const unsigned int axis;
   double tolerance = 0.;
 };
 
-/** Edges between lines, of which the last one may be the first one again. */
+/** Edges between lines; if @p repeats, the last node is the first one. */
 ContactFacets edges(const std::vector<double> &at, const bool repeats)
 {
   const auto n = static_cast<unsigned int>(at.size() - 1);

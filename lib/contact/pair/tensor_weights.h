@@ -9,24 +9,30 @@
 
 namespace mesoslip
 {
-/** A contact whose facets are the rectangles between lines along both axes. */
+/** A contact whose facets are the rectangles of a tensor-product grid. */
 struct FacetGrid
 {
   std::array<ContactFacets, 2>
-    along; ///< edges between the lines of an axis, as the contact of a plane body
+    along; ///< edges along each axis, as in the contact of a plane body
 
-  /** Number in the contact of the node on line i of x and j of y, at i n_y + j, with n_y nodes along y. */
+  /**
+   * Number in the contact of the node on line i of x and line j of y, at i n_y + j, with
+   * n_y nodes along y.
+   */
   std::vector<unsigned int> node;
 };
 
-/** The grid that a contact is, if it is one. */
+/** Grid of a contact; empty if it is not a tensor-product grid. */
 std::optional<FacetGrid> grid_of(const ContactFacets &contact);
 
-/** The weights of two grids of rectangles: products of those along the axes. */
+/** Weights of two grids of rectangles: products of the weights along the axes. */
 class TensorWeights : public MovingWeights
 {
 public:
-  /** Of the grid @p above over that @p below, which repeats itself after a @p period along x and y (m; 0: not). */
+  /**
+   * Weights of grid @p above over grid @p below, which has a @p period along x and y (m;
+   * 0: not periodic).
+   */
   TensorWeights(const FacetGrid &above,
                 const FacetGrid &below,
                 const std::array<double, 2> &period);

@@ -12,17 +12,21 @@
 
 namespace mesoslip
 {
-/** Local numbers of the own @p rows between the bottom and the top row of a grid. */
+/** Local indices of the owned @p rows strictly between bottom and top row of a grid. */
 std::vector<unsigned int> inner_rows(const NodeRows &rows);
 
 /**
- * The left or right column of a plane grid between contact and top, which a platen moves. The kernel advances its
- * rows as if the side was free, one step in a sweep; from what it did follow the forces of the cells.
+ * The left or right column of a plane grid between contact and top, moved by a platen.
+ * The kernel advances its rows as if the side were free, one step per sweep; the forces
+ * of the cells follow from the resulting motion.
  */
 class PlatenColumn
 {
 public:
-  /** @p platen of inner_rows(), @p u and @p w must outlive it; @p damping is that of SteppedBody. */
+  /**
+   * @p platen of inner_rows(), @p u and @p w must outlive this object; @p damping as in
+   * SteppedBody.
+   */
   PlatenColumn(RigidPlaten<2> &platen,
                const unsigned int column,
                const UniformMaterial &material,
@@ -33,23 +37,23 @@ public:
                NodalField<double> &w,
                const MPI_Comm communicator);
 
-  /** Before the kernel advances the rows. */
+  /** Call before the kernel advances the rows. */
   void save();
 
-  /** After it has advanced them from the time of @p step. Collective. */
+  /** Call after the kernel has advanced the rows from step @p step on. Collective. */
   void advance(const std::uint64_t step);
 
-  const unsigned int column; ///< of nodes of the grid: its first or last one
+  const unsigned int column; ///< first or last column of nodes of the grid
 
 private:
   using Components =
-    std::array<std::vector<double>, 2>; ///< x and y, a value for each of places
+    std::array<std::vector<double>, 2>; ///< x and y, one value per entry of places
 
   RigidPlaten<2> &platen;
   const StepParameters step;
   NodalField<double> &u, &w;
   const MPI_Comm communicator;
-  const std::vector<unsigned int> places; ///< the rows in the fields
+  const std::vector<unsigned int> places; ///< local rows of the column
   std::vector<double> inverse_mass;       ///< m/kg
   Components u_before, w_before, force;
 };

@@ -30,7 +30,7 @@ SideColumn::SideColumn(SideSurface<2> &surface,
     }
 }
 
-/** Of one node, of which the arrays are @p node and @p force. */
+/** View of a single node with state @p node and @p force. */
 SurfaceView<2>
 SideColumn::view(const unsigned int local, Node &node, std::array<double, 2> &force)
 {
@@ -65,7 +65,7 @@ void SideColumn::start(const std::uint64_t first)
   surface.has_started();
 }
 
-/** Number of the bottom or @p top row on this rank. */
+/** Local index of the bottom or @p top row. */
 unsigned int SideColumn::boundary_row(const bool top) const
 {
   return rows.local(top ? rows.n_global - 1 : 0);

@@ -13,15 +13,17 @@
 namespace mesoslip
 {
 /**
- * The left or right column of a plane grid as a SideSurface, whose node k is local row k. The kernel
- * advances its rows as if the side was free; from what it did follow the forces of the cells, with which the
- * nodes are advanced again.
+ * The left or right column of a plane grid as a SideSurface, whose node k is local row k.
+ * The kernel advances its rows as if the side were free; the forces of the cells follow
+ * from the resulting motion, and the nodes are advanced again with them.
  */
 class SideColumn
 {
 public:
-  /** @p surface, @p u and @p w must outlive it; components that are @p held stay where they are; @p damping is
-   * that of SteppedBody. */
+  /**
+   * @p surface, @p u and @p w must outlive this object; @p held components are
+   * constrained; @p damping as in SteppedBody.
+   */
   SideColumn(SideSurface<2> &surface,
              const unsigned int column,
              const UniformMaterial &material,
@@ -32,32 +34,37 @@ public:
              NodalField<double> &u,
              NodalField<double> &w);
 
-  /** Before the steps from @p first on, while all rows are there. */
+  /** Call before the steps from @p first on, while all rows are at the same time. */
   void start(const std::uint64_t first);
 
-  /** What the side adds to the inertia (kg/m) of component @p c of its node in the bottom or @p top row,
-   * which others move; 0 where it is held. */
+  /**
+   * Inertia (kg/m) that the side adds to component @p c of its node in the bottom or
+   * @p top row, which another surface advances; 0 if constrained.
+   */
   double guest_mass(const bool top, const unsigned int c);
 
-  /** Adds to the @p force on its node in the bottom or @p top row before its step. */
+  /**
+   * Adds the forces of the side to @p force on its node in the bottom or @p top row,
+   * before the step.
+   */
   void add_force(const SurfaceView<2> &view,
                  const std::array<double *, 2> &force,
                  const bool top);
 
-  /** Counts what happened to that node in the step, after it. */
+  /** Counts energy and work of this node after the step. */
   void account(const SurfaceView<2> &view, const bool top);
 
 
-  /** Before the kernel advances @p n rows from @p row (global number) on. */
+  /** Call before the kernel advances @p n rows from global row @p row on. */
   void save(const unsigned int row, const unsigned int n);
 
-  /** After it has advanced them from the time of @p step. */
+  /** Call after the kernel has advanced these rows from step @p step on. */
   void advance(const unsigned int row, const unsigned int n, const std::uint64_t step);
 
-  const unsigned int column; ///< of nodes of the grid: its first or last one
+  const unsigned int column; ///< first or last column of nodes of the grid
 
 private:
-  /** A node before the kernel advances it. */
+  /** State of a node before the kernel advances it. */
   struct Node
   {
     std::array<double, 2> u = {}; ///< m
@@ -72,7 +79,7 @@ private:
   const StepParameters step;
   NodalField<double> &u, &w;
   std::vector<std::array<double, 2>>
-    inverse_mass; ///< of each local row (m/kg), 0 where held
+    inverse_mass; ///< inverse mass of each local row (m/kg), 0 where constrained
   std::vector<Node> saved;
 };
 } // namespace mesoslip

@@ -10,25 +10,33 @@
 
 namespace mesoslip
 {
-/** What each node of a side stands for. */
+/** Area, position and impedance of each node of a side. */
 struct SideNodes
 {
-  /** Stands for no node, as SharedNodes::none. */
+  /** Placeholder of an empty place, as SharedNodes::none. */
   static constexpr unsigned int none = std::numeric_limits<unsigned int>::max();
 
   std::vector<double> area; ///< m^2, in 2D m
 
-  /** Force of a pressure of 1 Pa, components x, y and z: the area along the normal into the body (m^2,
-   * in 2D m); components that are empty are 0. */
+  /**
+   * Force of a pressure of 1 Pa, components x, y and z: area times normal into the body
+   * (m^2, in 2D m); empty components are 0.
+   */
   std::array<std::vector<double>, 3> push;
 
-  /** Where the nodes are, x, y and z (m), if there is a traction; components that are empty are 0. */
+  /**
+   * Positions of the nodes, x, y and z (m), if there is a traction; empty components are
+   * 0.
+   */
   std::array<std::vector<double>, 3> position;
 
-  /** If the side absorbs, component (r, c) of the impedance of the phases behind it in [dim r + c] (Pa s/m). */
+  /**
+   * For absorbing sides: component (r, c) of the impedance of the phases at the side in
+   * [dim r + c] (Pa s/m).
+   */
   std::vector<std::vector<double>> impedance;
 
-  /** Where node @p i is (m). */
+  /** Position of node @p i (m). */
   std::array<double, 3> place_of(const std::size_t i) const
   {
     std::array<double, 3> place = {};
@@ -44,7 +52,7 @@ struct SideNodes
     return push[c].empty() ? 0. : push[c][i];
   }
 
-  /** Those of these numbers, in this order; zeros for none. */
+  /** Data of the nodes @p numbers, in this order; zeros for none. */
   SideNodes at(const std::vector<unsigned int> &numbers) const;
 
   /** Area of the first @p n nodes, or of all (m^2, in 2D m). */
@@ -53,7 +61,7 @@ struct SideNodes
   /** Force of a pressure of 1 Pa on the first @p n nodes, or on all (m^2, in 2D m). */
   std::array<double, 3> whole_push(const std::size_t n = none) const;
 
-  /** Of boost::serialization. */
+  /** Saves or restores all members (Boost.Serialization). */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {

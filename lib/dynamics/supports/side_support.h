@@ -8,41 +8,44 @@
 
 namespace mesoslip
 {
-/** What holds and loads a side of the body. */
+/** Constraints and loads of a side of the body. */
 struct SideSupport
 {
-  std::string name; ///< Left, Right, Front, Back or Top of a grid, or a group of a mesh
-  std::array<bool, 3> held = {}; ///< components that do not move: x, y, z
-  LoadHistory pressure;          ///< Pa, positive when it presses into the body
-  Suspension suspension;         ///< to a far end
+  std::string name; ///< Left, Right, Front, Back or Top of a grid, or a mesh group
+  std::array<bool, 3> held = {}; ///< constrained components: x, y, z
+  LoadHistory pressure;          ///< Pa, positive if it presses into the body
+  Suspension suspension;         ///< suspension to a far end
 
-  /** The nodes move as one: along the normal, and across it where there are springs. */
+  /**
+   * Whether the nodes move as a rigid unit: along the normal, and tangentially if there
+   * are springs.
+   */
   bool is_platen = false;
 
-  double platen_mass = 0.; ///< of the platen (kg, in 2D kg/m)
+  double platen_mass = 0.; ///< mass of the platen (kg, in 2D kg/m)
 
-  /** Whether any component is held. */
+  /** Whether any component is constrained. */
   bool holds() const
   {
     return held != std::array<bool, 3>{};
   }
 
-  /** Whether its nodes feel anything besides the forces of the body. */
+  /** Whether forces other than body forces act on its nodes. */
   bool is_loaded() const
   {
     return is_platen || suspension.is_there() || pressure.is_expression() ||
            pressure.amplitude() != 0.;
   }
 
-  /** Whether it keeps energy: in springs, or as kinetic energy of what moves with the body. */
+  /** Whether it stores energy, in springs or as kinetic energy of an attached mass. */
   bool keeps_energy() const
   {
     return suspension.is_there() || platen_mass > 0.;
   }
 
-  std::string section; ///< its path; empty: Supports/ and the name
+  std::string section; ///< path of the section; empty: Supports/ and the name
 
-  /** Path of a key in its section. */
+  /** Path of a key in the section. */
   std::string key(const std::string &of_section) const
   {
     return (section.empty() ? "Supports/" + name : section) + "/" + of_section;

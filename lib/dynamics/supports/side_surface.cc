@@ -4,7 +4,7 @@ namespace mesoslip
 {
 namespace
 {
-/** More than there are steps in a sweep over a grid. */
+/** Larger than the number of steps in a sweep over a grid. */
 constexpr std::uint64_t steps_under_way = 128;
 } // namespace
 

@@ -12,38 +12,47 @@
 namespace mesoslip
 {
 /**
- * A side under its load: pressure, springs, dashpots and mass of each node, see SuspendedNodes. It moves its
- * own nodes. Those that it shares with the contact, the top or a side before it are moved there, as
- * guests: it adds to their forces and counts its work.
+ * A side under its load: pressure, springs, dashpots and mass of each node, see
+ * SuspendedNodes. It advances its own nodes. Nodes shared with the contact, the top or a
+ * previous side are advanced there, as guests: this side adds its forces and counts its
+ * work.
  */
 template <int dim>
 class SideSurface : public SurfaceCondition<dim>
 {
 public:
-  /** Of the @p nodes that this rank has it counts those with @p counted. */
+  /**
+   * Side with @p nodes of this rank; energy and work are counted for nodes with
+   * @p counted.
+   */
   SideSurface(const SideSupport &support,
               const StepParameters &step,
               const SideNodes &nodes,
               const std::vector<bool> &counted);
 
-  /** One step of the first nodes, which are its own. */
+  /** Advances the first nodes, which belong to this side, by one step. */
   void advance(const SurfaceView<dim> &surface) override;
 
-  /** Before the first step of own node @p k, which is node @p i of @p surface; once all nodes are there,
-   * has_started() follows. */
+  /**
+   * Call before the first step of own node @p k, which is node @p i of @p surface; call
+   * has_started() after all nodes.
+   */
   void start(const unsigned int k, const SurfaceView<dim> &surface, const unsigned int i);
 
-  /** One step of own node @p k, which is node @p i of @p surface; others may be some steps ahead. */
+  /**
+   * Advances own node @p k, which is node @p i of @p surface, by one step; nodes may be
+   * at different steps.
+   */
   void
   advance(const unsigned int k, const SurfaceView<dim> &surface, const unsigned int i);
 
-  /** Whether start() has to be called. */
+  /** Whether start() must be called. */
   bool is_at_start() const
   {
     return !started;
   }
 
-  /** All nodes have been started. */
+  /** Marks all nodes as started. */
   void has_started()
   {
     started = true;
@@ -59,25 +68,32 @@ public:
     return nodes.guest_mass(k, c, inertia);
   }
 
-  /** Before the first step of node @p k, which is node @p i of @p surface; add_force() does it unless
-   * has_started() was called. */
+  /**
+   * Call before the first step of node @p k, which is node @p i of @p surface;
+   * add_force() calls it unless has_started() was called.
+   */
   void start_guest(const unsigned int k,
                    const SurfaceView<dim> &surface,
                    const unsigned int i);
 
-  /** Adds to the force of node @p k, which is node @p i of the @p surface that moves it, before its step. */
+  /**
+   * Adds to the force of node @p k, which is node @p i of the @p surface that advances
+   * it, before its step.
+   */
   void add_force(const unsigned int k,
                  const SurfaceView<dim> &surface,
                  const unsigned int i,
                  const std::array<double *, dim> &force);
 
-  /** Counts what happened to node @p k in the step, after it. */
+  /** Counts energy and work of node @p k after its step. */
   void
   account(const unsigned int k, const SurfaceView<dim> &surface, const unsigned int i);
   /** @} */
 
-  /** Makes @p acceleration (m/s^2) of node @p k of this mass (kg, in 2D kg/m) at the start, when it moves
-   * with @p velocity (m/s), that with the load. */
+  /**
+   * Adds the load to the initial @p acceleration (m/s^2) of node @p k with this mass (kg,
+   * in 2D kg/m) and @p velocity (m/s).
+   */
   void accelerate(const unsigned int k,
                   const double mass,
                   const std::array<double, dim> &velocity,
@@ -86,19 +102,19 @@ public:
     nodes.accelerate(k, mass, support.pressure(0.), velocity, acceleration);
   }
 
-  /** Mass that node @p k has more by the suspension (kg, in 2D kg/m). */
+  /** Mass of the suspension at node @p k (kg, in 2D kg/m). */
   double mass(const unsigned int k) const
   {
     return nodes.mass(k);
   }
 
-  /** Work of load and far end since the start (J, in 2D J/m), of this rank. */
+  /** Work of load and far end since the start (J, in 2D J/m), for this rank. */
   double work() const
   {
     return nodes.work();
   }
 
-  /** Energies of the suspension, of this rank. */
+  /** Energies of the suspension, for this rank. */
   SuspensionEnergies suspended() const
   {
     return nodes.energies();
@@ -118,8 +134,8 @@ private:
   const StepParameters step;
   SuspendedNodes<dim> nodes;
   std::array<std::vector<double>, dim>
-    increment;                      ///< how far each node moved in the step before (m)
-  std::vector<NodeStep<dim>> steps; ///< where guests were before the step under way
+    increment;                      ///< previous displacement increments (m)
+  std::vector<NodeStep<dim>> steps; ///< state of guests before the current step
   bool started = false;
 
   struct LoadOfStep
@@ -127,7 +143,7 @@ private:
     std::uint64_t step = 0;
     SuspensionLoad<dim> load;
   };
-  std::vector<std::optional<LoadOfStep>> loads; ///< of the steps that are under way
+  std::vector<std::optional<LoadOfStep>> loads; ///< loads of the steps in progress
 };
 } // namespace mesoslip
 

@@ -70,7 +70,10 @@ SuspendedNodes<dim>::push_on(const unsigned int k, const SuspensionLoad<dim> &lo
   return force;
 }
 
-/** Of component @p c of a node of this @p mass with that of the suspension (kg, in 2D kg/m). */
+/**
+ * theta of component @p c of a node with this @p mass, including the suspension (kg, in
+ * 2D kg/m).
+ */
 template <int dim>
 double SuspendedNodes<dim>::theta(const unsigned int k,
                                   const unsigned int c,
@@ -84,7 +87,8 @@ void SuspendedNodes<dim>::start(const unsigned int k,
                                 const SurfaceView<dim> &surface,
                                 const unsigned int i)
 {
-  // Held components move neither by themselves nor by the dashpots of others.
+  // Constrained components move neither by themselves nor by dashpots of other
+  // components.
   const double more = mass(k) * step.inertia();
   Matrix inertia    = Matrix::Identity();
   implicit[k]       = dashpots[k];

@@ -12,7 +12,7 @@ namespace mesoslip
 {
 namespace
 {
-/** The area that each of @p n nodes of the top carries (m^2, in 2D m). */
+/** Tributary area of each of @p n nodes of the top (m^2, in 2D m). */
 std::vector<double> areas_of(const TopSetup &setup, const unsigned int n)
 {
   std::vector<double> areas = setup.nodes.area;
@@ -24,7 +24,7 @@ std::vector<double> areas_of(const TopSetup &setup, const unsigned int n)
   return areas;
 }
 
-/** Whether each of @p n nodes is one of the first @p n_counted. */
+/** Marks the first @p n_counted of @p n nodes. */
 std::vector<bool> first_of(const unsigned int n, const unsigned int n_counted)
 {
   std::vector<bool> counted(n, false);
@@ -32,7 +32,7 @@ std::vector<bool> first_of(const unsigned int n, const unsigned int n_counted)
   return counted;
 }
 
-/** What nodes of the top with these areas stand for. */
+/** Data of the top nodes with these areas. */
 template <int dim>
 SideNodes nodes_of(const TopSetup &setup, const std::vector<double> &area)
 {
@@ -152,7 +152,7 @@ void TopSurface<dim>::move_node(double &u, double &w, const double acceleration)
   u += step.dt * w + (step.beta2 - 0.5) * step.dt * step.dt * acceleration;
 }
 
-/** Its component along TopSetup::direction. */
+/** Component of @p force along TopSetup::direction. */
 template <int dim>
 double TopSurface<dim>::along_flat(const std::array<double, dim> &force) const
 {
@@ -160,7 +160,7 @@ double TopSurface<dim>::along_flat(const std::array<double, dim> &force) const
   return s == 0. ? force[0] : c * force[0] + s * force[1];
 }
 
-/** Tangential force along TopSetup::direction of the components that are @p held. */
+/** Tangential force along TopSetup::direction from the @p held components. */
 template <int dim>
 double TopSurface<dim>::transmitted(const SurfaceView<dim> &surface,
                                     const std::array<bool, 2> &held) const
@@ -205,7 +205,7 @@ TopLoad TopSurface<dim>::push_nodes(const SurfaceView<dim> &surface)
   return load;
 }
 
-/** A view in which what is held along the flat does not move. */
+/** A view in which constrained tangential components do not move. */
 template <int dim>
 SurfaceView<dim> TopSurface<dim>::held_along_flat(SurfaceView<dim> surface) const
 {
@@ -246,10 +246,9 @@ TopLoad TopSurface<dim>::push_platen(const SurfaceView<dim> &surface)
   return {-platen->load()[dim - 1], along_flat(pull)};
 }
 
-// Work of the force that stops the surface at once. It acts during one step, along half
-// the increment of the step before, and its acceleration -w / dt enters the energy for
-// b > 1/2:
-//     (m (-w / dt) + f) . increment / 2 + (b - 1/2) m w^2 / 2
+// Work of the force that stops the surface instantly. It acts during one step, over half
+// the increment of the previous step; its acceleration -w / dt enters the energy for b >
+// 1/2: (m (-w / dt) + f) . increment / 2 + (b - 1/2) m w^2 / 2
 template <int dim>
 void TopSurface<dim>::stop(const SurfaceView<dim> &surface)
 {

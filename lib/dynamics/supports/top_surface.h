@@ -15,40 +15,40 @@
 
 namespace mesoslip
 {
-/** How the top of the body is held and loaded, by a platen unless set otherwise. */
+/** Constraints and loads at the top of the body; a platen by default. */
 struct TopSetup : SideSupport
 {
-  TopSetup() ///< see the members
+  TopSetup() ///< platen by default
   {
     is_platen = true;
   }
 
-  /** A top that does not move. */
+  /** Constrains the top completely. */
   void hold()
   {
     is_platen = false;
     held.fill(true);
   }
 
-  /** Whether nothing of it moves from the start. */
+  /** Whether the top is completely constrained from the start. */
   bool is_held() const
   {
     return !is_platen && held == std::array<bool, 3>{{true, true, true}};
   }
 
-  /** Whether its nodes stand on a suspension or under a traction, each by itself. */
+  /** Whether each node has its own suspension or traction. */
   bool is_suspended_by_nodes() const
   {
     return !is_platen && suspension.is_there();
   }
 
-  /** Whether component @p c along the flat does not move from the start. */
+  /** Whether component @p c along the flat is constrained from the start. */
   bool holds(const unsigned int c) const
   {
     return is_platen ? !(suspension.stiffness[c] > 0.) : held[c];
   }
 
-  /** The components in which a platen moves it, of @p dim. */
+  /** Components in which a platen moves the top, for @p dim. */
   std::array<bool, 3> moves(const unsigned int dim) const
   {
     std::array<bool, 3> result = {};
@@ -57,14 +57,19 @@ struct TopSetup : SideSupport
     return result;
   }
 
-  /** Whether it keeps the body from moving along the flat from the start, so that it takes the
-   * friction. */
+  /**
+   * Whether the top constrains the body along the flat from the start and thus carries
+   * the friction.
+   */
   bool holds_tangentially() const
   {
     return holds(0);
   }
 
-  /** Whether it takes the friction: it holds the body along the flat, or its suspension does. */
+  /**
+   * Whether the top carries the friction: by constraints along the flat or by its
+   * suspension.
+   */
   bool takes_friction() const
   {
     bool takes = true;
@@ -73,49 +78,53 @@ struct TopSetup : SideSupport
     return takes;
   }
 
-  /** Whether component @p c of @p dim, the last one along the normal, is held in statics and
-   * modes, where a platen has its own degrees of freedom. */
+  /**
+   * Whether component @p c of @p dim (the last one along the normal) is constrained in
+   * statics and modes, where a platen has its own degrees of freedom.
+   */
   bool is_fixed(const unsigned int c, const unsigned int dim) const
   {
     return is_platen || (c + 1 < dim ? held[c] : is_held());
   }
 
-  /** From this time (s) on the top stays where it is. */
+  /** Time (s) from which on the top is fixed. */
   double hold_from = std::numeric_limits<double>::infinity();
 
-  /** Along which tangential forces are counted: x and y, of length one. */
+  /** Unit vector (x, y) along which tangential forces are counted. */
   std::array<double, 2> direction = {{1., 0.}};
 
   /** Width of a cell of a grid (m). */
   double cell_width = 0.;
 
-  /** What each node stands for; on a grid the area may be left out, and the push is that of the area. */
+  /** Data of each node; on a grid the area may be omitted, push is then the area. */
   SideNodes nodes;
 
-  /** The last column duplicates the first. */
+  /** Whether the last column is the periodic copy of the first. */
   bool periodic = false;
 
-  /** The first nodes, which this rank owns; the others are copies (SharedNodes). Not
-   * given: all. */
+  /**
+   * Number of locally owned nodes, the first ones; the others are ghost nodes
+   * (SharedNodes). Empty: all are owned.
+   */
   std::optional<unsigned int> n_owned;
 };
 
 /** Forces on the body during one step, per unit thickness. */
 struct TopLoad
 {
-  double normal = 0.; ///< N/m, positive when it presses
+  double normal = 0.; ///< N/m, positive if it presses
   double tangential =
-    0.; ///< N/m, as transmitted from the contact, along direction; of springs
+    0.; ///< N/m, transmitted from the contact, along direction; force of springs
 };
 
 /** Sampled resultants at the top, per unit thickness. */
 struct TopHistory
 {
-  std::vector<double> normal_force;     ///< N/m, positive when it presses
-  std::vector<double> tangential_force; ///< N/m, as transmitted from the contact
+  std::vector<double> normal_force;     ///< N/m, positive if it presses
+  std::vector<double> tangential_force; ///< N/m, transmitted from the contact
   std::vector<double> displacement;     ///< mean u_y (m)
 
-  /** Of boost::serialization. */
+  /** Saves or restores all members (Boost.Serialization). */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
@@ -124,16 +133,16 @@ struct TopHistory
 };
 
 /**
- * Makes samples of the nodes of each rank those of all nodes: every rank gets the sums.
- * Collective.
+ * Replaces the samples of each rank by their sums over the ranks, the samples of all
+ * nodes. Collective.
  */
 void sum_over_ranks(TopHistory &samples, const MPI_Comm communicator);
 
-/** Histories of the top. */
+/** Records histories of the top. */
 class TopRecorder
 {
 public:
-  /** A sample every @p interval steps; 0: none. */
+  /** Samples every @p interval steps; 0: never. */
   explicit TopRecorder(const unsigned int interval)
     : interval(interval)
   {
@@ -145,16 +154,16 @@ public:
     return interval > 0 && step % interval == 0;
   }
 
-  /** Mean @p displacement (m) before the step, load in it. */
+  /** Adds a sample: mean @p displacement (m) before the step, load during the step. */
   void record(const double displacement, const TopLoad &load);
 
-  /** What was sampled so far, or since take(). */
+  /** Samples since the start or the last take(). */
   const TopHistory &history() const
   {
     return samples;
   }
 
-  /** Takes out what was sampled since the last call. */
+  /** Returns and clears the samples since the last call. */
   TopHistory take()
   {
     return std::exchange(samples, TopHistory());
@@ -173,22 +182,23 @@ private:
 };
 
 /**
- * The top of the body under its load. Ranks that share it count loads and work of their
- * own nodes, whose sums are those of the top. Work is formed with the central increment
+ * The top of the body under its load. Each rank counts loads and work of its owned nodes;
+ * the sums over the ranks are the totals. Work is computed with the central increment
  * (u_(n+1) - u_(n-1)) / 2, for which the discrete energy balance is exact.
  */
 template <int dim>
 class TopSurface : public SurfaceCondition<dim>
 {
 public:
-  /** For a top of which this rank has @p n_nodes nodes, at rest, and @p ranks share the
-   * rest. Collective. */
+  /**
+   * Top at rest with @p n_nodes nodes on this rank; @p ranks share the top. Collective.
+   */
   TopSurface(const TopSetup &setup,
              const StepParameters &step,
              const unsigned int n_nodes,
              const MPI_Comm ranks = MPI_COMM_SELF);
 
-  /** @p recorder is filled from now on and has to outlive the last step. */
+  /** Registers @p recorder for all following steps; it must outlive the last step. */
   void observe(TopRecorder &recorder)
   {
     recorders.push_back(&recorder);
@@ -199,35 +209,40 @@ public:
     return platen.has_value();
   }
 
-  /** One step of the surface under its load. */
+  /** Advances the surface by one step under its load. */
   void advance(const SurfaceView<dim> &surface) override;
 
-  /** Accelerations (m/s^2) of the nodes of these masses (kg, in 2D kg/m) by load, weight and suspension when they
-   * start with @p velocity (m/s), but for what is @p held and for the load of a platen. */
+  /**
+   * Initial accelerations (m/s^2) of nodes with these masses (kg, in 2D kg/m) and
+   * @p velocity (m/s) by load, weight and suspension, without @p held components and
+   * without the load of a platen.
+   */
   std::vector<std::array<double, dim>>
   start_acceleration(const std::vector<double> &mass,
                      const std::vector<std::array<bool, dim>> &held,
                      const std::array<double, 3> &velocity) const;
 
-  /** What moves its nodes as one; null: nothing. */
+  /** The platen that moves the nodes; null if there is none. */
   const RigidPlaten<dim> *moved_by() const
   {
     return platen ? &*platen : nullptr;
   }
 
-  /** Mass that node @p i has more by its suspension (kg, in 2D kg/m). */
+  /** Mass of the suspension at node @p i (kg, in 2D kg/m). */
   double suspended_mass(const unsigned int i) const
   {
     return on_nodes ? nodes.mass(i) : 0.;
   }
 
-  /** Work done on the body since the start (J/m), by load and far end on the nodes of this rank. */
+  /**
+   * Work of load and far end on the nodes of this rank since the start (J, in 2D J/m).
+   */
   double work() const
   {
     return total_work + (on_nodes ? nodes.work() : 0.) + (platen ? platen->work() : 0.);
   }
 
-  /** Energies of the suspension, of this rank. */
+  /** Energies of the suspension, for this rank. */
   SuspensionEnergies suspended() const
   {
     return on_nodes ? nodes.energies()
@@ -263,17 +278,17 @@ private:
 
   const TopSetup setup;
   const StepParameters step;
-  const unsigned int n_distinct; ///< nodes that this rank owns
+  const unsigned int n_distinct; ///< locally owned nodes
   const MPI_Comm ranks;
 
-  std::vector<double> tributary; ///< area (m^2, m) that each node carries
-  double n_in_top = 0.;          ///< nodes of the whole top
+  std::vector<double> tributary; ///< tributary area of each node (m^2, in 2D m)
+  double n_in_top = 0.;          ///< number of nodes of the whole top
 
-  const bool on_nodes;       ///< there is a suspension of each node
-  SuspendedNodes<dim> nodes; ///< if so
+  const bool on_nodes;       ///< each node has its own suspension
+  SuspendedNodes<dim> nodes; ///< used if on_nodes
   std::optional<RigidPlaten<dim>> platen;
-  std::array<std::vector<double>, dim> increment; ///< of the step before (m)
-  std::vector<double> no_mobility;                ///< zeros, one a node
+  std::array<std::vector<double>, dim> increment; ///< previous increment (m)
+  std::vector<double> no_mobility;                ///< zeros, one per node
   bool started          = false;
   bool holding          = false;
   double total_work     = 0.;

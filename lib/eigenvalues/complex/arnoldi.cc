@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-// The complex drivers of ARPACK, as Fortran compilers name them; deal.II has the real ones.
+// Complex drivers of ARPACK with their Fortran names; deal.II has the real ones.
 extern "C"
 {
   void znaupd_(int *ido,
@@ -62,7 +62,7 @@ namespace
 {
 using Complex = std::complex<double>;
 
-/** Memory of ARPACK between its calls. */
+/** Memory of ARPACK between calls. */
 struct Workspace
 {
   Workspace(const int n, const ArnoldiOptions &options)
@@ -93,7 +93,7 @@ struct Workspace
   std::vector<double> real_work;
   std::array<int, 11> parameters = {};
   std::array<int, 14> pointers   = {};
-  int info                       = 1; // residual is the start
+  int info                       = 1; // start vector in residual
 };
 
 void iterate(Workspace &w, const ComplexOperator &apply)

@@ -8,37 +8,40 @@
 
 namespace mesoslip
 {
-/** What is wanted of arnoldi(). */
+/** Options of arnoldi(). */
 struct ArnoldiOptions
 {
-  int count           = 6;     ///< of eigenvalues
-  double tolerance    = 1e-12; ///< relative, of the eigenvalues
-  int most_iterations = 300;   ///< restarts
-  unsigned int seed   = 1;     ///< of the random start
+  int count           = 6;     ///< number of eigenvalues
+  double tolerance    = 1e-12; ///< relative accuracy of the eigenvalues
+  int most_iterations = 300;   ///< largest number of restarts
+  unsigned int seed   = 1;     ///< seed of the random start vector
 };
 
-/** Eigenvalues, largest first, and their vectors as columns, of length one. */
+/** Eigenvalues, largest first, and unit eigenvectors as columns. */
 struct Eigenpairs
 {
-  Eigen::VectorXcd values;  ///< of the operator
+  Eigen::VectorXcd values;  ///< eigenvalues of the operator
   Eigen::MatrixXcd vectors; ///< in the order of the values
 };
 
-/** dst = A src for vectors of the length of the problem. */
+/** dst = A src for vectors of the size of the problem. */
 using ComplexOperator =
   std::function<void(Eigen::VectorXcd &dst, const Eigen::VectorXcd &src)>;
 
 /**
- * The eigenvalues of largest size of a complex operator on vectors of length @p n, by the
- * implicitly restarted Arnoldi method (ARPACK). The number that converged, at least one,
- * may be less than count. Nothing if none does.
- * @throws std::invalid_argument unless count + 1 < @p n; NotConverged if ARPACK fails
+ * Eigenvalues of largest absolute value of a complex operator on vectors of length @p n,
+ * by the implicitly restarted Arnoldi method (ARPACK). Possibly fewer than count
+ * converge, at least one; empty if none does. @throws std::invalid_argument unless count
+ * + 1 < @p n; NotConverged if ARPACK fails
  */
 std::optional<Eigenpairs> arnoldi(const Eigen::Index n,
                                   const ComplexOperator &apply,
                                   const ArnoldiOptions &options);
 
-/** Size of the largest eigenvalue alone, to the relative @p tolerance; else as arnoldi(). */
+/**
+ * Absolute value of the largest eigenvalue, to the relative @p tolerance; otherwise as
+ * arnoldi().
+ */
 std::optional<double> largest_eigenvalue(const Eigen::Index n,
                                          const ComplexOperator &apply,
                                          const double tolerance);

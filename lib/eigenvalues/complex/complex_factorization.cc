@@ -21,13 +21,13 @@ struct ComplexFactorization::Handles
 
 namespace
 {
-/** Numbers as UMFPACK takes them: real and imaginary parts in turn. */
+/** Complex numbers for UMFPACK: interleaved real and imaginary parts. */
 const double *packed(const std::complex<double> *values)
 {
   return reinterpret_cast<const double *>(values);
 }
 
-/** The same integers under the name that UMFPACK has for them. */
+/** Converts to the integer type of UMFPACK. */
 const SuiteSparse_long *indices(const std::int64_t *values)
 {
   return reinterpret_cast<const SuiteSparse_long *>(values);
@@ -52,10 +52,10 @@ ComplexFactorization::ComplexFactorization(const ComplexMatrix &pattern)
   , numbers(4 * static_cast<std::size_t>(pattern.rows()))
 {
   umfpack_zl_defaults(handles->control.data());
-  // Entries and their mirror images, on the diagonal large ones.
+  // Structurally symmetric matrix with large diagonal entries.
   handles->control[UMFPACK_STRATEGY] = UMFPACK_STRATEGY_SYMMETRIC;
   handles->control[UMFPACK_ORDERING] = UMFPACK_ORDERING_METIS;
-  handles->control[UMFPACK_IRSTEP]   = 0; // Arnoldi's residuals judge the solves.
+  handles->control[UMFPACK_IRSTEP]   = 0; // Arnoldi residuals judge the solves
   require(umfpack_zl_symbolic(
             pattern.rows(), pattern.cols(), indices(pattern.outerIndexPtr()),
             indices(pattern.innerIndexPtr()), packed(pattern.valuePtr()), nullptr,
@@ -102,7 +102,7 @@ void ComplexFactorization::solve(ComplexVector &x, const ComplexVector &b) const
 
 double ComplexFactorization::phase_of_determinant() const
 {
-  // A number between 1 and 10, and its power of ten.
+  // A number between 1 and 10, and the power of ten.
   std::array<double, 2> mantissa = {};
   double exponent                = 0.;
   require(umfpack_zl_get_determinant(mantissa.data(), nullptr, &exponent,

@@ -10,25 +10,27 @@
 
 namespace mesoslip
 {
-/** Complex matrices in compressed columns with the indices of UMFPACK. */
+/** Complex matrices in compressed columns with the index type of UMFPACK. */
 using ComplexMatrix =
   Eigen::SparseMatrix<std::complex<double>, Eigen::ColMajor, std::int64_t>;
 
-/** Real matrices likewise. */
+/** Real matrices in compressed columns with the index type of UMFPACK. */
 using RealMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, std::int64_t>;
 
-/** Complex numbers, one for each unknown. */
+/** A complex number per unknown. */
 using ComplexVector = Eigen::VectorXcd;
 
 /**
- * LU factors of sparse complex matrices that have their entries in the same places
- * (UMFPACK): these are ordered once.
+ * LU factors of sparse complex matrices with a common sparsity pattern (UMFPACK), which
+ * is ordered once.
  */
 class ComplexFactorization
 {
 public:
-  /** Orders the unknowns of @p pattern, whose numbers do not matter. @throws
-   * NotConverged when there is not enough memory */
+  /**
+   * Orders the unknowns of @p pattern; its values do not matter. @throws NotConverged if
+   * there is not enough memory
+   */
   explicit ComplexFactorization(const ComplexMatrix &pattern);
 
   ~ComplexFactorization();
@@ -36,17 +38,19 @@ public:
   ComplexFactorization &
   operator=(const ComplexFactorization &) = delete; ///< owns factors
 
-  /** Factorizes a matrix with that pattern. @throws NotConverged if it is singular or
-   * there is not enough memory */
+  /**
+   * Factorizes a matrix with this pattern. @throws NotConverged if it is singular or
+   * there is not enough memory
+   */
   void factorize(const ComplexMatrix &given);
 
   /** x = A^-1 b. */
   void solve(ComplexVector &x, const ComplexVector &b) const;
 
-  /** Of the determinant (rad). */
+  /** Phase of the determinant (rad). */
   double phase_of_determinant() const;
 
-  /** Bytes of the last factors. */
+  /** Memory of the last factors (bytes). */
   double bytes() const
   {
     return size_of_factors;
@@ -55,9 +59,9 @@ public:
 private:
   void forget_factors();
 
-  struct Handles; ///< of UMFPACK
+  struct Handles; ///< objects of UMFPACK
   const std::unique_ptr<Handles> handles;
-  ComplexMatrix matrix; ///< which UMFPACK looks at in solve()
+  ComplexMatrix matrix; ///< copy that UMFPACK reads in solve()
   double size_of_factors = 0.;
   mutable std::vector<std::int64_t> integers; ///< work space
   mutable std::vector<double> numbers;        ///< work space

@@ -16,8 +16,10 @@ namespace
 {
 using Complex = SlidingPencil::Complex;
 
-/** The range that is counted, its border in gaps between all eigenvalues that are known: those of
- * @p range, from @p bottom to @p top those that are asked for. */
+/**
+ * Range for the count, with borders in gaps between all known eigenvalues. @p range has
+ * the known eigenvalues, @p bottom to @p top is the requested interval.
+ */
 CountedRange quiet_range(const SearchRange &range,
                          const double wanted,
                          const double bottom,
@@ -37,15 +39,18 @@ CountedRange quiet_range(const SearchRange &range,
   result.steep = range.steep;
   result.decay = widest_gap(wanted, range.decay, decay);
   result.top   = widest_gap(top, range.top, frequency);
-  // Off the axis, on which there may be growth without vibrations.
+  // Off the real axis, where growth without vibration is possible.
   result.low = bottom > 0. ? widest_gap(range.bottom, bottom, frequency)
                            : widest_gap(0., 1e-3 * top, frequency);
   return result;
 }
 
-/** Where fewer modes of @p range were found so far than there are without friction, those that
- * decay faster. The border of the count then lies beyond the crowd of modes, where the phase turns
- * slowly. @return the largest decay rate up to which all are known (1/s) */
+/**
+ * If fewer modes of @p range were found than there are without friction, searches faster
+ * decaying modes, too. The border of the count then lies beyond the crowd of modes, where
+ * the phase turns slowly. @return largest decay rate up to which all modes are known
+ * (1/s)
+ */
 double search_for_count(const SearchRange &range,
                         const std::vector<Complex> &vibrations,
                         DiscSearch &search)
@@ -58,7 +63,7 @@ double search_for_count(const SearchRange &range,
     return range.decay;
   SearchRange rest = range;
   rest.most        = -0.9 * range.decay;
-  rest.bottom      = range.top; // below the lowest vibration there is next to nothing
+  rest.bottom      = range.top; // few modes lie below the lowest vibration
   for (const Complex s : vibrations)
     rest.bottom = std::min(rest.bottom, 0.9 * s.imag());
   rest.bottom = std::max({rest.bottom, range.bottom, range.decay / range.steep});
@@ -71,13 +76,15 @@ double search_for_count(const SearchRange &range,
     }
   catch (const NotConverged &)
     {
-      return range.decay; // it only takes longer
+      return range.decay; // the count only takes longer
     }
   return rest.decay;
 }
 
-/** Of which no vibration has a higher circular frequency (1/s): a little more than the highest,
- * with friction at once or none. */
+/**
+ * Upper bound of the circular frequency of vibrations (1/s), slightly above the highest
+ * one, without friction or with instantaneous friction.
+ */
 double highest_vibration(const SlidingPencil &pencil)
 {
   const RealMatrix stiffness = pencil.whole_stiffness(),
@@ -103,7 +110,10 @@ double highest_vibration(const SlidingPencil &pencil)
   return 1.05 * std::sqrt(largest);
 }
 
-/** Residual, and who feeds the mode: Re(v^H f) over v^H M v + u^H K u. */
+/**
+ * Residual, and contributions to the growth of the mode: Re(v^H f) over v^H M v + u^H K
+ * u.
+ */
 ComplexMode finish(const SlidingPencil &pencil, const FoundMode &found)
 {
   ComplexMode mode;
@@ -154,7 +164,7 @@ ComplexModes find_complex_modes(const SlidingPencil &pencil,
 
   const double bottom = 2. * M_PI * options.lowest_frequency,
                top    = std::min(2. * M_PI * options.highest_frequency, result.highest);
-  // A little more than is asked for, so that the border of the count lies in a gap.
+  // Slightly larger than requested, so that the border of the count lies in a gap.
   constexpr double more = 0.02, counted = 0.3;
   const double wanted = -options.least_growth, most = wanted + 1e-3 * top,
                highest = top < result.highest ? (1. + more) * top : top,
@@ -164,12 +174,13 @@ ComplexModes find_complex_modes(const SlidingPencil &pencil,
   const SlidingPencil still = without_friction(pencil);
   std::vector<Complex> vibrations; // without friction
   unsigned int seed = 0;
-  // Where there is nothing to count it costs little to look far.
+  // If there is nothing to count, searching far costs little.
   result.fastest_counted = options.steep ? counted * top
                                          : std::min(region.largest_width(highest),
                                                     largest_growth(pencil, drag)) +
                                              1e-3 * top;
-  // Modes that decay faster than they vibrate are not looked for, nor heavily damped ones for the count.
+  // Modes that decay faster than they vibrate are not searched, nor heavily damped ones
+  // for the count.
   SearchRange range{region, lowest, highest, most, 0., wanted > 0. ? 1. : 0.3};
   for (const double share : {0.1, 0.2, counted})
     {
@@ -183,7 +194,7 @@ ComplexModes find_complex_modes(const SlidingPencil &pencil,
       const auto scope = optional_scope(options.timer, "Count");
       if (seed == 1)
         {
-          // Some beyond the border as well, near which the phase turns fast.
+          // Includes some vibrations beyond the border, near which the phase turns fast.
           constexpr double infinite = std::numeric_limits<double>::infinity();
           vibrations =
             find_still(still, {range.bottom, 1.5 * range.top, infinite, 0., range.steep},
@@ -199,8 +210,8 @@ ComplexModes find_complex_modes(const SlidingPencil &pencil,
         break;
     }
 
-  // Neutral modes have growth rates of the size of round-off, and rigid motions that nothing but dashpots holds are
-  // nothing else.
+  // Growth rates of neutral modes are of the size of round-off, and so are rigid motions
+  // that only dashpots resist.
   const double neutral = options.least_growth < 0. ? 0. : 100. * options.tolerance,
                allowed = std::max(1e-6, 100. * options.tolerance);
   const auto is_rigid  = [&](const ComplexMode &mode) {

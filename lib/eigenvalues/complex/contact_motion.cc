@@ -29,7 +29,7 @@ Eigen::Index n_displacements(const ElasticBody<dim> &body)
   return static_cast<Eigen::Index>(dim * std::size_t{body.n_columns()} * body.n_rows());
 }
 
-/** All displacements by free degrees of freedom. */
+/** Matrix from free degrees of freedom to all displacements. */
 template <int dim>
 RealMatrix scattering(const ElasticBody<dim> &body, const FreeDofs<dim> &dofs)
 {
@@ -48,7 +48,10 @@ RealMatrix scattering(const ElasticBody<dim> &body, const FreeDofs<dim> &dofs)
   return matrix_of(row, static_cast<Eigen::Index>(dofs.size()), entries);
 }
 
-/** Component @p c of contact nodes against what they meet, by all displacements. */
+/**
+ * Matrix from all displacements to component @p c of the motion of contact nodes relative
+ * to their opposite surface.
+ */
 template <int dim>
 RealMatrix against(const ElasticBody<dim> &body,
                    const SlidingNodesAtRest &contact,
@@ -66,13 +69,13 @@ RealMatrix against(const ElasticBody<dim> &body,
                    entries);
 }
 
-/** Whether contact nodes follow what they meet along the normal. */
+/** Whether contact nodes follow the opposite surface along the normal. */
 bool is_followed(const SlidingNodesAtRest &contact)
 {
   return contact.stiffness.empty() && !contact.meets.empty();
 }
 
-/** Reactions of a flat, with those of duplicates. */
+/** Normal reactions of a flat, including those of periodic copies. */
 template <int dim>
 RealMatrix reactions_of_flat(const ElasticBody<dim> &body, const RealMatrix &normal)
 {
@@ -85,11 +88,13 @@ RealMatrix reactions_of_flat(const ElasticBody<dim> &body, const RealMatrix &nor
   return normal * matrix_of(normal.cols(), normal.cols(), entries);
 }
 
-/** (S M^-1 S^T)^-1 S M^-1 of the free degrees of freedom. The inverse is full, but its entries fall off from node to node, and those
- * that round-off hides are left out. */
+/**
+ * (S M^-1 S^T)^-1 S M^-1 for the free degrees of freedom. The inverse is full, but its
+ * entries decay from node to node; entries below round-off are dropped.
+ */
 RealMatrix reactions_of_pair(const RealMatrix &S, const Eigen::VectorXd &mass)
 {
-  constexpr double hidden      = 1e-17; // of the largest entry of a column
+  constexpr double hidden      = 1e-17; // relative to the largest entry of a column
   const RealMatrix S_over_mass = S * mass.cwiseInverse().asDiagonal(),
                    compliance  = S_over_mass * S.transpose();
   const Eigen::SimplicialLDLT<RealMatrix> factors(compliance);
@@ -105,7 +110,10 @@ RealMatrix reactions_of_pair(const RealMatrix &S, const Eigen::VectorXd &mass)
   return matrix_of(S.rows(), S.rows(), entries) * S_over_mass;
 }
 
-/** The unknowns are all of @p n free degrees of freedom but those @p following, for which rows of @p S are zero. */
+/**
+ * The unknowns are all of @p n free degrees of freedom except @p following; the latter
+ * follow from rows of @p S being zero.
+ */
 template <int dim>
 void set_unknowns(const RealMatrix &S,
                   const std::vector<std::int64_t> &following,

@@ -7,7 +7,7 @@
 
 namespace mesoslip
 {
-/** Row in a matrix of the whole body of component @p c of a node. */
+/** Matrix row of component @p c of a node of the whole body. */
 template <int dim>
 Eigen::Index
 row_of(const ElasticBody<dim> &body, const NodeIndex &node, const unsigned int c)
@@ -17,57 +17,63 @@ row_of(const ElasticBody<dim> &body, const NodeIndex &node, const unsigned int c
 }
 
 /**
- * How bodies move that slide on a flat or on each other. Their displacements, numbered as MatrixEntry says, are U x with the
- * unknowns x: what is free, but for displacements of contact nodes along the normal, which follow what the nodes meet of a second
- * body, unless they stand on springs.
+ * Kinematics of bodies that slide on a flat or on each other. All displacements, numbered
+ * as in MatrixEntry, are U x with the unknowns x: the free degrees of freedom except
+ * normal displacements of contact nodes that follow a second body; nodes on springs do
+ * not follow it.
  */
 template <int dim>
 struct ContactMotion
 {
-  /** What a matrix of all displacements is among the unknowns. */
+  /** Reduces a matrix of all displacements to the unknowns. */
   RealMatrix among_unknowns(const RealMatrix &of_all) const
   {
     return RealMatrix(whole.transpose()) * (of_all * whole).eval();
   }
 
-  /** What a matrix of the free degrees of freedom is among the unknowns. */
+  /** Reduces a matrix of the free degrees of freedom to the unknowns. */
   RealMatrix of_free(const RealMatrix &matrix) const
   {
     return RealMatrix(free.transpose()) * (matrix * free).eval();
   }
 
-  /** Free degrees of freedom by unknowns. */
+  /** Matrix from unknowns to free degrees of freedom. */
   RealMatrix free;
 
-  /** The free degree of freedom that each unknown is. */
+  /** Free degree of freedom of each unknown. */
   std::vector<std::int64_t> of_unknowns;
 
-  /** U. */
+  /** U, matrix from unknowns to all displacements. */
   RealMatrix whole;
 
-  /** For each axis, motion of contact nodes against what they meet, by unknowns. */
+  /**
+   * For each axis: matrix from unknowns to the motion of contact nodes relative to the
+   * opposite surface.
+   */
   std::array<RealMatrix, dim> relative;
 };
 
-/** Of these contact nodes, of which there may be none. */
+/** Kinematics for these contact nodes, possibly none. */
 template <int dim>
 ContactMotion<dim> make_contact_motion(const ElasticBody<dim> &body,
                                        const FreeDofs<dim> &dofs,
                                        const SlidingNodesAtRest &contact);
 
-/** Springs or dashpots of supports as a matrix of all displacements. */
+/** Matrix of all displacements for springs or dashpots of supports. */
 template <int dim>
 RealMatrix whole_matrix(const ElasticBody<dim> &body,
                         const std::vector<SpringEntry> &entries);
 
-/** The diagonal of the mass of free degrees of freedom that one rank has. */
+/** Diagonal mass of the free degrees of freedom; all of them must be on one rank. */
 template <int dim>
 Eigen::VectorXd masses_of(const FreeDofs<dim> &dofs);
 
 /**
- * Reactions l of contact nodes by -f on all displacements. Of a rigid flat, l is the sum of -f at the node. With the normal
- * displacements S x of contact nodes against what they meet, by free degrees of freedom x of masses M, reactions
- * l = -(S M^-1 S^T)^-1 S M^-1 f keep S x still. Without rows if the nodes stand on springs.
+ * Matrix from forces -f on all displacements to normal reactions l of contact nodes. On a
+ * rigid flat, l is the sum of -f at the node. With the normal displacements S x of
+ * contact nodes relative to a second body, and free degrees of freedom x with masses M,
+ * the reactions l = -(S M^-1 S^T)^-1 S M^-1 f keep S x constant. No rows if the nodes
+ * stand on springs.
  */
 template <int dim>
 RealMatrix normal_reactions(const ElasticBody<dim> &body,

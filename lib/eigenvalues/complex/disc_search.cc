@@ -14,13 +14,15 @@ namespace
 {
 using Complex = SlidingPencil::Complex;
 
-constexpr int fewest = 4;  // eigenvalues of a shift
-constexpr int most   = 48; // beyond, vectors cost more than factors
+constexpr int fewest = 4;  // least number of eigenvalues per shift
+constexpr int most   = 48; // largest number; beyond it, vectors cost more than factors
 
-/** Relative distance of what two shifts found of one eigenvalue. */
+/** Relative distance of two results for the same eigenvalue. */
 constexpr double same = 1e-7;
-/** Eigenvalues by the hundred that only relax: -1/delta and -1/tau of the friction forces and
- * states, and in 3D those of nodes that drag across the motion holds. */
+/**
+ * Rates of eigenvalues that only relax, hundreds of each: -1/delta and -1/tau of friction
+ * forces and states, and in 3D those of nodes constrained by drag across the motion.
+ */
 std::vector<double> relaxing_rates(const SlidingPencil &pencil)
 {
   std::vector<double> rates;
@@ -120,7 +122,7 @@ std::optional<DiscSearch::Disc> DiscSearch::nearest(const Complex centre,
 
 void DiscSearch::keep(const Complex s, ComplexVector u)
 {
-  // Real ones are no vibrations, and of a pair one is enough.
+  // Real eigenvalues are no vibrations; one of a conjugate pair suffices.
   if (!(s.imag() > 1e-9 * std::abs(s)))
     return;
   const auto product = [this](const ComplexVector &a, const ComplexVector &b) {
@@ -165,13 +167,13 @@ void DiscSearch::cover(const SearchRange &range, const unsigned int seed)
         nearest(Complex(0.5 * (left + right), middle), count, seed, range, edge, left);
       if (!disc)
         {
-          // Those of nodes that a slow flat holds are not exact, and remain.
+          // Rates of nodes constrained by a slow flat are not exact, and remain.
           const bool is_held = std::any_of(
             relaxing.begin() + static_cast<std::ptrdiff_t>(n_exact), relaxing.end(),
             [&](const double rate) { return rate < 0.01 * range.top; });
           if (count <= fewest && !leaves_out_exact && n_exact > 0 && !is_held)
             {
-              leaves_out_exact = true; // it takes as many more solves
+              leaves_out_exact = true; // needs as many additional solves
               continue;
             }
           if (count <= fewest)
@@ -188,7 +190,7 @@ void DiscSearch::cover(const SearchRange &range, const unsigned int seed)
           if (!(reach > 1e-6 * range.top))
             throw NotConverged(
               brief_text(4, "too many modes near ", 1e-3 * middle / (2. * M_PI), " kHz"));
-          // A disc that is narrower than the range covers nothing, whatever its vectors cost.
+          // A disc narrower than the range covers nothing, whatever its vectors cost.
           if (covered < 0.5 * reach && is_free(disc->centre, disc->radius))
             count = std::min(covered > 0. ? std::max(largest, count) : all, 2 * count);
           reach = std::max(0.9 * covered, 0.5 * reach);

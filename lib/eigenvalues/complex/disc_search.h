@@ -11,83 +11,93 @@
 
 namespace mesoslip
 {
-/** The eigenvalues s = a + i w (1/s) that are wanted: from the frequency bottom up to top, and
- * from left(w), which is negative, to right of all that can grow. */
+/**
+ * Range of eigenvalues s = a + i w (1/s) to be found: frequencies from bottom to top, and
+ * growth rates from left(w), which is negative, to right, the bound of growth.
+ */
 struct SearchRange
 {
-  const GrowthRegion &region; ///< where growth can be
+  const GrowthRegion &region; ///< region of possible growth
   double bottom = 0.;         ///< 1/s
   double top    = 0.;         ///< 1/s
-  double decay  = 0.;         ///< of the fastest decaying ones (1/s), positive
-  double share  = 1.;         ///< of the frequency, in which growth is looked for
+  double decay  = 0.;         ///< largest decay rate (1/s), positive
+  double share  = 1.;         ///< growth is searched up to this share of the frequency
   double steep  = 1.;         ///< no decay is faster than this share of the frequency
   double most   = std::numeric_limits<double>::infinity(); ///< growth rate (1/s)
 
-  /** Whether @p s vibrates below the top, and decays slowly for its frequency. */
+  /** Whether @p s vibrates below the top and decays slowly relative to its frequency. */
   bool is_light(const SlidingPencil::Complex s) const
   {
     return s.imag() < top && -s.real() < steep * s.imag();
   }
 
-  /** Least growth rate of circular frequencies up to @p high. */
+  /** Smallest growth rate (1/s) for circular frequencies up to @p high. */
   double left(const double high) const
   {
     return -std::min(decay, steep * high);
   }
 
-  /** Largest growth rate (1/s) of circular frequencies from @p low to @p high, and a little
-   * more, so that neutral modes are in the range. */
+  /**
+   * Largest growth rate (1/s) for circular frequencies from @p low to @p high, with a
+   * margin that includes neutral modes.
+   */
   double right(const double low, const double high) const
   {
     return std::min({region.width(low, high) + 1e-3 * top, share * high, most});
   }
 };
 
-/** An eigenvalue and its vector. */
+/** An eigenvalue and its eigenvector. */
 struct FoundMode
 {
   SlidingPencil::Complex s; ///< 1/s
-  ComplexVector u;          ///< u^H M u is one
+  ComplexVector u;          ///< normalized to u^H M u = 1
 };
 
-/** Searches a range disc by disc, and remembers all eigenvalues of the upper half plane. */
+/** Searches a range disc by disc, and stores all eigenvalues of the upper half plane. */
 class DiscSearch
 {
 public:
-  /** All arguments have to outlive this object; shifts are counted in @p report. */
+  /** All arguments must outlive this object; shifts are counted in @p report. */
   DiscSearch(const SlidingPencil &pencil,
              ComplexFactorization &factors,
              const ComplexModesOptions &options,
              ComplexModes &report);
 
-  /** Covers @p range, starting Arnoldi iterations from random vectors of this @p seed.
-   * @throws NotConverged */
+  /**
+   * Covers @p range; Arnoldi iterations start from random vectors with this @p seed.
+   * @throws NotConverged
+   */
   void cover(const SearchRange &range, const unsigned int seed);
 
-  /** Eigenvalues found so far, of multiple ones with independent vectors. */
+  /** Eigenvalues found so far; multiple eigenvalues have independent vectors. */
   const std::vector<FoundMode> &found() const
   {
     return modes;
   }
 
 private:
-  /** All eigenvalues nearer to centre than radius are known. */
+  /** A disc around centre in which all eigenvalues are known. */
   struct Disc
   {
     SlidingPencil::Complex centre; ///< the shift (1/s)
     double radius = 0.;            ///< 1/s
   };
 
-  /** Those of relaxing that lie below the circular frequency @p bottom, and exact ones if wanted. */
+  /**
+   * Rates of relaxing below the circular frequency @p bottom, and exact ones if
+   * requested.
+   */
   std::vector<double> left_out(const double bottom) const;
 
   /**
-   * Of the disc whatever has a circular frequency of @p edge and a growth rate of @p left at least.
-   * Eigenvalues near -r, r being one of left_out(), are many and alike, which Arnoldi iterations do
-   * not get through. So the operator T, with the eigenvalues 1 / (s - centre), is multiplied by T -
-   * 1 / (-r - centre), which makes the product |s + r| / |s - centre|^2 / |centre + r| in size:
-   * next to nothing for these, and for what is wanted at least that with |s + r| no less than edge
-   * and than r + left.
+   * Disc in which everything with a circular frequency of at least @p edge and a growth
+   * rate of at least @p left is known. Eigenvalues near -r, with r of left_out(), are
+   * numerous and clustered, and Arnoldi iterations do not converge for them. Therefore
+   * the operator T with eigenvalues 1 / (s - centre) is multiplied by T - 1 / (-r -
+   * centre). The product has the size |s + r| / |s - centre|^2 / |centre + r|: close to
+   * zero for the cluster, while for wanted eigenvalues |s + r| is at least edge and at
+   * least r + left.
    */
   std::optional<Disc> nearest(const SlidingPencil::Complex centre,
                               const int count,
@@ -101,10 +111,10 @@ private:
   ComplexFactorization &factors;
   const ComplexModesOptions &options;
   ComplexModes &report;
-  const std::vector<double> relaxing; ///< 1/s; eigenvalues near their negative are many
-  const std::size_t n_exact; ///< of these, the first, which are 1/delta and 1/tau
+  const std::vector<double> relaxing; ///< rates (1/s) of clustered eigenvalues
+  const std::size_t n_exact;          ///< the first ones, 1/delta and 1/tau
   std::vector<FoundMode> modes;
-  bool leaves_out_exact = false; ///< as an iteration has not converged with them
+  bool leaves_out_exact = false; ///< an iteration did not converge with them
 };
 } // namespace mesoslip
 

@@ -11,7 +11,7 @@ namespace mesoslip
 {
 namespace
 {
-/** Bound of |u^H N u| / u^H K u with @p friction as N, see friction_radius(). */
+/** Bound of |u^H N u| / u^H K u with N = @p friction, see friction_radius(). */
 double radius_of(const RealMatrix &friction, const SlidingPencil &pencil)
 {
   using Complex = SlidingPencil::Complex;
@@ -23,7 +23,7 @@ double radius_of(const RealMatrix &friction, const SlidingPencil &pencil)
   const RealMatrix transposed = friction.transpose();
   const RealMatrix even       = 0.5 * (friction + transposed),
                    odd        = 0.5 * (friction - transposed);
-  // The range is symmetric to the real axis, as N is real, so a quarter turn is enough.
+  // The range is symmetric about the real axis, as N is real: a quarter turn suffices.
   constexpr int n_directions = 9;
   const double step          = 0.5 * M_PI / (n_directions - 1);
   double largest             = 0.;
@@ -53,7 +53,10 @@ double friction_radius(const SlidingPencil &pencil)
 
 namespace
 {
-/** Bound of u^H C u over u^H M u of the symmetric @p matrix with a diagonal M, or one below it. */
+/**
+ * Bound of u^H C u / u^H M u for the symmetric @p matrix C and a diagonal M (or a
+ * diagonal below M).
+ */
 double largest_rate(const RealMatrix &matrix, const Eigen::VectorXd &mass)
 {
   Eigen::VectorXd sums = Eigen::VectorXd::Zero(mass.size());

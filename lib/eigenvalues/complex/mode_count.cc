@@ -19,13 +19,14 @@ using Complex = SlidingPencil::Complex;
 struct Divided
 {
   const SlidingPencil &pencil;
-  std::vector<Complex> zeros; ///< with their conjugates
+  std::vector<Complex> zeros; ///< includes their conjugates
 };
 
 /**
- * Of as many eigenvalues as are known of both, so that far away both turn alike. To each of
- * @p above, those that friction has moved least first, the nearest of @p below. What is left of either
- * stands for eigenvalues of the other that decay fast, which are put at a distance of @p away.
+ * Makes both lists equally long, so that both determinants turn alike far away. Pairs
+ * each of @p above, starting with those that friction moved least, with the nearest of
+ * @p below. Unpaired eigenvalues represent fast decaying ones of the other list, which
+ * are placed at a distance @p away.
  */
 void pair(std::vector<Complex> &above, std::vector<Complex> &below, const double away)
 {
@@ -51,7 +52,9 @@ void pair(std::vector<Complex> &above, std::vector<Complex> &below, const double
     above.emplace_back(-away, s.imag());
 }
 
-/** Phases of det [...] of one pencil over that of another one, both without their known zeros. */
+/**
+ * Phase of det [...] of one pencil over that of another, both without their known zeros.
+ */
 class Turns
 {
 public:
@@ -68,8 +71,10 @@ public:
   {
   }
 
-  /** By which the phase turns from @p a to @p b (rad), in @p n steps at least. They are @p part of
-   * the border, which begins at the share @p from of it. */
+  /**
+   * Phase change from @p a to @p b (rad), in at least @p n steps. They are the share
+   * @p part of the border, beginning at share @p from.
+   */
   double between(const Complex a,
                  const Complex b,
                  const unsigned int n,
@@ -89,7 +94,7 @@ public:
   }
 
 private:
-  /** A place on the border and the phase there. */
+  /** A point on the border and its phase. */
   struct Point
   {
     Complex s;
@@ -103,7 +108,7 @@ private:
 
   double split(const Point &a, const Point &b)
   {
-    // Not halves, of which both could turn by whole turns.
+    // Not halves: in both halves the phase could turn by full turns.
     constexpr double largest = 0.7, golden = 0.381966;
     if (!(std::abs(b.s - a.s) > 1e-9 * std::abs(b.s)))
       throw NotConverged(
@@ -121,7 +126,7 @@ private:
     return split(a, middle) + split(middle, b);
   }
 
-  /** The corners of the border come twice. */
+  /** Evaluates the phase at @p s; corners of the border are requested twice. */
   Point at(const Complex s)
   {
     if (s != latest.s)
@@ -137,7 +142,7 @@ private:
   {
     factors.factorize(of.pencil(s));
     ++report.n_factorizations;
-    // Both pencils are divided by 1 + beta s, with another beta where damping differs by phase.
+    // Both pencils are divided by 1 + beta s; beta differs if damping differs by phase.
     double sum = factors.phase_of_determinant() + static_cast<double>(of.pencil.size()) *
                                                     std::arg(1. + of.pencil.law.beta * s);
     for (const Complex zero : of.zeros)
@@ -145,7 +150,7 @@ private:
     return sum;
   }
 
-  double share = 0.; ///< of the border that is done
+  double share = 0.; ///< share of the border that is done
   Point latest = {std::numeric_limits<double>::quiet_NaN(), 0.};
   const Divided above, below;
   ComplexFactorization &factors;
@@ -170,7 +175,7 @@ std::vector<Complex> vibrations_of(const std::vector<FoundMode> &modes)
   return numbers;
 }
 
-/** How many of @p zeros are in @p range. */
+/** Number of @p zeros inside @p range. */
 int count_in(const std::vector<Complex> &zeros, const CountedRange &range)
 {
   return static_cast<int>(std::count_if(
@@ -207,7 +212,7 @@ int count_missing(const SlidingPencil &pencil,
   Divided above{pencil, vibrations_of(found)}, below{still, found_still};
   const int n_found = count_in(above.zeros, range);
   pair(above.zeros, below.zeros, decay + 0.1 * top);
-  // In the range, other than those that are divided out.
+  // Eigenvalues in the range that are not divided out.
   const int unknown = count_still(still, range) - count_in(below.zeros, range) -
                       (n_found - count_in(above.zeros, range));
   Turns turns(above, below, factors, options, report);
@@ -233,7 +238,7 @@ int count_missing(const SlidingPencil &pencil,
           (k - 1.) / (corners.size() - 1.), 1. / (corners.size() - 1.));
     return static_cast<int>(std::lround(turned / (2. * M_PI)) + unknown);
   };
-  // A step that turns by about whole turns is taken for none; finer ones are none.
+  // A step of about full turns is mistaken for none; finer steps are not.
   int missing = count(1);
   for (unsigned int refinement = 3; missing != 0 && refinement <= 27; refinement *= 3)
     {

@@ -6,19 +6,19 @@
 
 namespace mesoslip
 {
-/** The middle of the widest gap between @p from, @p to and those @p values that lie between. */
+/** Middle of the widest gap between @p from, @p to and the @p values in between. */
 double widest_gap(const double from, const double to, std::vector<double> values);
 
 /**
- * How many eigenvalues in @p range are not among @p found, by the argument principle: the
- * turns of det [...] over that of @p still, which is without_friction(), along the border of
- * the range. Eigenvalues that the search does not know turn both alike, the farther the more
- * so; those that are known of either, @p found and @p found_still, are divided out. Steps are split,
- * not in the middle, until the phase turns by less than 0.7 rad in both parts, and evenly. A count
- * that finds some missing is repeated with three times the steps until two agree. How many
- * eigenvalues of @p still there are is known from the signs of pivots (Sylvester). Negative if not
- * all that was found is there. Factorizations are counted in @p report. @throws NotConverged if an
- * eigenvalue lies on the border
+ * Number of eigenvalues in @p range that are not in @p found, by the argument principle:
+ * turns of det [...] over that of @p still = without_friction() along the border of the
+ * range. Unknown eigenvalues turn both alike, the more so the farther away; known ones,
+ * @p found and @p found_still, are divided out. Steps are split, not in the middle, until
+ * the phase turns by less than 0.7 rad in both parts, and evenly. A nonzero count is
+ * repeated with three times the steps until two agree. The number of eigenvalues of
+ * @p still follows from the signs of pivots (Sylvester). The result is negative if fewer
+ * eigenvalues are counted than were found. Factorizations are counted in @p report.
+ * @throws NotConverged if an eigenvalue lies on the border
  */
 int count_missing(const SlidingPencil &pencil,
                   const SlidingPencil &still,

@@ -8,7 +8,10 @@ namespace
 {
 using Triplet = Eigen::Triplet<double, std::int64_t>;
 
-/** Component @p c, @p d of how the drag of a node changes with its velocity along the flat, at once and later. */
+/**
+ * Entry (@p c, @p d) of the derivative of a node's drag with respect to its tangential
+ * velocity: instantaneous and delayed part.
+ */
 std::array<double, 2> drag_of(const SlidingNodesAtRest &contact,
                               const std::size_t k,
                               const std::array<double, 2> &direction,
@@ -26,7 +29,10 @@ std::array<double, 2> drag_of(const SlidingNodesAtRest &contact,
   return {{force * (slopes.rate * along + across), force * slopes.state * along}};
 }
 
-/** The friction forces of contact nodes: for each node and axis along the flat a number, -1 where it does not move along it. */
+/**
+ * Numbering of the friction forces: an index for each contact node and tangential axis,
+ * -1 if the node does not move along it.
+ */
 template <int dim>
 struct FrictionForces
 {
@@ -51,9 +57,9 @@ struct FrictionForces
       }
   }
 
-  std::vector<std::array<std::int64_t, 2>> number; ///< of the nodes
-  std::vector<Triplet> slip; ///< motion against what the nodes meet, by unknowns
-  std::int64_t n = 0;        ///< how many there are
+  std::vector<std::array<std::int64_t, 2>> number; ///< indices of the nodes' forces
+  std::vector<Triplet> slip; ///< relative motion of contact nodes, by unknowns
+  std::int64_t n = 0;        ///< number of friction forces
 };
 } // namespace
 

@@ -5,12 +5,15 @@
 
 namespace mesoslip
 {
-/** The springs of contact nodes (N/m, in 2D Pa), by unknowns. */
+/** Stiffness matrix of the contact springs (N/m, in 2D Pa), by unknowns. */
 template <int dim>
 RealMatrix springs_of(const ContactMotion<dim> &motion,
                       const SlidingNodesAtRest &contact);
 
-/** The friction forces, their targets and the drag; @p reactions are normal ones of the nodes by unknowns, of K, C_d and K_s. */
+/**
+ * Adds friction forces, their targets and the drag to @p pencil. @p reactions are the
+ * normal reactions of the nodes by unknowns, for K, C_d and K_s.
+ */
 template <int dim>
 void add_contact(const ContactMotion<dim> &motion,
                  const std::array<RealMatrix, 3> &reactions,

@@ -11,11 +11,16 @@ namespace mesoslip
 template <int dim>
 class FreeDofs;
 
-/** Mean over all vibrations of what @p damped is over @p stiffness in them, the trace of K^-1 C over their number, from
- * random signs. */
+/**
+ * Mean over all vibrations of the quotient of @p damped and @p stiffness: the trace of
+ * K^-1 C over the number of vibrations, estimated with random signs.
+ */
 double mean_beta(const RealMatrix &stiffness, const RealMatrix &damped);
 
-/** The drags of nodes on the diagonal of the free degrees of freedom, of a platen their sum. Collective. */
+/**
+ * Diagonal matrix of the nodal drags for the free degrees of freedom; a platen has the
+ * sum of its nodes. Collective.
+ */
 template <int dim>
 RealMatrix drags_of(const ElasticBody<dim> &body,
                     const FreeDofs<dim> &dofs,

@@ -28,7 +28,7 @@ void ShiftedInverse::vmult(ComplexVector &dst, const ComplexVector &src) const
   if (tau > 0.)
     old_late = tau * of_q * src.tail(n_forces);
 
-  // (D_0 - G_d) v - z as far as it is known.
+  // Known part of (D_0 - G_d) v - z.
   const auto drag = [&](const ComplexVector &velocity) -> ComplexVector {
     return product(pencil.drag, velocity) - product(pencil.damped_targets, velocity) +
            (product(pencil.late_drag, velocity) + old_late) / late;

@@ -9,14 +9,16 @@ namespace mesoslip
 class ShiftedInverse
 {
 public:
-  /** @p factors of pencil(@p shift) have to outlive this object, like @p pencil. @p
-   * frequency (1/s) scales v. */
+  /**
+   * @p factors of pencil(@p shift) and @p pencil must outlive this object. @p frequency
+   * (1/s) scales v.
+   */
   ShiftedInverse(const SlidingPencil &pencil,
                  const ComplexFactorization &factors,
                  const SlidingPencil::Complex shift,
                  const double frequency);
 
-  /** dst = the operator applied to src, of length SlidingPencil::state_size(). */
+  /** dst = operator times src; vectors of length SlidingPencil::state_size(). */
   void vmult(ComplexVector &dst, const ComplexVector &src) const;
 
 private:
@@ -24,7 +26,7 @@ private:
   const ComplexFactorization &factors;
   const SlidingPencil::Complex shift;
   const double of_v; ///< v = of_v times its scaled unknowns
-  const double of_q; ///< q likewise
+  const double of_q; ///< q = of_q times its scaled unknowns
 };
 } // namespace mesoslip
 

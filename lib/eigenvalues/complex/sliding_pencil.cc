@@ -15,7 +15,7 @@ namespace
 using Complex = SlidingPencil::Complex;
 using Triplet = Eigen::Triplet<double, std::int64_t>;
 
-/** alpha M, which does not act on platens, by free degrees of freedom. */
+/** alpha M by free degrees of freedom; alpha does not act on platens. */
 template <int dim>
 RealMatrix
 drags_of_mass(const FreeDofs<dim> &dofs, Eigen::VectorXd mass, const double alpha)
@@ -25,7 +25,7 @@ drags_of_mass(const FreeDofs<dim> &dofs, Eigen::VectorXd mass, const double alph
   return RealMatrix((alpha * mass).asDiagonal());
 }
 
-/** Drags (kg/s, in 2D kg/m/s) of nodes. */
+/** Matrix entries of the nodal drags (kg/s, in 2D kg/(m s)). */
 template <int dim>
 std::vector<SpringEntry> drag_entries(const ElasticBody<dim> &body,
                                       const std::vector<double> &drags)

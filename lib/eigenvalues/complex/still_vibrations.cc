@@ -17,17 +17,22 @@ namespace
 using Complex = SlidingPencil::Complex;
 using Factors = Eigen::SimplicialLDLT<RealMatrix>;
 
-/** The x of K u = x M u whose vibration with damping, s^2 + beta x s + x = 0, has the circular
- * frequency @p omega; infinite where none has. */
+/**
+ * x of K u = x M u whose damped vibration, s^2 + beta x s + x = 0, has the circular
+ * frequency @p omega; infinite if there is none.
+ */
 double square_at(const double omega, const double beta)
 {
-  // Of x - (beta x / 2)^2 = omega^2 the lower one.
+  // The smaller solution of x - (beta x / 2)^2 = omega^2.
   const double root = 1. - std::pow(beta * omega, 2);
   return root < 0. ? std::numeric_limits<double>::infinity()
                    : 2. * omega * omega / (1. + std::sqrt(root));
 }
 
-/** The largest x in @p range: -s is beta x / 2, and beta^2 x / 4 over 1 - beta^2 x / 4 the square of its steepness. */
+/**
+ * Largest x in @p range: the decay rate is beta x / 2, and beta^2 x / 4 over 1 - beta^2 x
+ * / 4 is the squared ratio of decay rate to frequency.
+ */
 double largest_square(const CountedRange &range, const double beta)
 {
   const double highest = square_at(range.top, beta), steep = range.steep * range.steep;
@@ -37,7 +42,7 @@ double largest_square(const CountedRange &range, const double beta)
     {highest, 2. * range.decay / beta, 4. * steep / ((1. + steep) * beta * beta)});
 }
 
-/** Of K - x M. */
+/** Factorizes K - x M. */
 void factorize(Factors &factors, const SlidingPencil &still, const double x)
 {
   RealMatrix shifted = still.stiffness;
@@ -53,7 +58,7 @@ int n_below(const Factors &factors)
   return static_cast<int>((factors.vectorD().array() < 0.).count());
 }
 
-/** An x, and how many eigenvalues are below. */
+/** A value x, and the number of eigenvalues below it. */
 struct Border
 {
   double x = 0.;
@@ -63,20 +68,22 @@ struct Border
 Border border_at(const SlidingPencil &still, const double x)
 {
   if (!(x > 0.))
-    return {}; // K has no motion without energy
+    return {}; // K is positive semi-definite
   Factors factors;
   factorize(factors, still, x);
   return {x, n_below(factors)};
 }
 
-/** A square x of a circular frequency, and a shape, which is complex where several have the same. */
+/**
+ * Squared circular frequency x and shape; the shape is complex for multiple eigenvalues.
+ */
 struct Vibration
 {
   double square = 0.;
   ComplexVector shape;
 };
 
-/** Solutions of a symmetric pencil by Arnoldi iterations. */
+/** Eigenpairs of a symmetric pencil by Arnoldi iterations. */
 class Vibrations
 {
 public:
@@ -89,7 +96,7 @@ public:
   {
   }
 
-  /** The @p n eigenvalues nearest to the shift @p x of the @p factors, or fewer. */
+  /** At most @p n eigenvalues nearest to the shift @p x of the @p factors. */
   std::vector<Vibration>
   nearest(const Factors &factors, const double x, const int n, const unsigned int seed)
   {
@@ -150,8 +157,8 @@ public:
     collect(between, high);
   }
 
-  std::vector<Vibration> all; ///< that were collected
-  unsigned int n_solves = 0;  ///< so far
+  std::vector<Vibration> all; ///< collected vibrations
+  unsigned int n_solves = 0;  ///< number of solves so far
 
 private:
   const SlidingPencil &still;
@@ -159,12 +166,12 @@ private:
   const std::function<void(unsigned int)> before_solve;
 };
 
-/** Real shapes of @p found, from the space that these span, with u^T M u = 1. */
+/** Real shapes that span the same space as @p found, with u^T M u = 1. */
 void make_real(const SlidingPencil &still,
                const std::vector<Vibration> &found,
                LowestVibrations &result)
 {
-  constexpr double least = 1e-6; // of a direction that is one more
+  constexpr double least = 1e-6; // least norm of a further direction
   std::vector<Eigen::VectorXd> basis;
   for (const Vibration &one : found)
     for (Eigen::VectorXd x :
@@ -192,8 +199,8 @@ void make_real(const SlidingPencil &still,
 }
 } // namespace
 
-// A reference for the count is as good without alpha and dashpots, with springs that are damped as the body is, and with
-// the mean of damping by phase.
+// As a reference for the count, alpha and dashpots can be left out, springs can be damped
+// like the body, and damping by phase can be replaced by its mean.
 SlidingPencil without_friction(SlidingPencil pencil)
 {
   for (RealMatrix *matrix :
@@ -236,7 +243,7 @@ LowestVibrations lowest_vibrations(const SlidingPencil &still,
                                    const double tolerance,
                                    const std::function<void(unsigned int)> &before_solve)
 {
-  // Below that of a rigid motion, which round-off moves.
+  // Threshold for rigid motions, which round-off shifts from zero.
   const Eigen::VectorXd diagonal = still.stiffness.diagonal();
   const double rigid =
     1e-9 * unit + 1e-14 * (diagonal.array() / still.mass.diagonal().array()).maxCoeff();

@@ -1,14 +1,20 @@
-// Stiffnesses of cells of which some have mean dilatation. Included inside a namespace by the
-// kernels, after brick_impl.h.
+// Stiffnesses of cells, some of which have mean dilatation. Included inside a namespace
+// by the kernels, after brick_impl.h.
 
-/** Where coefficient @p m of the stiffness about the mean is among those that are apart. */
+/**
+ * Index of coefficient @p m of the stiffness about the mean within the combined
+ * coefficients.
+ */
 template <unsigned int n>
 constexpr unsigned int about_mean(const unsigned int m)
 {
   return n != n_isotropic ? n + m : m == 0 ? 2 : 1;
 }
 
-/** A stiffness of @p n coefficients for the mean strain, and another one about it. */
+/**
+ * A stiffness of @p n coefficients for the mean strain, and one for the deviation from
+ * the mean.
+ */
 template <typename Number, unsigned int n, unsigned int n_both>
 struct ApartStiffness
 {

@@ -1,15 +1,15 @@
-// The stiffness of a brick, vectors of neighbouring cells at a time. Included inside a
+// Stiffness of a brick, one vector of neighbouring cells at a time. Included inside a
 // namespace by the kernels of steps and of statics, after simd.h.
 //
 // In the basis of products of nodal sums and differences u_S = sum over the nodes of
 // chi_S(n) u(n), chi_S(n) = product over the axes d in S of (2 n_d - 1), S being a set of
-// axes (bit 0: x, 1: y, 2: z), the displacement is 1/8 sum of u_S xi^S with xi from -1 to 1.
-// So the gradient is a polynomial of few terms: constants, coefficients of one xi, and of
-// two; integrals of products of different terms vanish, the others have the weights 1, 1/3
-// and 1/9. Differences along x and z come multiplied by r = h_y / h_x and h_y / h_z, which
-// leaves 2 / h_y before every gradient and 1 / r^2 with every further xi.
+// axes (bit 0: x, 1: y, 2: z), the displacement is 1/8 sum of u_S xi^S with xi from -1 to
+// 1. The gradient is a polynomial of few terms: constants, coefficients of one xi, and of
+// two. Integrals of products of different terms vanish; equal terms have the weights 1,
+// 1/3 and 1/9. Differences along x and z are multiplied by r = h_y / h_x and h_y / h_z.
+// This leaves 2 / h_y in front of every gradient and 1 / r^2 for every further xi.
 
-/** Vectors at any address. */
+/** Loads a vector from an unaligned address. */
 template <typename Number>
 MESOSLIP_INLINE typename Simd<Number>::Vector load_any(const Number *p)
 {
@@ -18,19 +18,19 @@ MESOSLIP_INLINE typename Simd<Number>::Vector load_any(const Number *p)
   return (typename Simd<Number>::Vector) * reinterpret_cast<const vector *>(p);
 }
 
-/** Place of the component c, d in Voigt order. */
+/** Voigt index of component (c, d). */
 constexpr int voigt(const int c, const int d)
 {
   return c == d ? c : 6 - c - d;
 }
 
-/** Place of i, j in the upper triangle of a symmetric 6x6 matrix. */
+/** Index of entry (i, j) in the upper triangle of a symmetric 6x6 matrix. */
 constexpr int triangle(const int i, const int j)
 {
   return i <= j ? i * 6 - i * (i - 1) / 2 + j - i : triangle(j, i);
 }
 
-/** Coefficients of neighbouring cells of a row, and what they make of a strain. */
+/** Stiffness coefficients of neighbouring cells of a row, and stresses from strains. */
 template <typename Number, unsigned int n_coefficients>
 struct Stiffness;
 
@@ -46,7 +46,7 @@ struct Stiffness<Number, n_isotropic>
     return {load_one(0), load_one(1)};
   }
 
-  /** All six stresses of six strains. */
+  /** Voigt stress of a Voigt strain. */
   inline __attribute__((always_inline)) void stress(const Vector e[6], Vector s[6]) const
   {
     const Vector trace = lambda * (e[0] + e[1] + e[2]), twice = mu + mu;
@@ -57,7 +57,10 @@ struct Stiffness<Number, n_isotropic>
       }
   }
 
-  /** The stresses that matter of strains without the component axis, axis. */
+  /**
+   * Stress of a strain whose component (axis, axis) is zero, without that stress
+   * component.
+   */
   template <int axis>
   inline __attribute__((always_inline)) void plane_stress(const Vector e[6],
                                                           Vector s[6]) const
@@ -80,7 +83,7 @@ struct Stiffness<Number, n_isotropic>
   }
 };
 
-/** Of isotropic cubes, see coefficients.h. */
+/** Isotropic cubes, see coefficients.h. */
 template <typename Number>
 struct Stiffness<Number, n_cubes>
 {
@@ -93,7 +96,7 @@ struct Stiffness<Number, n_cubes>
     return {load_one(0), load_one(1), load_one(2), load_one(3)};
   }
 
-  /** All six stresses of six strains. */
+  /** Voigt stress of a Voigt strain. */
   inline __attribute__((always_inline)) void stress(const Vector e[6], Vector s[6]) const
   {
     const Vector trace = lambda * (e[0] + e[1] + e[2]), twice = mu + mu;
@@ -105,7 +108,7 @@ struct Stiffness<Number, n_cubes>
   }
 };
 
-/** Of orthotropic bricks along their axes. */
+/** Orthotropic bricks along their material axes. */
 template <typename Number>
 struct Stiffness<Number, n_orthotropic>
 {
@@ -121,7 +124,7 @@ struct Stiffness<Number, n_orthotropic>
     return result;
   }
 
-  /** Place of the normal components i, j. */
+  /** Index of the coefficient of normal components i and j. */
   static constexpr int normal(const int i, const int j)
   {
     return i <= j ? i * 3 - i * (i + 1) / 2 + j : normal(j, i);
@@ -210,7 +213,10 @@ struct Stiffness<Number, n_general>
   }
 };
 
-/** Adds to @p g what the terms with xi of the axis make of the modes @p u. */
+/**
+ * Adds to the forces @p g the contribution of the terms linear in xi of the axis, from
+ * the modes @p u.
+ */
 template <int axis, typename Vector, typename Material, typename Number>
 MESOSLIP_INLINE void add_linear_terms(const Material &material,
                                       const Vector u[3][8],
@@ -235,7 +241,7 @@ MESOSLIP_INLINE void add_linear_terms(const Material &material,
   g[axis][B] += weight * s[voigt(axis, b)];
 }
 
-/** The same for the term with the xi of both other axes. */
+/** Adds the contribution of the term with the xi of both other axes. */
 template <int axis, typename Vector, typename Material, typename Number>
 MESOSLIP_INLINE void add_product_term(const Material &material,
                                       const Vector u[3][8],
@@ -249,7 +255,7 @@ MESOSLIP_INLINE void add_product_term(const Material &material,
     g[c][7] += weight * t[c];
 }
 
-/** Strains of the constant gradient. */
+/** Voigt strain of the constant gradient. */
 template <typename Vector>
 MESOSLIP_INLINE void mean_strain(const Vector u[3][8], Vector e[6])
 {
@@ -260,7 +266,10 @@ MESOSLIP_INLINE void mean_strain(const Vector u[3][8], Vector e[6])
   e[5] = u[0][2] + u[1][1];
 }
 
-/** Forces @p g on the modes from stresses @p s of the constant gradient and the modes u. */
+/**
+ * Forces @p g on the modes from the stresses @p s of the constant gradient and the modes
+ * @p u.
+ */
 template <typename Vector, typename Material, typename Number>
 MESOSLIP_INLINE void mode_forces(const Material &material,
                                  const Vector u[3][8],
@@ -282,8 +291,10 @@ MESOSLIP_INLINE void mode_forces(const Material &material,
   add_product_term<2>(material, u, weight[0] * weight[1], g);
 }
 
-/** The same of isotropic cubes, whose weights are all 1/3: equal terms of the three axes are
- * taken together. */
+/**
+ * mode_forces() of isotropic cubes: all weights are 1/3, equal terms of the three axes
+ * are combined.
+ */
 template <typename Vector, typename Number>
 MESOSLIP_INLINE void mode_forces(const Stiffness<Number, n_cubes> &material,
                                  const Vector u[3][8],

@@ -1,4 +1,4 @@
-// The kernels of boxes of bricks of one instruction set. Compiled once for each set, see
+// Kernels of boxes of bricks for one instruction set. Compiled once for each set, see
 // kernel_variants.h.
 #include "elasticity/brick/brick_kernel.h"
 

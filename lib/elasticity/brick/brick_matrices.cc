@@ -10,7 +10,7 @@ namespace
 {
 using StrainMatrix = Eigen::Matrix<double, 6, 24>;
 
-/** Strains at a point from -1 to 1. */
+/** Strains of the nodal displacements at @p point, with coordinates from -1 to 1. */
 StrainMatrix strain_at(const std::array<double, 3> &point, const std::array<double, 3> &h)
 {
   StrainMatrix B = StrainMatrix::Zero();
@@ -33,13 +33,13 @@ StrainMatrix strain_at(const std::array<double, 3> &point, const std::array<doub
   return B;
 }
 
-/** For the mean strain of a cell, and about it. */
+/** Stiffness for the mean strain of a cell, and for the deviation from it. */
 struct TwoStiffnesses
 {
   VoigtMatrix<3> mean, about;
 };
 
-/** Those whose coefficient @p m is one. */
+/** Stiffnesses with coefficient @p m equal to one, all others zero. */
 TwoStiffnesses unit_stiffnesses(const unsigned int m, const unsigned int n_coefficients)
 {
   VoigtMatrix<3> C = VoigtMatrix<3>::Zero(), zero = C;
@@ -62,7 +62,7 @@ TwoStiffnesses unit_stiffnesses(const unsigned int m, const unsigned int n_coeff
   return {C, C};
 }
 
-/** The upper triangle. */
+/** Entries of the upper triangle. */
 std::vector<double> triangle_of(const VoigtMatrix<3> &stiffness)
 {
   std::vector<double> result;

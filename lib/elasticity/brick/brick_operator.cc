@@ -13,7 +13,7 @@ namespace mesoslip
 {
 namespace
 {
-/** The phase in the axes of the sweep. */
+/** The phase with its stiffness in the axes of the sweep. */
 ElasticPhase<3> turned(const ElasticPhase<3> &phase)
 {
   constexpr int place[6] = {0, 2, 1, 3, 5, 4};
@@ -24,8 +24,10 @@ ElasticPhase<3> turned(const ElasticPhase<3> &phase)
   return result;
 }
 
-/** Rows of cells of a tile: what they share between two planes is to stay in half of the
- * second cache, of which one byte a node and row is nearly all: 96 bytes. */
+/**
+ * Rows of cells per tile. The data shared by two planes (about 96 bytes per node of a
+ * row) should fit into half of the second-level cache.
+ */
 unsigned int rows_of_tile(const std::size_t stride, const unsigned int n_rows)
 {
   constexpr std::size_t cache = std::size_t{512} * 1024, of_node = 96;
@@ -33,7 +35,7 @@ unsigned int rows_of_tile(const std::size_t stride, const unsigned int n_rows)
   return std::min(std::max(rows, 4U), n_rows);
 }
 
-/** Kinds of kernels, see BrickKernels. */
+/** Kernel kinds, see BrickKernels. */
 enum Kind : unsigned int
 {
   cubes,
@@ -46,7 +48,7 @@ enum Kind : unsigned int
   materials_apart
 };
 
-/** Coefficients of each kind. */
+/** Number of coefficients of each kind. */
 constexpr unsigned int n_coefficients_of[kernels::n_brick_kinds] = {
   n_cubes,   n_isotropic,       n_orthotropic,   n_general,
   n_general, n_isotropic_apart, n_general_apart, n_general_apart};
@@ -124,7 +126,7 @@ void BrickOperator::set_stiffness(const std::vector<ElasticPhase<3>> &phases)
   kind                              = kind_of(phases, h);
   const unsigned int n_coefficients = n_coefficients_of[kind],
                      n_together     = n_of_material(n_coefficients);
-  // [coefficient][phase], or [material][coefficient]; zero behind the last one.
+  // [coefficient][phase], or [material][coefficient]; zero for the last one.
   const bool together = kind == materials || kind == materials_apart;
   stiffness.resize(together ? (phases.size() + 1) * n_together
                             : std::size_t{256} * n_coefficients);

@@ -14,12 +14,13 @@
 namespace mesoslip
 {
 /**
- * Stiffness and lumped mass of a box of equal bricks, exactly integrated, without a matrix
- * and without anything but a byte for each cell (two where there are more than 255 phases). Ranks tell each other one plane of nodes a
- * neighbour and product; each computes the forces on all its nodes itself, in the same order
- * on any number of ranks, so they have the same bits.
+ * Stiffness and lumped mass of a box of equal bricks, integrated exactly, matrix-free:
+ * memory is one byte per cell (two with more than 255 phases). Neighbouring ranks
+ * exchange one plane of nodes per product. Each rank computes the forces on all its nodes
+ * itself, in an order independent of the number of ranks, so that results have the same
+ * bits.
  *
- * Fields are one row with a column for each point of slab().part.
+ * Fields have one row with a column for each point of slab().part.
  */
 class BrickOperator
 {
@@ -32,50 +33,54 @@ public:
 
   ~BrickOperator();
 
-  BrickOperator(const BrickOperator &)            = delete; ///< kernels point into it
-  BrickOperator &operator=(const BrickOperator &) = delete; ///< see the constructor
+  BrickOperator(const BrickOperator &) = delete; ///< kernels keep pointers to it
+  BrickOperator &operator=(const BrickOperator &) = delete; ///< not copyable either
 
-  /** What this rank has of the box. */
+  /** The part of the box on this rank. */
   const BrickSlab &slab() const
   {
     return the_slab;
   }
 
-  /** Row sums of the mass matrix (kg), one for each point. */
+  /** Row sums of the mass matrix, one per point (kg). */
   const std::vector<double> &lumped_mass() const
   {
     return mass;
   }
 
-  /** @p f = K @p x (N) on all points of the part, where x has to be set on all. Collective. */
+  /**
+   * @p f = K @p x (N) on all points of the part; requires x at all points. Collective.
+   */
   void multiply(NodalField<double> &f, const NodalField<double> &x) const;
 
   /**
-   * One step of all nodes but those whose forces are asked for; u and w of @p step have to
-   * be set at the distinct nodes. Components in the order of the sweep, see sweep_axis.
-   * Collective.
+   * Advances all nodes by one step, except nodes whose forces are requested. u and w of
+   * @p step are needed at the distinct nodes only. Components in the order of the sweep,
+   * see sweep_axis. Collective.
    */
   void advance(const kernels::BrickStep &step) const;
 
-  /** Gives points that repeat others the values of these. */
+  /** Updates periodic copies with the values of their masters. */
   void set_copies(NodalField<double> &field) const;
 
-  /** Gives all points that do not count here the values of those that do. Collective. */
+  /** Updates ghost values: points owned by other ranks. Collective. */
   void set_points_of_others(NodalField<double> &field) const;
 
-  /** Largest frequency of a free cell (1/s), a bound for the body. */
+  /** Largest angular frequency of a free cell (1/s), an upper bound for the body. */
   double frequency_bound() const
   {
     return bound;
   }
 
-  /** Instruction set and what the phases are. */
+  /** Instruction set and kernel kind, for the log. */
   std::string kernel_name() const;
 
-  const MPI_Comm communicator; ///< of the ranks that share the box
+  const MPI_Comm communicator; ///< ranks that share the box
 
-  /** The axis of the body of each axis of the sweep: rows of a plane follow one another
-   * along z, planes along y. */
+  /**
+   * Axis of the body for each axis of the sweep: rows of a plane follow one another along
+   * z, planes along y.
+   */
   static constexpr unsigned int sweep_axis[3] = {0, 2, 1};
 
 private:
@@ -87,12 +92,12 @@ private:
   const BrickSlab the_slab;
   const InstructionSet isa;
   const kernels::BrickKernels kernels;
-  unsigned int kind = 0; ///< of the kernels, see BrickKernels
+  unsigned int kind = 0; ///< kernel kind, see BrickKernels
   std::vector<double> mass;
   LineVector<double> stiffness;
   mutable LineVector<double> scratch, carry;
   kernels::BrickSweep sweep = {};
-  std::unique_ptr<PlaneExchange> planes; ///< those of other ranks
+  std::unique_ptr<PlaneExchange> planes; ///< ghost planes of neighbouring ranks
   double bound = 0.;
 };
 } // namespace mesoslip

@@ -12,7 +12,7 @@ namespace mesoslip
 {
 namespace
 {
-/** The layers of cells across y of this rank. */
+/** Layers of cells across y of this rank. */
 PlaneRange own_layers(const BrickBox &box, const MPI_Comm communicator)
 {
   const unsigned int n_layers = box.grid.cells[1],
@@ -25,7 +25,7 @@ PlaneRange own_layers(const BrickBox &box, const MPI_Comm communicator)
   return own_planes(n_layers, communicator);
 }
 
-/** Phases of the cells of a rank, see BrickSlab. @throws what @p phases throws */
+/** Phases of the cells of a rank, see BrickSlab. @throws exceptions of @p phases */
 CellIndices phases_of_slab(const BrickSlab &slab, const CellReader &phases)
 {
   const auto &n = slab.box.grid.cells;
@@ -34,7 +34,7 @@ CellIndices phases_of_slab(const BrickSlab &slab, const CellReader &phases)
   unsigned int layer     = slab.has_layer(false) ? 0 : 1;
   while (layer < end)
     {
-      // As many as lie side by side, up to where a periodic box begins again.
+      // Contiguous layers, up to the end of the period.
       const unsigned int j     = (slab.first_plane + layer + n[1] - 1) % n[1],
                          after = std::min(end, layer + n[1] - j);
       const auto copy          = [&](const CellBlock<3> &block) {
@@ -51,7 +51,7 @@ CellIndices phases_of_slab(const BrickSlab &slab, const CellReader &phases)
   return phase;
 }
 
-/** The extents of the slab with these layers of cells, without phases and part. */
+/** Sizes of the slab with these layers of cells; phases and part remain empty. */
 BrickSlab extents_of_slab(const BrickBox &box,
                           const PlaneRange &layers,
                           const unsigned int n_phases)
@@ -66,7 +66,7 @@ BrickSlab extents_of_slab(const BrickBox &box,
   return slab;
 }
 
-/** Makes the points and cells of a slab. */
+/** Builds the points and cells of a slab. */
 class SlabPart
 {
 public:
@@ -133,7 +133,7 @@ private:
         add_point(i, plane, k);
   }
 
-  /** The last nodes of the rows of a box that is periodic in x. */
+  /** Adds the last nodes of rows, periodic copies in a box periodic in x. */
   void add_copies(const unsigned int plane)
   {
     copy_start[plane] = part.points.size();
@@ -170,7 +170,7 @@ private:
   const UniformGrid<3> &grid;
   const unsigned int columns;
   const unsigned int n_copies;
-  std::vector<std::size_t> copy_start; ///< of each plane
+  std::vector<std::size_t> copy_start; ///< first periodic copy of each plane
 };
 } // namespace
 

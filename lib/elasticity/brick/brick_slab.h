@@ -13,51 +13,60 @@
 namespace mesoslip
 {
 /**
- * What one rank has of a box of bricks: some layers of cells across y, so that every rank
- * has its share of bottom and top, and all their nodes. Planes of nodes between two ranks
- * are with both.
+ * The part of a box of bricks on one rank: layers of cells across y, so that every rank
+ * has a share of bottom and top, and all nodes of these cells. Node planes between two
+ * ranks are stored on both.
  *
- * The points of the part, which are numbered as those of mesh_of_cells(), lie as the kernels
- * want them (brick_kernel.h): plane by plane across y, in a plane row by row with x fastest.
- * Behind the planes that this rank owns come what the sides of periodic boxes repeat and
- * the plane that the rank before owns. Of a box periodic in x the rows have no last node.
+ * Points of the part are numbered in the mesh as in mesh_of_cells(). Locally they are
+ * ordered as the kernels need them (brick_kernel.h): plane by plane across y, row by row
+ * within a plane, x fastest. After the locally owned planes come the periodic copies and
+ * the plane owned by the previous rank. In a box periodic in x, rows have no last node.
  */
 struct BrickSlab
 {
-  BrickBox box;                         ///< the whole one
-  unsigned int first_plane = 0;         ///< number of the first plane of nodes in the box
-  unsigned int n_planes    = 0;         ///< of nodes
-  std::array<unsigned int, 2> n_nodes;  ///< distinct ones of a row, and rows of a plane
+  BrickBox box;                         ///< the whole box
+  unsigned int first_plane = 0;         ///< index of the first node plane in the box
+  unsigned int n_planes    = 0;         ///< number of node planes
+  std::array<unsigned int, 2> n_nodes;  ///< distinct nodes per row, rows per plane
   std::vector<std::size_t> plane_start; ///< first point of each plane
-  std::size_t stride = 0;               ///< of the rows of phases
+  std::size_t stride = 0;               ///< length of the rows of phase
 
-  /** Of the cells of this rank and of the layers below and above, where there are such:
-   * [n_planes + 1][n_nodes[1] - 1][stride]; `none` behind the rows and where there are no
-   * cells. */
+  /**
+   * Phases of the cells of this rank and, if present, of the layers below and above:
+   * [n_planes + 1][n_nodes[1] - 1][stride]. The value is `none` behind the rows and where
+   * there are no cells.
+   */
   CellIndices phase;
   unsigned int none = 0; ///< number of phases
 
-  /** Without neighbours, and with no cells but those that were asked for: the kernels need
-   * none. */
+  /**
+   * Points and the requested cells. Neighbours and further cells are left out; the
+   * kernels do not need them.
+   */
   MeshPart<3> part;
 
-  /** Whether there are cells below the first plane of this rank, or above its last. */
+  /**
+   * Whether there are cells below the first plane of this rank or, with @p above, above
+   * its last one.
+   */
   bool has_layer(const bool above) const
   {
     return box.periodic[1] ||
            (above ? first_plane + n_planes <= box.grid.cells[1] : first_plane > 0);
   }
 
-  /** Of a point of the part: row and number in the row of the distinct node that it is or
-   * repeats, and its plane in this slab. */
+  /**
+   * Row, index in the row, and plane in this slab of a point of the part; of a periodic
+   * copy those of its master.
+   */
   std::array<unsigned int, 3> place_of(const unsigned int point) const;
 };
 
 /**
- * Divides the box among the ranks, of which each reads its @p phases, some layers across z at a
- * time; they are below @p n_phases. Each of @p cells becomes one of the part of the rank that
- * has it. Collective.
- * @throws UserError for more ranks than layers of cells, and what @p phases throws on one rank
+ * Partitions the box. Each rank reads its @p phases (all below @p n_phases), some layers
+ * across z at a time. Each of @p cells becomes a cell of the part of its rank.
+ * Collective. @throws UserError if there are more ranks than layers of cells; exceptions
+ * of @p phases on one rank
  */
 BrickSlab divide_box(const BrickBox &box,
                      const CellReader &phases,

@@ -1,7 +1,7 @@
-// What a sweep does with the forces on a row of nodes that are complete. Included inside a
+// Processing of the complete forces on a row of nodes during a sweep. Included inside a
 // namespace by brick_kernel.cc, after rows_impl.h.
 
-/** Writes forces (N) of the whole field. */
+/** Writes the forces of the whole field (N). */
 struct WriteForces
 {
   const BrickProduct &product;
@@ -121,7 +121,7 @@ private:
       }
   }
 
-  /** Held components keep their velocity. */
+  /** Constrained components keep their velocity. */
   inline __attribute__((always_inline)) void move_held(const std::uint32_t first,
                                                        const std::uint32_t last,
                                                        const std::size_t place,
@@ -136,14 +136,14 @@ private:
       }
   }
 
-  /** A row of a side that is held, or damped in proportion to the mass. */
+  /** Advances a row with many constrained components or mass-proportional damping. */
   void advance_slowly(const BrickSweep &a,
                       const std::size_t row,
                       const std::size_t place,
                       const double *f) const
   {
     const double *inverse_mass = step.inverse_mass[row];
-    // They are in the order of this loop.
+    // Entries are in the order of this loop.
     std::uint32_t next       = step.held_begin[row];
     const std::uint32_t last = step.held_begin[row + 1];
     for (std::uint32_t c = 0; c < 3; ++c)

@@ -1,23 +1,26 @@
-// The forces of bricks between two planes of nodes, row by row: what neighbouring rows and
-// planes share is computed once. Included inside a namespace by the kernels, after
+// Forces of bricks between two planes of nodes, row by row; terms shared by neighbouring
+// rows and planes are computed once. Included inside a namespace by the kernels, after
 // brick_impl.h.
 
-/** What the rows of cells between two planes of nodes share; of cubes the ratios are 1. */
+/**
+ * Data shared by the rows of cells between two planes of nodes; for cubes the ratios are
+ * 1.
+ */
 template <typename Number, bool cubes = false>
 struct Layer
 {
-  const Number *lower, *upper; ///< nodes of the planes, from row 0 on
-  Number *combined;            ///< of the last row: sums and differences along z, x
-  Number *forces;              ///< on these, from the last row of cells
-  Number *plane;               ///< on those along x of the lower plane, then the upper
-  Number *complete;            ///< forces on a row of nodes
-  std::size_t stride;          ///< of all of these
-  unsigned int n_vectors;      ///< in a row
-  Number x, z;                 ///< ratios
-  Number weight[3];            ///< of terms with xi
-  Number strain[6], stress[6]; ///< added
+  const Number *lower, *upper; ///< nodes of the two planes, from row 0 on
+  Number *combined;            ///< last row: sums and differences along z and x
+  Number *forces;              ///< forces on combined from the last row of cells
+  Number *plane;               ///< forces on sums and differences along x, both planes
+  Number *complete;            ///< complete forces on a row of nodes
+  std::size_t stride;          ///< length of a row in all these arrays
+  unsigned int n_vectors;      ///< vectors per row
+  Number x, z;                 ///< edge ratios
+  Number weight[3];            ///< weights of the terms with xi
+  Number strain[6], stress[6]; ///< strain and stress to be added
 
-  /** Differences along x in units of the rows' edge. */
+  /** Differences along x in units of the edge along the rows. */
   template <typename Vector>
   inline __attribute__((always_inline)) Vector times_x(const Vector v) const
   {
@@ -27,7 +30,7 @@ struct Layer
       return x * v;
   }
 
-  /** The same along z. */
+  /** Differences along z in units of the edge along the rows. */
   template <typename Vector>
   inline __attribute__((always_inline)) Vector times_z(const Vector v) const
   {
@@ -59,7 +62,10 @@ MESOSLIP_INLINE void combine_nodes(const Layer<Number, cubes> &layer,
     }
 }
 
-/** Before the first row of cells; @p keep: the forces of another row below it. */
+/**
+ * Initializes the layer before its first row of cells; with @p keep it keeps the forces
+ * from another row below.
+ */
 template <typename Number, bool cubes>
 MESOSLIP_INLINE void start_layer(const Layer<Number, cubes> &layer,
                                  const bool keep = false)
@@ -79,8 +85,11 @@ MESOSLIP_INLINE void start_layer(const Layer<Number, cubes> &layer,
     }
 }
 
-/** Forces @p h on sums and differences along z, x of a row of nodes of component @p c go to
- * both planes; with what the lower one has from the layer below its nodes are complete. */
+/**
+ * Distributes the forces @p h on sums and differences along z and x of component @p c to
+ * a row of nodes in both planes. Together with the forces from the layer below, the nodes
+ * of the lower plane are complete.
+ */
 template <typename Number, bool cubes, typename Vector>
 MESOSLIP_INLINE void complete_nodes(const Layer<Number, cubes> &layer,
                                     Number *plane,
@@ -101,7 +110,7 @@ MESOSLIP_INLINE void complete_nodes(const Layer<Number, cubes> &layer,
   before = right;
 }
 
-/** Row @p j of cells: completes the forces on row j of the nodes of the lower plane. */
+/** Row @p j of cells: completes the forces on node row j of the lower plane. */
 template <typename Number, bool cubes, typename Material>
 MESOSLIP_INLINE void row_of_cells(const Layer<Number, cubes> &layer,
                                   const Material &cells,
@@ -160,8 +169,10 @@ MESOSLIP_INLINE void row_of_cells(const Layer<Number, cubes> &layer,
     }
 }
 
-/** Completes the forces on row @p j of the nodes of the lower plane behind the last row of
- * cells; without @p has_cells there are none in the whole layer. */
+/**
+ * Completes the forces on node row @p j of the lower plane, after the last row of cells;
+ * without @p has_cells the whole layer has none.
+ */
 template <typename Number, bool cubes>
 MESOSLIP_INLINE void
 end_of_cells(const Layer<Number, cubes> &layer, const bool has_cells, const std::size_t j)

@@ -5,7 +5,7 @@ namespace mesoslip
 {
 namespace
 {
-constexpr int upwards = 83, downwards = 84; ///< tags of messages
+constexpr int upwards = 83, downwards = 84; ///< message tags
 }
 
 PlaneExchange::PlaneExchange(const BrickSlab &slab, const MPI_Comm communicator)
@@ -25,7 +25,7 @@ PlaneExchange::PlaneExchange(const BrickSlab &slab, const MPI_Comm communicator)
 
 void PlaneExchange::exchange(const std::function<void(unsigned int, double *)> &copy)
 {
-  // The first plane is the last one of the rank below: it wants the second.
+  // The first plane is the last one of the rank below, which needs the second one.
   if (rank_below != MPI_PROC_NULL)
     copy(1, sent[0].data());
   if (rank_above != MPI_PROC_NULL)

@@ -8,28 +8,33 @@
 
 namespace mesoslip
 {
-/** The planes of nodes below and above those of a rank, which other ranks advance. */
+/** Ghost planes of nodes below and above the planes of a rank. */
 class PlaneExchange
 {
 public:
-  /** Of the ranks of the slab. */
+  /** Exchange among the ranks of the slab. */
   PlaneExchange(const BrickSlab &slab, const MPI_Comm communicator);
 
-  /** Sets below and above; @p copy (plane, where to) writes a plane of this rank. Collective. */
+  /**
+   * Updates below() and above(); @p copy (plane, destination) writes a plane of this
+   * rank. Collective.
+   */
   void exchange(const std::function<void(unsigned int, double *)> &copy);
 
-  /** Gives the first plane of each rank but the first what the rank below has in its last one,
-   * @p n numbers; of a box periodic in y also the very last one what is in the very first.
-   * Collective. */
+  /**
+   * Copies @p n numbers of the last plane of each rank to the first plane of the next
+   * rank. In a box periodic in y also copies the very first plane to the very last one.
+   * Collective.
+   */
   void pass(double *first, double *last, const std::size_t n) const;
 
-  /** [rows + 1][3][stride], zero where there is no plane. */
+  /** Ghost plane below, [rows + 1][3][stride]; zero if there is none. */
   const double *below() const
   {
     return received[0].data();
   }
 
-  /** The same above. */
+  /** Ghost plane above, [rows + 1][3][stride]; zero if there is none. */
   const double *above() const
   {
     return received[1].data();
@@ -39,7 +44,7 @@ private:
   const MPI_Comm communicator;
   const unsigned int last_plane;
   const bool is_periodic;
-  int rank_below, rank_above; ///< or MPI_PROC_NULL
+  int rank_below, rank_above; ///< neighbours, or MPI_PROC_NULL
   LineVector<double> sent[2], received[2];
 };
 } // namespace mesoslip

@@ -1,14 +1,14 @@
-// Rows of nodes and of phases in memory, as a sweep over a box of bricks reads them. Included
+// Rows of nodes and phases in memory, as read by a sweep over a box of bricks. Included
 // inside a namespace by brick_kernel.cc.
 
-/** Where the numbers of a row come from: x, or u + beta w. */
+/** Source of the values of a row: x, or u + beta w. */
 struct Source
 {
   const double *x[3], *w[3];
   double beta;
 };
 
-/** Nodes of @p source at @p place will be wanted soon. */
+/** Prefetches nodes of @p source at @p place. */
 MESOSLIP_INLINE void prefetch_row(const Source &source, const std::size_t place)
 {
   for (int c = 0; c < 3; ++c)
@@ -19,7 +19,7 @@ MESOSLIP_INLINE void prefetch_row(const Source &source, const std::size_t place)
     }
 }
 
-/** Coefficients of the cells of a row by their phases. */
+/** Coefficients of the cells of a row by phase. */
 template <unsigned int n>
 struct OfPhases
 {
@@ -27,7 +27,7 @@ struct OfPhases
   static constexpr bool adds_stress            = false;
   static constexpr bool cubes                  = n == n_cubes;
 
-  /** @p place: of nodes that will be wanted soon. */
+  /** @p place: first of the nodes to be prefetched. */
   OfPhases(const BrickSweep &a,
            const std::size_t row,
            const Source &source,
@@ -64,8 +64,11 @@ struct OfPhases
   const std::size_t place;
 };
 
-/** The same by their materials, of which there may be too many for a byte. Coefficients of
- * one lie together, as those of many are not all in the first cache. */
+/**
+ * Coefficients of the cells of a row by material; there may be more than 256 materials.
+ * The coefficients of a material are contiguous, as a large table exceeds the first-level
+ * cache.
+ */
 template <unsigned int n>
 struct OfMaterials
 {
@@ -103,26 +106,34 @@ struct OfMaterials
 };
 
 #if defined(__AVX512F__)
-/** One bit for each of the first @p n numbers of a vector. Numbers one by one on the stack, to be
- * read as a vector, cost a third of the step of short rows. */
+/**
+ * Mask of the first @p n numbers of a vector. Copying numbers one by one to the stack
+ * would cost a third of the step for short rows.
+ */
 MESOSLIP_INLINE __mmask8 first_of(const std::size_t n)
 {
   return static_cast<__mmask8>((1U << n) - 1U);
 }
 
-/** @p n numbers at any address, n being less than a vector has; zeros behind them. */
+/**
+ * Loads @p n numbers from an unaligned address, n below the vector length; the rest is
+ * zero.
+ */
 MESOSLIP_INLINE vdouble load_some(const double *p, const std::size_t n)
 {
   return (vdouble)_mm512_maskz_loadu_pd(first_of(n), p);
 }
 
-/** The first @p n numbers of a vector. */
+/** Stores the first @p n numbers of a vector. */
 MESOSLIP_INLINE void store_some(double *p, const vdouble v, const std::size_t n)
 {
   _mm512_mask_storeu_pd(p, first_of(n), (mdouble)v);
 }
 #else
-/** @p n numbers at any address, n being less than a vector has; zeros behind them. */
+/**
+ * Loads @p n numbers from an unaligned address, n below the vector length; the rest is
+ * zero.
+ */
 MESOSLIP_INLINE vdouble load_some(const double *p, const std::size_t n)
 {
   vdouble v = {};
@@ -131,7 +142,7 @@ MESOSLIP_INLINE vdouble load_some(const double *p, const std::size_t n)
   return v;
 }
 
-/** The first @p n numbers of a vector. */
+/** Stores the first @p n numbers of a vector. */
 MESOSLIP_INLINE void store_some(double *p, const vdouble v, const std::size_t n)
 {
   for (std::size_t l = 0; l < n; ++l)
@@ -139,7 +150,7 @@ MESOSLIP_INLINE void store_some(double *p, const vdouble v, const std::size_t n)
 }
 #endif
 
-/** At any address. */
+/** Stores a vector to an unaligned address. */
 MESOSLIP_INLINE void store_any(double *p, const vdouble v)
 {
   typedef double vector __attribute__((vector_size(MESOSLIP_VECTOR_BYTES),
@@ -147,7 +158,10 @@ MESOSLIP_INLINE void store_any(double *p, const vdouble v)
   *reinterpret_cast<vector *>(p) = (vector)v;
 }
 
-/** A row of nodes with what lies across a periodic side; @p place: of its first node. */
+/**
+ * Copies a row of nodes that starts at @p place, followed by the first node again if x is
+ * periodic.
+ */
 MESOSLIP_INLINE void
 copy_row(const BrickSweep &a, const Source &source, const std::size_t place, double *row)
 {

@@ -1,12 +1,14 @@
-// A sweep over a box of bricks: forces of the cells, tile by tile, layer by layer and row by
-// row (layer_impl.h), and what is done with them as soon as those of a row of nodes are
-// complete. A tile is some neighbouring rows of all planes, so that what two planes share
-// stays in the cache; the next tile takes over the forces on the row of nodes between them.
-// Nothing later needs a row that is complete, so it is advanced in place. Included inside a
-// namespace by brick_kernel.cc.
+// Sweep over a box of bricks: forces of the cells, tile by tile, layer by layer and row
+// by row (layer_impl.h). As soon as the forces on a row of nodes are complete, they are
+// processed. A tile consists of some neighbouring rows of all planes, so that data shared
+// by two planes stays in the cache; the next tile takes over the forces on the row of
+// nodes between them. A complete row is not needed again, so it is advanced in place.
+// Included inside a namespace by brick_kernel.cc.
 
-/** Rows of cells between planes k - 1 and k of a tile; the rows of nodes below them are
- * complete then. The nodes of plane k come from @p source. */
+/**
+ * Computes the rows of cells between planes k - 1 and k of a tile; this completes the
+ * rows of nodes below them. The nodes of plane k are read from @p source.
+ */
 template <typename Cells, typename Finish>
 MESOSLIP_INLINE void advance_layer(const BrickSweep &a,
                                    const Finish &finish,
@@ -26,7 +28,7 @@ MESOSLIP_INLINE void advance_layer(const BrickSweep &a,
     if (k < a.n[2] && first + j < a.n[1])
       copy_row(a, source, place(k, j), upper + 3 * j * a.stride);
   };
-  // Of the rows of nodes that are wanted after the next one; none is beyond the tile.
+  // Position of the row of nodes after the next one, inside the tile.
   const auto wanted = [&](const std::size_t j) {
     const std::size_t plane = k < a.n[2] ? k : k - 1, next = j + 2;
     if (next <= n_rows)
@@ -54,7 +56,7 @@ MESOSLIP_INLINE void advance_layer(const BrickSweep &a,
     }
 }
 
-/** See brick_kernel.h. */
+/** Sweep over a box, see brick_kernel.h. */
 template <typename Cells, typename Finish>
 MESOSLIP_INLINE void sweep(const BrickSweep &a, const Finish &finish)
 {
@@ -65,7 +67,7 @@ MESOSLIP_INLINE void sweep(const BrickSweep &a, const Finish &finish)
   layer.complete                    = a.scratch + 12 * s;
   layer.plane                       = planes[1] + nodes;
   layer.stride                      = s;
-  // Behind the last node is the first one again.
+  // The first node follows the last one again.
   layer.n_vectors =
     (a.n[0] + a.periodic + Simd<double>::length - 1) / Simd<double>::length;
   layer.x         = a.ratio[0];

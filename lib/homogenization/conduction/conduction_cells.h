@@ -13,19 +13,22 @@
 
 namespace mesoslip
 {
-/** A volume element as conduction needs it, on one rank: linear cells of which each has a material. */
+/** Mesh of a volume element for conduction, on one rank: linear cells with a material
+ * each. */
 template <int dim>
 struct ConductionCells
 {
-  /** A box; Mesh::originals are those of its opposite points, Cell::material_id the material. */
+  /** A box. Mesh::originals are the periodic masters, Cell::material_id is the
+   * material. */
   Mesh<dim> mesh;
 
-  std::vector<Tensor2<dim>> conductivity; ///< of each material, W/(m K) or S/m
+  std::vector<Tensor2<dim>> conductivity; ///< per material (W/(m K) or S/m)
 
-  /** Points on the sides, numbered as deal.II does: 2 d at the lower, 2 d + 1 at the upper end of axis d. */
+  /** Points on the sides, numbered as deal.II does: 2 d at the lower, 2 d + 1 at the
+   * upper end of axis d. */
   std::array<std::vector<unsigned int>, 2UL * dim> sides;
 
-  std::string not_periodic; ///< why points are not opposite; empty: they are
+  std::string not_periodic; ///< why opposite sides do not match; empty: they match
 
   bool are_equal = false; ///< whether all cells have one shape and size
 };
@@ -34,7 +37,8 @@ struct ConductionCells
 template <int dim>
 ConductionCells<dim> conduction_cells(const UniformGrid<dim> &grid);
 
-/** Those of a mesh, whose body is a box; material_id is that of @p mesh. @throws UserError if it is none */
+/** The cells of a mesh whose body is a box; material_id is taken from @p mesh.
+ * @throws UserError if the body is not a box */
 template <int dim>
 ConductionCells<dim> conduction_cells(const Mesh<dim> &mesh);
 } // namespace mesoslip

@@ -25,7 +25,7 @@ json matrix_json(const Tensor2<dim> &tensor)
   return rows;
 }
 
-/** Smallest or largest conductivity of the phases that there are. */
+/** Smallest or largest conductivity of all phases. */
 double extreme(const std::vector<PhaseParameters> &phases,
                const std::vector<double> &fractions,
                const bool largest)
@@ -66,7 +66,7 @@ conductivity_bounds(const RveParameters &parameters, const std::vector<double> &
   for (const PhaseParameters &phase : phases)
     for (const double k : phase.conductivities)
       if (k != phase.conductivities[0])
-        return bounds; // anisotropic
+        return bounds; // a phase is anisotropic
   double mean = 0., inverse = 0.;
   for (std::size_t p = 0; p < phases.size(); ++p)
     {

@@ -11,20 +11,20 @@
 
 namespace mesoslip
 {
-/** Conductivity of the first member by condition, and "effective", the mean over all members and those conditions of which the effective
- * stiffness is the mean; empty: it was not asked for. */
+/** Conductivity of the first member by condition, and "effective": the mean over all
+ * members and effective_conditions(). Empty if it was not asked for. */
 template <int dim>
 std::map<std::string, Tensor2<dim>> conductivities(const RveParameters &parameters,
                                                    const RveResults<dim> &results);
 
-/** Lower and upper bounds by name: "wiener" (Reuss and Voigt) and, for isotropic phases in an isotropic morphology,
- * "hashin_shtrikman". Empty where a phase is not isotropic. */
+/** Lower and upper bounds by name: "wiener" (Reuss and Voigt) and, for isotropic phases
+ * in an isotropic morphology, "hashin_shtrikman". Empty if a phase is not isotropic. */
 template <int dim>
 std::map<std::string, std::array<double, 2>>
 conductivity_bounds(const RveParameters &parameters,
                     const std::vector<double> &fractions);
 
-/** conductivity.csv, if it was asked for. */
+/** Writes conductivity.csv, if it was asked for. */
 template <int dim>
 void write_conductivity(const RveResults<dim> &results, const RunContext &context);
 
@@ -34,11 +34,11 @@ void summarize_conductivity(const RveParameters &parameters,
                             const RveResults<dim> &results,
                             nlohmann::json &summary);
 
-/** Effective conductivity of a summary, new or restored, on the console. */
+/** Prints the effective conductivity of a summary, new or restored, on the console. */
 void log_conductivity(RunContext &context);
 
-/** Sentences where the two ways to the conductivity do not agree. @throws NumericalFailure where not even two digits
- * hold */
+/** Warnings if the conductivities from energy and from means disagree.
+ * @throws NumericalFailure if fewer than two digits agree */
 template <int dim>
 std::vector<std::string>
 conductivity_warnings(const RveParameters &parameters,

@@ -14,21 +14,21 @@ namespace mesoslip
 template <int dim>
 using Tensor2 = Eigen::Matrix<double, dim, dim, Eigen::RowMajor>;
 
-/** What the load cases of one boundary condition say about the conductivity of a volume. */
+/** Conductivity of a volume from the load cases of one boundary condition. */
 template <int dim>
 struct ConductionResponse
 {
-  BoundaryCondition condition = BoundaryCondition::KUBC; ///< on the boundary
+  BoundaryCondition condition = BoundaryCondition::KUBC; ///< for the load cases
 
-  /** Effective conductivity, in the unit of the phases, from the energy: of second order in the error of the
-   * solutions. MUBC: the diagonal. */
+  /** Effective conductivity, in the unit of the phases, from the energy: of second order
+   * in the error of the solutions. MUBC: the diagonal. */
   Tensor2<dim> conductivity = Tensor2<dim>::Zero();
 
-  /** Largest difference from the one from the mean flux (SUBC: gradient), over the root of its
-   * diagonal entries. */
+  /** Largest difference from the conductivity from the mean flux (SUBC: gradient), over
+   * the root of its diagonal entries. */
   double residual = 0.;
 
-  std::vector<unsigned int> iterations; ///< by load case
+  std::vector<unsigned int> iterations; ///< solver iterations per load case
 
   /** Saves or restores all members, for boost::serialization. */
   template <class Archive>

@@ -17,11 +17,12 @@ namespace mesoslip
 {
 namespace
 {
-/** What is left of the loads of a homogeneous volume, relative to those of its cells, is round-off. */
+/** Loads of a homogeneous volume cancel to round-off; below this share of the cells'
+ * loads they are zero. */
 constexpr double cancelled = 1e-12;
 
-/** Tolerance of the residual relative to the load of the best conductor that leaves the currents of the worst one
- * accurate, too. */
+/** Tolerance of the residual, relative to the load of the best conductor, that keeps the
+ * currents of the worst conductor accurate. */
 template <int dim>
 double tolerance_for(const std::vector<Tensor2<dim>> &conductivity, const double wanted)
 {
@@ -91,7 +92,7 @@ void ConductionVolume<dim>::number_unknowns(const unsigned int axis)
         unknown[point] = held;
   const bool periodic = condition == BoundaryCondition::PBC;
   if (periodic || condition == BoundaryCondition::SUBC)
-    unknown[periodic ? mesh.original(0) : 0] = held; // the constant
+    unknown[periodic ? mesh.original(0) : 0] = held; // fixes the constant
   n_unknowns = 0;
   for (unsigned int p = 0; p < unknown.size(); ++p)
     if (unknown[p] != held && !(periodic && mesh.original(p) != p))
@@ -182,7 +183,8 @@ SolverReport ConductionVolume<dim>::solve_case(const unsigned int axis,
   return report;
 }
 
-/** Calls visit(number of the cell, conductivity, gradients of all load cases, volume) at the quadrature points. */
+/** Calls visit(number of the cell, conductivity, gradients of all load cases, volume) at
+ * the quadrature points. */
 template <int dim>
 template <typename Visit>
 void ConductionVolume<dim>::for_each_gradient(const Visit &visit) const

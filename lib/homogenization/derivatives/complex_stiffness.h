@@ -24,7 +24,8 @@ struct ComplexStiffness
   VoigtMatrix<dim> real      = VoigtMatrix<dim>::Zero(); ///< Pa
   VoigtMatrix<dim> imaginary = VoigtMatrix<dim>::Zero(); ///< Pa
 
-  /** The last term of the polynomial over the largest entry, of both parts: what it leaves out is smaller. */
+  /** Truncation error: last term of the polynomial over the largest entry, the larger of
+   * both parts. */
   double error = 0.;
 
   /** Saves or restores all members, for boost::serialization. */
@@ -35,14 +36,16 @@ struct ComplexStiffness
   }
 };
 
-/** How far z is from 0 in the two further solves: at most 1, and so that no phase changes by more than half. */
+/** Step |z| of the two further solves: at most 1, and small enough that no phase changes
+ * by more than half. */
 inline double distance_of_loss(const double largest_loss_factor)
 {
   return std::min(1., 0.5 / largest_loss_factor);
 }
 
-/** D(i) by the polynomial of degree 5 that has the values and slopes at 0, @p distance and -@p distance: D is an
- * analytic function of z, so that real solves say what a complex one would. */
+/** D(i) from the polynomial of degree 5 through values and slopes at 0, @p distance and
+ * -@p distance. D is an analytic function of z, so real solves give the complex
+ * stiffness. */
 template <int dim>
 ComplexStiffness<dim> complex_stiffness(const StiffnessAt<dim> &at_zero,
                                         const StiffnessAt<dim> &above,

@@ -16,7 +16,8 @@ namespace
 {
 using nlohmann::json;
 
-/** The constants that are smooth functions of any stiffness: no distances and no angles. */
+/** The constants that are smooth functions of the stiffness: all except distances and
+ * angles. */
 template <int dim>
 std::vector<EngineeringConstant> smooth_constants(const VoigtMatrix<dim> &D)
 {
@@ -30,14 +31,14 @@ std::vector<EngineeringConstant> smooth_constants(const VoigtMatrix<dim> &D)
   return constants;
 }
 
-/** Derivatives of smooth_constants() along a change of the stiffness: a central difference of fourth
- * order, with a step of 1e-3 of the stiffness. */
+/** Derivatives of smooth_constants() along a change of the stiffness: a central
+ * difference of fourth order, with a step of 1e-3 of the stiffness. */
 template <int dim>
 std::vector<double> derivatives_of_constants(const VoigtMatrix<dim> &D,
                                              const VoigtMatrix<dim> &change)
 {
   std::vector<double> result(smooth_constants<dim>(D).size(), 0.);
-  // In the scale of the diagonal, as moduli may differ by many orders of magnitude.
+  // Scaled by the diagonal, as moduli may differ by many orders of magnitude.
   double size = 0.;
   for (unsigned int i = 0; i < n_voigt<dim>; ++i)
     for (unsigned int j = 0; j < n_voigt<dim>; ++j)
@@ -55,7 +56,7 @@ std::vector<double> derivatives_of_constants(const VoigtMatrix<dim> &D,
   return result;
 }
 
-/** Mean derivative along variation @p v over all members and those of the @p conditions. */
+/** Mean derivative along variation @p v over all members and @p conditions. */
 template <int dim>
 VoigtMatrix<dim> mean_derivative(const std::vector<EnsembleMember<dim>> &members,
                                  const std::vector<BoundaryCondition> &conditions,
@@ -250,7 +251,7 @@ void log_derivatives(RunContext &context)
   const json varied = context.summary().value("varied", json::object());
   for (const auto &[name, result] : varied.items())
     {
-      // What one reads first.
+      // The console shows moduli and Poisson's ratios only.
       const bool is_modulus = name[0] == 'E' || name[0] == 'G', is_ratio = name[0] == 'n';
       if (!(is_modulus || is_ratio) || name.find("iso") != std::string::npos)
         continue;

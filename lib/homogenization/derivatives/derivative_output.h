@@ -9,37 +9,41 @@
 
 namespace mesoslip
 {
-/** A number that follows from the effective stiffness, and how it changes along variations. */
+/** A number derived from the effective stiffness, with its derivatives along
+ * variations. */
 struct VariedResult
 {
   std::string name; ///< D11 or a name of engineering_constants()
   std::string unit; ///< "Pa", or "1" for pure numbers
   double value;     ///< in that unit
 
-  /** Its derivatives, by variation. */
+  /** Derivative along each variation. */
   std::vector<double> derivatives;
 };
 
-/** The entries of the effective stiffness and the engineering constants that are smooth functions of it, with
- * their derivatives along @p variations: means over members and conditions, as of the stiffness itself. */
+/** The entries of the effective stiffness and the engineering constants that are smooth
+ * functions of it, with their derivatives along @p variations; averaged over members and
+ * conditions like the stiffness. */
 template <int dim>
 std::vector<VariedResult> varied_results(const RveParameters &parameters,
                                          const RveResults<dim> &results,
                                          const std::vector<Variation<dim>> &variations);
 
-/** derivatives.csv, uncertainty.csv and loss_factors.csv, of what there is. */
+/** Writes derivatives.csv, uncertainty.csv and loss_factors.csv, each if it has
+ * content. */
 template <int dim>
 void write_derivatives(const RveParameters &parameters,
                        const RveResults<dim> &results,
                        const RunContext &context);
 
-/** Adds to summary.json what these files say of the effective stiffness. */
+/** Adds the derivatives, deviations and loss factors of the effective stiffness to
+ * summary.json. */
 template <int dim>
 void summarize_derivatives(const RveParameters &parameters,
                            const RveResults<dim> &results,
                            nlohmann::json &summary);
 
-/** Deviations and loss factors of a summary, new or restored, on the console. */
+/** Prints deviations and loss factors of a summary, new or restored, on the console. */
 void log_derivatives(RunContext &context);
 } // namespace mesoslip
 

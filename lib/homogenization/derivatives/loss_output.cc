@@ -13,7 +13,7 @@ namespace mesoslip
 {
 namespace
 {
-/** Those of the mean complex stiffness: entries, Young's and shear moduli. */
+/** Results of the mean complex stiffness: entries, Young's and shear moduli. */
 template <int dim>
 std::vector<ComplexResult> complex_moduli(const RveParameters &parameters,
                                           const RveResults<dim> &results)

@@ -15,35 +15,37 @@ namespace mesoslip
 template <int dim>
 struct Variation
 {
-  std::string phase;           ///< name; empty: all of them lose energy
-  PhaseConstant<dim> constant; ///< what changes; of the loss its name alone
+  std::string phase;           ///< name; empty: the loss factors of all phases
+  PhaseConstant<dim> constant; ///< the constant; for the loss only its name is set
 
-  /** Stiffness (Pa over the unit of the constant) of each phase. */
+  /** Change of the stiffness of each phase (Pa over the unit of the constant). */
   std::vector<VoigtMatrix<dim>> stiffness;
 };
 
-/** Those with each constant of each of the @p phases, if they are @p wanted or a phase has deviations, and, last,
- * with the loss factors if there are any. */
+/** Variations of each constant of each of the @p phases, if they are @p wanted or a phase
+ * has deviations. The variation with the loss factors, if there are any, comes last. */
 template <int dim>
 std::vector<Variation<dim>> variations_of(const std::vector<PhaseParameters> &phases,
                                           const bool wanted);
 
-/** Whether @p variation is the one with the loss factors. */
+/** Whether @p variation is the variation with the loss factors. */
 template <int dim>
 bool is_loss(const Variation<dim> &variation)
 {
   return variation.phase.empty();
 }
 
-/** The changes of a material that are not zero: number of the variation and stiffness (Pa over the unit of the constant). */
+/** Nonzero changes of a material: number of the variation and stiffness (Pa over the unit
+ * of the constant). */
 template <int dim>
 using StiffnessChanges = std::vector<std::pair<std::size_t, VoigtMatrix<dim>>>;
 
 /**
- * Derivatives of the effective stiffness (Pa) along @p n_variations changes of the stiffness of the materials of the
- * volume: of KUBC, PBC and MUBC dD = mean of A^T dC A, of SUBC dS = -mean of A^T dC A and dD = -D dS D, with the
- * strains A of the unit load cases that were solved last. Exact for the cells of the volume: the load cases make
- * the energy stationary. @p changes are those of each material. Collective.
+ * Derivatives of the effective stiffness (Pa) along @p n_variations changes of the
+ * material stiffness. KUBC, PBC and MUBC: dD = mean of A^T dC A. SUBC: dS = -mean of A^T
+ * dC A and dD = -D dS D. A are the strains of the unit load cases that were solved last.
+ * The derivative is exact for the cells of the volume, because the load cases make the
+ * energy stationary. @p changes is indexed by material. Collective.
  */
 template <int dim>
 std::vector<VoigtMatrix<dim>>

@@ -10,14 +10,14 @@
 
 namespace mesoslip
 {
-/** Expansion (1/K, engineering shear) of the first member by condition, and "effective"; empty where nothing
- * expands. The latter is D^-1 of the mean thermal stress of those conditions of which the effective stiffness D is
- * the mean. */
+/** Thermal expansion (1/K, engineering shear) of the first member by condition, and
+ * "effective": D^-1 of the mean thermal stress over effective_conditions(), with the
+ * effective stiffness D. Empty if no phase expands. */
 template <int dim>
 std::map<std::string, VoigtVector<dim>> expansions(const RveParameters &parameters,
                                                    const RveResults<dim> &results);
 
-/** expansion.csv, if a phase expands. */
+/** Writes expansion.csv, if a phase expands. */
 template <int dim>
 void write_expansion(const RveResults<dim> &results, const RunContext &context);
 
@@ -25,11 +25,11 @@ void write_expansion(const RveResults<dim> &results, const RunContext &context);
 template <int dim>
 void summarize_expansion(const RveResults<dim> &results, nlohmann::json &summary);
 
-/** Effective expansion of a summary, new or restored, on the console. */
+/** Prints the effective expansion of a summary, new or restored, on the console. */
 void log_expansion(RunContext &context);
 
-/** Sentences where a solved case and reciprocity do not agree. @throws NumericalFailure where not even two digits
- * hold */
+/** Warnings if a solved case and reciprocity disagree.
+ * @throws NumericalFailure if fewer than two digits agree */
 template <int dim>
 std::vector<std::string>
 expansion_warnings(const RveParameters &parameters,

@@ -11,7 +11,7 @@ namespace mesoslip
 {
 namespace
 {
-/** Goes through the cells with all loads at once. */
+/** Passes through the cells once for all loads. */
 template <int dim>
 class LoadSurvey
 {
@@ -73,7 +73,7 @@ private:
       }
   }
 
-  /** What the limit is in a phase; infinity: there is none. */
+  /** Limit of a phase; infinity: no limit. */
   static double limit(const std::vector<double> &given, const std::size_t phase)
   {
     return given.empty() ? std::numeric_limits<double>::infinity()
@@ -101,7 +101,7 @@ private:
       {
         const double *const value = evaluate(cell, load);
         PhaseUnderLoad &phase     = parts[load][part];
-        // Volumes of a phase may differ in their last digits from rank to rank.
+        // Volumes of a phase may differ by round-off from rank to rank.
         const double share = cell.volume / phase.quantities[0].volume;
         for (std::size_t q = 0; q < phase.histogram.size(); ++q)
           phase.histogram[q][bins[load][part][q](value[q])] += share;
@@ -114,7 +114,7 @@ private:
       }
   }
 
-  /** Puts the parts of all ranks together, in their order, and gives them to all. */
+  /** Merges the parts of all ranks in rank order and broadcasts the result. */
   template <typename Add>
   void merge(const Add &add)
   {
@@ -134,13 +134,13 @@ private:
   const LocalFields<dim> &fields;
   const VolumeElement<dim> &cells;
   const std::vector<LoadAmplitudes<dim>> &amplitudes;
-  std::vector<std::vector<PhaseUnderLoad>> parts;   ///< of each load and phase
-  std::vector<std::vector<std::vector<Bins>>> bins; ///< of each load, phase and quantity
-  std::vector<double> values;                       ///< of a cell
+  std::vector<std::vector<PhaseUnderLoad>> parts;   ///< [load][phase]
+  std::vector<std::vector<std::vector<Bins>>> bins; ///< [load][phase][quantity]
+  std::vector<double> values;                       ///< quantities of the current cell
 };
 
-/** Volume means of strain . C strain of the unit cases, last that of one kelvin if a load @p is_heated, also with
- * one another. */
+/** Matrix of volume means of strain . C strain of the unit cases and, last, of one kelvin
+ * if a load @p is_heated; off-diagonal entries couple two cases. */
 template <int dim>
 Eigen::MatrixXd energies(const VolumeElement<dim> &cells,
                          const HomogenizedResponse<dim> &response,
@@ -166,8 +166,8 @@ Eigen::MatrixXd energies(const VolumeElement<dim> &cells,
   return result;
 }
 
-/** Sets the energy, and how far the means of the fields are from the macroscopic state. @p amplitudes are those of the
- * unit cases, @p energy is from energies(). */
+/** Sets the energy and the distances of field means from the macroscopic state.
+ * @p amplitudes are the factors of the unit cases, @p energy is from energies(). */
 template <int dim>
 void set_residuals(LoadResult<dim> &result,
                    const LoadAmplitudes<dim> &amplitudes,
@@ -178,14 +178,15 @@ void set_residuals(LoadResult<dim> &result,
   const double heating             = amplitudes[n_voigt<dim>],
                of_strain           = amplitudes.dot(energy * amplitudes),
                of_heat             = heating * heat.work.dot(amplitudes),
-               work                = of_strain - of_heat; // of stress and strain
+               work                = of_strain - of_heat; // mean of stress . strain
   VoigtVector<dim> strain, stress;
   for (unsigned int k = 0; k < n_voigt<dim>; ++k)
     {
       strain[k] = result.whole(k).mean;
       stress[k] = result.whole(k + n_voigt<dim>).mean;
     }
-  // A volume that is heated may have no macroscopic strain or stress, but has those of its expansion.
+  // A heated volume may have no macroscopic strain or stress, so the scale includes its
+  // thermal expansion.
   const auto distance = [heating](const VoigtVector<dim> &a, const VoigtVector<dim> &b,
                                   const VoigtVector<dim> &per_kelvin) {
     const double scale = b.cwiseAbs().maxCoeff() +

@@ -14,12 +14,12 @@
 
 namespace mesoslip
 {
-/** The cells of one phase under a load. */
+/** Statistics of the cells of a phase under a load. */
 struct PhaseUnderLoad
 {
-  std::vector<Moments> quantities; ///< in the order of LocalFields
+  std::vector<Moments> quantities; ///< statistics, in the order of LocalFields
 
-  /** Of each quantity the share of the phase's volume in each of the Bins. */
+  /** Histogram of each quantity: volume share of the phase in each of the Bins. */
   std::vector<std::vector<double>> histogram;
 
   /** Share of the phase's volume beyond the limits of the von Mises stress and of the
@@ -34,28 +34,29 @@ struct PhaseUnderLoad
   }
 };
 
-/** What a load does to a volume under the superposed unit cases of a boundary condition. */
+/** Response of a volume to a load, by superposition of the unit cases of a boundary
+ * condition. */
 template <int dim>
 struct LoadResult
 {
-  std::string name;                                      ///< of the load
-  BoundaryCondition condition = BoundaryCondition::KUBC; ///< of the unit cases
+  std::string name;                                      ///< name of the load
+  BoundaryCondition condition = BoundaryCondition::KUBC; ///< for the unit cases
 
   VoigtVector<dim> strain = VoigtVector<dim>::Zero(); ///< macroscopic, engineering shear
   VoigtVector<dim> stress = VoigtVector<dim>::Zero(); ///< macroscopic (Pa)
 
-  /** Largest distance of a mean local strain from the macroscopic one, over the largest
+  /** Largest difference between mean local and macroscopic strain, over the largest
    * macroscopic strain. */
   double strain_residual = 0.;
-  double stress_residual = 0.; ///< the same of the stress
+  double stress_residual = 0.; ///< the same for the stress
 
-  /** Volume mean of stress : strain less that of the mean stress : mean strain, over the
-   * latter. */
+  /** Hill-Mandel residual: mean of (stress : strain) minus mean stress : mean strain,
+   * over the latter. */
   double hill_mandel_residual = 0.;
 
   double energy = 0.; ///< elastic energy over the volume (J/m^3)
 
-  std::vector<PhaseUnderLoad> phases; ///< in their order; absent ones without volume
+  std::vector<PhaseUnderLoad> phases; ///< in phase order; absent phases have no volume
 
   /** Saves or restores all members, for boost::serialization. */
   template <class Archive>
@@ -68,7 +69,7 @@ struct LoadResult
   Moments whole(const std::size_t q) const;
 };
 
-/** The phases as LocalFields needs them. */
+/** Phases in the form that LocalFields needs. */
 template <int dim>
 std::vector<LoadedPhase<dim>>
 loaded_phases(const std::vector<PhaseParameters> &parameters);
@@ -77,9 +78,9 @@ loaded_phases(const std::vector<PhaseParameters> &parameters);
 std::string load_group(const std::string &load, const BoundaryCondition condition);
 
 /**
- * Superposes the unit load cases that @p cells were solved for, whose response is @p
- * response, to all @p loads; writes their fields into @p file unless that is empty.
- * Collective; statistics are those of rank 0.
+ * Superposes the unit load cases of @p cells, whose response is @p response, to all
+ * @p loads. Writes the fields into @p file unless the name is empty. Collective;
+ * statistics are valid on rank 0.
  */
 template <int dim>
 std::vector<LoadResult<dim>> evaluate_loads(const LoadParameters &loads,

@@ -11,14 +11,15 @@
 
 namespace mesoslip
 {
-/** The local quantities of a run. */
+/** Local quantities of a run. */
 template <int dim>
 LocalFields<dim> fields_of(const RveParameters &parameters)
 {
   return LocalFields<dim>(loaded_phases<dim>(parameters.microstructure.phases));
 }
 
-/** Statistics of a quantity in a phase, or in the whole volume (phase: their number). */
+/** Statistics of a quantity in a phase. @p phase equal to the number of phases: the whole
+ * volume. */
 template <int dim>
 Moments
 moments_in(const LoadResult<dim> &result, const std::size_t phase, const std::size_t q)
@@ -27,7 +28,7 @@ moments_in(const LoadResult<dim> &result, const std::size_t phase, const std::si
                                       : result.whole(q);
 }
 
-/** What stands for the whole volume among the names of phases. */
+/** Name of the whole volume in lists of phase names. */
 inline constexpr char whole_volume[] = "all";
 
 /** Names of the phases and of the whole volume. */

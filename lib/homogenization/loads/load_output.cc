@@ -18,11 +18,11 @@ namespace mesoslip
 {
 namespace
 {
-/** The number of components of Voigt order that is stress; those before are strains. */
+/** Index of the first stress quantity; strains come before. */
 template <int dim>
 constexpr std::size_t n_strains = n_voigt<dim>;
 
-/** All fields of the file: those of each load and condition. */
+/** Fields of loads.h5 for every load and condition. */
 template <int dim>
 std::vector<LoadField> load_fields(const RveParameters &parameters)
 {
@@ -96,7 +96,7 @@ void write_file(const RveParameters &parameters,
   write_loads_file(context.file("loads.h5"), content);
 }
 
-/** A text for each axis of a place, empty where there is none. */
+/** Appends a text for each axis of a place, or empty texts. */
 template <int dim>
 void append_place(std::vector<std::string> &row, const std::array<double, 3> &place)
 {
@@ -198,7 +198,7 @@ double bytes_of_loads(const RveParameters &parameters, const double n_cells)
 
 namespace
 {
-/** Whether shears that MUBC leave coupled make up such an @p error. */
+/** Whether the shears that MUBC leave coupled explain an @p error. */
 template <int dim>
 bool is_coupled(const EnsembleMember<dim> &member,
                 const BoundaryCondition condition,

@@ -15,15 +15,15 @@ namespace
 {
 constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
 
-/** Names of the components in 2D or 3D, from the number of them. */
+/** Name of a component in 2D or 3D, depending on the number @p n of components. */
 const char *component_name(const std::size_t component, const std::size_t n)
 {
   const bool in_plane =
-    n_voigt<2> == n; // in this order, as cppcheck stumbles over the other
+    n_voigt<2> == n; // operands in this order, as cppcheck misreads the opposite order
   return in_plane ? voigt_names<2>[component] : voigt_names<3>[component];
 }
 
-// All components are bound in 2D, too: what is typed of zz, yz, xz gets its own sentence.
+// Binds all six components in 2D, too: zz, yz or xz get an error message of their own.
 PrescribedLoad bind_load(Keys &keys, const std::string &name, const unsigned int dim)
 {
   const auto section = keys.section(name);

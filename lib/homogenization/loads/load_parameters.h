@@ -11,22 +11,21 @@ namespace mesoslip
 {
 class Keys;
 
-/** A load of section Loads: of each Voigt component either the macroscopic strain or the
- * macroscopic stress. */
+/** A macroscopic load of section Loads: strain or stress for each Voigt component. */
 struct PrescribedLoad
 {
-  std::string name; ///< of its subsection
+  std::string name; ///< name of its subsection
 
   /** Macroscopic strains (engineering shear) in Voigt order; NaN: the stress is given. */
   std::vector<double> strain;
 
-  /** Macroscopic stresses (Pa) in Voigt order; NaN: not typed, and 0 unless the strain is
-   * given. */
+  /** Macroscopic stresses (Pa) in Voigt order; NaN: not given, then 0 unless the strain
+   * is given. */
   std::vector<double> stress;
 
   double heating = 0.; ///< change of temperature (K)
 
-  /** Names of the components with neither, whose stress is taken as 0. */
+  /** Components with neither strain nor stress given; their stress is 0. */
   std::vector<std::string> assumed() const;
 };
 
@@ -35,24 +34,25 @@ struct LoadParameters
 {
   std::vector<PrescribedLoad> loads; ///< in the order of Names
 
-  /** Whose unit cases are superposed; empty: those of all that are solved. */
+  /** Conditions whose unit cases are superposed; empty: all solved conditions. */
   std::vector<BoundaryCondition> conditions;
 
   bool write_fields = true; ///< into loads.h5
 
-  unsigned int n_bins = 50; ///< of the histograms, 0: none
+  unsigned int n_bins = 50; ///< number of histogram bins, 0: no histograms
 
-  /** Pa, one for all phases or one a phase, empty: none. */
+  /** Von Mises limit (Pa): one value, or one per phase; empty: no limit. */
   std::vector<double> von_mises_limit;
 
-  /** Of the largest principal stress (Pa), likewise. */
+  /** Limit of the largest principal stress (Pa): one value, or one per phase; empty: no
+   * limit. */
   std::vector<double> principal_limit;
 
   /** Binds the section for a body of dimension @p dim. @throws UserError naming the key */
   void bind(Keys &keys, const unsigned int dim);
 
-  /** @throws UserError naming the key unless this suits the conditions that are @p solved
-   * and the phases */
+  /** @throws UserError naming the key unless the loads suit the @p solved conditions and
+   * the phases */
   void check(const std::vector<BoundaryCondition> &solved,
              const std::vector<PhaseParameters> &phases) const;
 

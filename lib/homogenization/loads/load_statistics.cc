@@ -7,10 +7,11 @@ namespace mesoslip
 {
 namespace
 {
-/** Values that differ by less are alike but for the solver's error. */
+/** Values closer than this are equal up to the solver's error. */
 constexpr double rounding_of_solver = 1e-6;
 
-/** Keeps the more extreme of two values, @p sign telling which that is, and its place. */
+/** Keeps the more extreme of two values and its place; @p sign selects minimum or
+ * maximum. */
 void keep_extreme(double &value,
                   std::array<double, 3> &place,
                   const double other,

@@ -14,18 +14,18 @@ struct Moments
   double volume  = 0.; ///< in any unit
   double mean    = 0.; ///< in the unit of the quantity
   double squares = 0.; ///< integral of (value - mean)^2
-  double minimum = 0.; ///< of the cells
-  double maximum = 0.; ///< of the cells
+  double minimum = 0.; ///< smallest cell value
+  double maximum = 0.; ///< largest cell value
 
-  std::array<double, 3> minimum_at = {}; ///< centre of that cell (m)
-  std::array<double, 3> maximum_at = {}; ///< centre of that cell (m)
+  std::array<double, 3> minimum_at = {}; ///< centre of the cell of the minimum (m)
+  std::array<double, 3> maximum_at = {}; ///< centre of the cell of the maximum (m)
 
-  /** Takes in what @p other has seen (Chan et al. 1983). Of places whose values agree to
-   * 1e-6 the one with the least x, then y, then z is kept, so that it does not hang on the
-   * last digits. */
+  /** Merges the statistics of @p other (Chan et al. 1983). Among extremes that agree to
+   * 1e-6 the place with the least x, then y, then z is kept, so round-off does not
+   * decide. */
   void add(const Moments &other);
 
-  /** Root of the mean squared distance from the mean. */
+  /** Root mean square deviation from the mean. */
   double standard_deviation() const;
 
   /** Saves or restores all members, for boost::serialization. */
@@ -36,17 +36,17 @@ struct Moments
   }
 };
 
-/** A cell alone: its value, its volume and its centre (m). */
+/** Statistics of a single cell: value, volume and centre (m). */
 Moments moments_of_cell(const double value,
                         const double volume,
                         const std::array<double, 3> &centre);
 
-/** Equal intervals from the least to the largest value of a quantity; around a value that
- * is the same everywhere to 1e-6 they reach 1e-6 of it to both sides. */
+/** Equal intervals from the least to the largest value of a quantity. If the value is the
+ * same everywhere to 1e-6, the intervals reach 1e-6 of it to both sides. */
 class Bins
 {
 public:
-  /** @p n of them for what @p moments have seen. */
+  /** @p n bins over the range of @p moments. */
   Bins(const Moments &moments, const unsigned int n);
 
   /** The interval of a value; the last one includes its end. */

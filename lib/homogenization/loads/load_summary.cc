@@ -22,7 +22,7 @@ json by_component(const VoigtVector<dim> &vector)
   return object;
 }
 
-/** What the .prm says of a load, and what is assumed. */
+/** The load as given in the .prm, and the components assumed to be zero. */
 template <int dim>
 json prescribed_json(const PrescribedLoad &load)
 {
@@ -68,7 +68,7 @@ json part_json(const LoadResult<dim> &result,
   return object;
 }
 
-/** Shares of the volumes beyond the limits, of each phase; null without a limit. */
+/** Volume shares beyond the limits, by phase; null without a limit. */
 template <int dim>
 json beyond_json(const LoadParameters &loads,
                  const LoadResult<dim> &result,
@@ -153,7 +153,7 @@ std::string state_line(const std::string &what, const json &state, const double 
   for (const char *component : voigt_names<dim>)
     {
       const double value = state[component].get<double>();
-      // What is round-off beside the others is 0.
+      // Round-off relative to the largest component is printed as 0.
       line << "  " << component << " " << std::setw(10)
            << (std::fabs(value) > 1e-12 * largest ? value / unit : 0.);
     }

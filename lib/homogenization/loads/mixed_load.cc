@@ -23,7 +23,7 @@ MacroscopicState<dim> solve_mixed_load(const VoigtMatrix<dim> &stiffness,
         unknown.push_back(k);
       state.stress[k] = std::isnan(load.stress[place]) ? 0. : load.stress[place];
     }
-  // In the scale of the diagonal, as moduli may differ by many orders of magnitude.
+  // Scaled by the diagonal, as moduli may differ by many orders of magnitude.
   const auto n = static_cast<Eigen::Index>(unknown.size());
   Eigen::MatrixXd A(n, n);
   Eigen::VectorXd b(n);

@@ -6,7 +6,7 @@
 
 namespace mesoslip
 {
-/** Macroscopic strain E and stress S = D E - beta T of a volume that is T warmer. */
+/** Macroscopic strain E and stress S = D E - beta T at a temperature change T. */
 template <int dim>
 struct MacroscopicState
 {
@@ -14,15 +14,16 @@ struct MacroscopicState
   VoigtVector<dim> stress = VoigtVector<dim>::Zero(); ///< Pa
 };
 
-/** Macroscopic strains (SUBC: stresses) in Voigt order and, last, the change of temperature (K): what the unit load
- * cases are multiplied with. */
+/** Factors of the unit load cases: macroscopic strains (SUBC: stresses) in Voigt order,
+ * then the change of temperature (K). */
 template <int dim>
 using LoadAmplitudes = Eigen::Matrix<double, n_voigt<dim> + 1, 1>;
 
 /**
- * The state under @p load of a volume with the @p stiffness D (Pa) and the @p thermal_stress beta (Pa/K). With the components P of
- * which the strain is given and Q of which the stress is,
- * D_QQ E_Q = S_Q + beta_Q T - D_QP E_P, and S_P = D_PP E_P + D_PQ E_Q - beta_P T.
+ * The state under @p load of a volume with the @p stiffness D (Pa) and the
+ * @p thermal_stress beta (Pa/K). Strain is given for the components P, stress for the
+ * components Q: D_QQ E_Q = S_Q + beta_Q T - D_QP E_P, and S_P = D_PP E_P + D_PQ E_Q -
+ * beta_P T.
  */
 template <int dim>
 MacroscopicState<dim> solve_mixed_load(const VoigtMatrix<dim> &stiffness,

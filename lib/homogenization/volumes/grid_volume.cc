@@ -18,7 +18,7 @@ void evaluate(const ElasticBody<2> &body,
       body.evaluate(solutions.field(k), group, cells[k]);
 }
 
-/** Strains of cell number @p i of those that were evaluated. */
+/** Strains of cell @p i in the evaluated @p cells. */
 UnitStrains<2> strains(const std::array<ElasticBody<2>::Cells, 4> &cells,
                        const std::size_t i)
 {
@@ -29,8 +29,8 @@ UnitStrains<2> strains(const std::array<ElasticBody<2>::Cells, 4> &cells,
   return result;
 }
 
-/** Node at column @p i and row @p j of a grid of @p cells in the fields of @p body: rows of the grid, or one row of
- * all points. */
+/** Node at column @p i and row @p j of a grid of @p cells in the fields of @p body: rows
+ * of the grid, or one row of all points. */
 NodeIndex node_at(const ElasticBody<2> &body,
                   const std::array<unsigned int, 2> &cells,
                   const unsigned int i,
@@ -40,7 +40,8 @@ NodeIndex node_at(const ElasticBody<2> &body,
   return {n % body.n_columns(), n / body.n_columns()};
 }
 
-/** Nodal forces (N/m) of one kelvin, of the thermal stress of the cells; empty where nothing expands. */
+/** Nodal forces (N/m) of the thermal stress of the cells for one kelvin; empty without
+ * thermal expansion. */
 NodalField<double> forces_of_heat(const ElasticBody<2> &body,
                                   const UniformMaterial &material)
 {
@@ -64,7 +65,7 @@ NodalField<double> forces_of_heat(const ElasticBody<2> &body,
   return force;
 }
 
-/** Integrals of the strain in the phases; their unit of volume is that of a mean cell. */
+/** Strain integrals of the phases; the unit of volume is a mean cell. */
 std::vector<PhaseSums<2>> sum_over_cells(const ElasticBody<2> &body,
                                          const LoadCaseSolutions &solutions)
 {

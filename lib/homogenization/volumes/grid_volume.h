@@ -10,19 +10,20 @@
 
 namespace mesoslip
 {
-/** What the @p solutions on @p body sum up to, on the rank that holds them; collective on a distributed
- * body. Volumes are in that of a mean cell. */
+/** Volume sums of the @p solutions on @p body, on the rank that holds them; collective on
+ * a distributed body. The unit of volume is a mean cell. */
 VolumeSums<2> sum_up(const ElasticBody<2> &body, const LoadCaseSolutions &solutions);
 
 /**
- * A volume element on a plane grid which each rank has as a whole: the ranks deal the load cases out among
- * themselves (with ml they divide each), and rank 0 has all results.
+ * A volume element on a plane grid, replicated on all ranks. The ranks share the load
+ * cases (with ml they solve each case together); rank 0 has all results.
  */
 class GridVolume : public VolumeElement<2>
 {
 public:
-  /** Solves the load cases of all @p conditions, which @p solver solves on @p the_grid, whose cells are
-   * made of @p the_material. @p timer gets a section for each condition. Collective. @throws NotConverged */
+  /** Solves the load cases of all @p conditions by @p solver on @p the_grid with
+   * @p the_material. @p timer gets a section for each condition. Collective.
+   * @throws NotConverged */
   GridVolume(const UniformGrid<2> &the_grid,
              const UniformMaterial &the_material,
              const StaticSolverKind solver,
@@ -32,7 +33,8 @@ public:
              const std::function<void()> &case_done,
              Timer *timer);
 
-  /** What was solved under @p condition, which is given up when the next one is asked for. */
+  /** Sums of the load cases of @p condition; frees the solutions of the condition
+   * before. */
   VolumeSums<2> solve(const BoundaryCondition condition,
                       const double tolerance,
                       const std::function<void()> &case_done = {}) override;
@@ -58,7 +60,7 @@ private:
   const bool is_root;
   std::unique_ptr<ElasticBody<2>> body;
   std::vector<LoadCaseSolutions> solutions;
-  std::size_t current = 0; ///< number of the one that was asked for last
+  std::size_t current = 0; ///< index in `solutions` of the current condition
 };
 } // namespace mesoslip
 

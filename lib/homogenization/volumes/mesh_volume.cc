@@ -19,7 +19,8 @@ namespace mesoslip
 {
 namespace
 {
-/** On rank 0 the points at which supports stop rigid motions, and their components. */
+/** Points (on rank 0) and components of the minimal Dirichlet supports against rigid
+ * motions. */
 template <int dim>
 std::vector<std::array<unsigned int, 2>> supported(const Mesh<dim> &mesh)
 {
@@ -46,7 +47,7 @@ std::vector<std::array<unsigned int, 2>> supported(const Mesh<dim> &mesh)
   return result;
 }
 
-/** The degrees of freedom of one cell after the other: component, and where its node is. */
+/** Iterates over the degrees of freedom of cells: component and node position. */
 template <int dim>
 class NodesOfCells
 {
@@ -59,7 +60,8 @@ public:
   {
   }
 
-  /** Calls action(degree of freedom, component, point) for those of @p cell. */
+  /** Calls action(degree of freedom, component, point) for the degrees of freedom of
+   * @p cell. */
   template <typename Cell, typename Action>
   void visit(const Cell &cell, const Action &action)
   {
@@ -128,7 +130,7 @@ MeshVolume<dim>::MeshVolume(const Mesh<dim> &given,
     supports.push_back(at[dim * k + held[k][1]]);
 }
 
-// The faces of a box lie on its sides, each on the one that is nearest.
+// Faces of a box lie on its sides: each face is assigned to the nearest side.
 template <int dim>
 void MeshVolume<dim>::find_sides(const Mesh<dim> &given)
 {
@@ -173,7 +175,7 @@ void MeshVolume<dim>::find_sides(const Mesh<dim> &given)
       std::vector<OnSide> mine;
       for (const auto &[dof, here] : own[side])
         mine.push_back(here);
-      std::map<Index, OnSide> all; // those between two ranks are with both
+      std::map<Index, OnSide> all; // dofs between two ranks are with both
       for (const std::vector<OnSide> &of_rank : mpi::all_gather(mine, communicator()))
         for (const OnSide &here : of_rank)
           all.emplace(here.dof, here);
@@ -187,7 +189,7 @@ void MeshVolume<dim>::find_duplicates(const double tolerance)
 {
   for (unsigned int axis = 0; axis < dim; ++axis)
     {
-      // In the order of a coordinate along the side.
+      // Sorts by the coordinate along the side.
       const unsigned int along  = axis == 0 ? 1 : 0;
       std::vector<OnSide> lower = sides[2 * axis];
       const auto before         = [along](const OnSide &a, const double x) {
@@ -231,7 +233,7 @@ void MeshVolume<dim>::set_constraints(const unsigned int k)
         throw UserError(not_periodic);
       tie_duplicates(duplicates, mesh.dofs().locally_owned_dofs(), mesh.relevant(),
                      constraints);
-      // One point holds the fluctuation; it has no duplicate itself.
+      // Fixes the fluctuation at one point, which is not a periodic copy.
       fixed.assign(supports.begin(), supports.begin() + dim);
     }
   else if (condition == BoundaryCondition::SUBC)
@@ -261,7 +263,7 @@ std::vector<typename MeshVolume<dim>::Vector> MeshVolume<dim>::rigid_motions() c
         if (!owned.is_element(dof) || constraints.is_constrained(dof))
           return;
         motions[c](dof) = 1.;
-        // In the plane of the axes c and d one of the two components turns back.
+        // Rotation in the plane of the axes c and d: one component has a minus sign.
         for (unsigned int d = 0; d < dim; ++d)
           if (d != c)
             motions[voigt_index<dim>(c, d)](dof) = (c < d ? -1. : 1.) * at[d] / size;
@@ -274,7 +276,7 @@ std::vector<typename MeshVolume<dim>::Vector> MeshVolume<dim>::rigid_motions() c
 template <int dim>
 SolverReport MeshVolume<dim>::solve_case(const unsigned int k, const double tolerance)
 {
-  // What is left of the forces of a homogeneous volume is round-off.
+  // Forces of a homogeneous volume cancel to round-off.
   constexpr double cancelled    = 1e-12;
   const dealii::IndexSet &owned = mesh.dofs().locally_owned_dofs();
   const double reference        = loads[k].l2_norm();

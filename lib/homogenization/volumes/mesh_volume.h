@@ -17,9 +17,9 @@
 namespace mesoslip
 {
 /**
- * A volume element on a mesh: a box, divided among the ranks by METIS, with the load
- * cases of KUBC, SUBC, PBC and MUBC solved by conjugate gradients with ML. All ranks hold a
- * part of the mesh and of the fields.
+ * A volume element on a mesh of a box, partitioned among the ranks by METIS. Load cases
+ * of KUBC, SUBC, PBC and MUBC are solved by conjugate gradients with ML. Every rank
+ * holds its part of the mesh and of the fields.
  */
 template <int dim>
 class MeshVolume : public VolumeElement<dim>
@@ -29,9 +29,9 @@ public:
   using typename VolumeElement<dim>::Sample;
   using typename VolumeElement<dim>::Values;
 
-  /** @p given is the mesh of rank 0; @p the_phases (stiffness in Pa) are those of its
-   * cells, on which displacements have the @p degree 1 or 2. Collective. @throws UserError if the body is no
-   * box */
+  /** @p given is the mesh on rank 0, @p the_phases are the phases of its cells (stiffness
+   * in Pa), @p degree (1 or 2) is the polynomial degree of displacements. Collective.
+   * @throws UserError if the body is not a box */
   MeshVolume(const Mesh<dim> &given,
              const std::vector<ElasticPhase<dim>> &the_phases,
              const MPI_Comm communicator,
@@ -67,11 +67,12 @@ private:
   SolverReport solve_case(const unsigned int k, const double tolerance);
   VolumeSums<dim> integrate() const;
 
-  /** Calls action(number in the mesh, cell) with each cell of this rank. */
+  /** Calls action(number in the mesh, cell) for each locally owned cell. */
   void for_each_cell(
     const std::function<void(const std::uint64_t, const LocalCell<dim> &)> &action) const;
 
-  /** Calls visit(cell, strains, JxW) at each quadrature point of the cells of this rank. */
+  /** Calls visit(cell, strains, JxW) at each quadrature point of the locally owned
+   * cells. */
   template <typename Visit>
   void for_each_point(const Visit &visit) const;
 
@@ -80,29 +81,29 @@ private:
   {
     Index dof;
     unsigned int component;
-    std::array<double, dim> at; ///< where its node is (m)
+    std::array<double, dim> at; ///< support point of the degree of freedom (m)
   };
 
   const std::vector<ElasticPhase<dim>> phases;
   DistributedMesh<dim> mesh;
-  std::array<std::vector<OnSide>, 2UL * dim> sides; ///< on all ranks
-  std::vector<Index> supports;                      ///< just enough against rigid motions
+  std::array<std::vector<OnSide>, 2UL * dim> sides; ///< same on all ranks
+  std::vector<Index> supports;                      ///< statically determinate
 
-  /** Degrees of freedom of upper sides and opposite ones of lower sides, axis after axis; or why
-   * there are none. */
+  /** Pairs (dof of an upper side, opposite dof of the lower side), axis by axis; if there
+   * are none, not_periodic says why. */
   std::vector<std::array<Index, 2>> duplicates;
   std::string not_periodic;
 
   dealii::AffineConstraints<double> constraints;
   const bool is_apart; ///< whether a phase has mean dilatation
   DistributedMatrix matrix,
-    gentle; ///< the second one of phase_to_precondition(), if that is another one
+    gentle; ///< matrix with phase_to_precondition(), if it differs from `matrix`
   AlgebraicMultigrid preconditioner;
   std::vector<Vector> loads;
-  std::vector<double> gross_loads; ///< norms of the loads before they cancel
+  std::vector<double> gross_loads; ///< norms of the load vectors before terms cancel
 
   BoundaryCondition condition = BoundaryCondition::KUBC; ///< solved last
-  std::vector<Vector> solutions; ///< with the values that cells of this rank need
+  std::vector<Vector> solutions;                         ///< with ghost values
 };
 } // namespace mesoslip
 

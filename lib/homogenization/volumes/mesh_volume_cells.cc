@@ -9,16 +9,16 @@
 
 namespace mesoslip
 {
-// The unknown of KUBC and PBC is the fluctuation: its forces are those of the
-// heterogeneity, which the tolerance refers to.
+// The unknown of KUBC and PBC is the fluctuation. The tolerance refers to its forces,
+// which the heterogeneity causes.
 template <int dim>
 void MeshVolume<dim>::assemble()
 {
   using namespace dealii;
   const IndexSet &owned = mesh.dofs().locally_owned_dofs();
   CondensedCells cells(constraints);
-  // MUBC hold some components of a point and leave others free: ML wants all of them in the
-  // columns of other ranks.
+  // MUBC constrain some components of a point and leave the rest free: ML needs all
+  // components of a point in the columns of other ranks.
   cells.reinit(matrix, mesh, condition == BoundaryCondition::MUBC);
   if (is_apart)
     cells.reinit(gentle, mesh, condition == BoundaryCondition::MUBC);
@@ -66,7 +66,7 @@ void MeshVolume<dim>::for_each_point(const Visit &visit) const
 {
   UnitStrains<dim> applied = UnitStrains<dim>::Zero();
   if (condition != BoundaryCondition::SUBC)
-    applied.setIdentity(); // 0 of heat
+    applied.setIdentity(); // 0 for heat
   Eigen::MatrixXd u;
   mesoslip::for_each_cell(
     mesh, [&](const auto &cell, const auto &values, const auto &indices) {
@@ -153,7 +153,7 @@ void MeshVolume<dim>::for_each_sample(const Sample &visit) const
   });
 }
 
-// Each rank writes a block of cells of the order of the mesh.
+// Each rank writes a contiguous block of cells, in the order of the mesh.
 template <int dim>
 void MeshVolume<dim>::write(const std::string &path,
                             const std::vector<CellDataset> &datasets,

@@ -8,12 +8,14 @@
 namespace mesoslip
 {
 /**
- * The strains of a rectangle or brick whose displacements are linear along each of its axes:
+ * The strains of a rectangle or brick whose displacements are linear along each of its
+ * axes:
  *
  *     u = sum over sets s of axes of a_s prod_{d in s} xi_d,  -1 <= xi_d <= 1,
  *
- * a set being a number with a bit for each axis. The derivative along axis d has 2 / h_d a_{s + d} in the
- * product of s, products are orthogonal, and the mean square of one is 3^-|s|.
+ * a set being a number with a bit for each axis. The derivative along axis d has 2 / h_d
+ * a_{s + d} in the product of s, products are orthogonal, and the mean square of one is
+ * 3^-|s|.
  */
 template <int dim>
 class StrainModes
@@ -22,23 +24,24 @@ public:
   /** A number for each column of UnitStrains. */
   using Loads = Eigen::Matrix<double, n_voigt<dim> + 1, 1>;
 
-  /** Of a cell with these edges (m). */
+  /** Strain modes of a cell with these edges (m). */
   explicit StrainModes(const std::array<double, dim> &edges)
     : edges(edges)
   {
   }
 
-  /** Component @p c of the displacement (m) of a corner, a bit for each axis of which it is at the upper end,
-   * under all load cases. */
+  /** Component @p c of the displacement (m) of a corner under all load cases; bit d of
+   * @p corner is set at the upper end of axis d. */
   Loads &displacement(const unsigned int corner, const unsigned int c)
   {
     return u[corner][c];
   }
 
   /**
-   * Calls visit(volume, strain of all load cases, one a column) with the mean and the other parts of the strain
-   * in a cell of @p volume, each with the volume times its mean square. With @p mean_dilatation the others keep
-   * the volume. @p applied is added to the mean.
+   * Calls visit(volume, strain of all load cases, one a column) for the mean strain and
+   * each further mode of a cell of @p volume; the volume passed is multiplied by the
+   * mean square of the mode. With @p mean_dilatation the further modes are made
+   * deviatoric. @p applied is added to the mean.
    */
   template <typename Visit>
   void visit(const bool mean_dilatation,
@@ -75,7 +78,7 @@ public:
 private:
   static constexpr unsigned int n_corners = 1U << dim;
 
-  /** From the displacements of corners to the factors a. */
+  /** Transforms corner displacements to the factors a. */
   void transform()
   {
     for (unsigned int d = 0; d < dim; ++d)

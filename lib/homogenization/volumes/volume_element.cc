@@ -9,7 +9,8 @@ namespace mesoslip
 {
 namespace
 {
-/** Of the @p values of consecutive cells, @p n numbers each, those of a dataset. */
+/** Extracts the numbers of @p dataset from @p values of consecutive cells, @p n numbers
+ * per cell. */
 std::vector<double> values_of(const CellDataset &dataset,
                               const std::vector<double> &values,
                               const std::size_t n)
@@ -51,7 +52,7 @@ void write_rows_of_cells(const VolumeElement<dim> &volume,
     if (row.size() == n * cells_in_row)
       write(next++);
   });
-  // All ranks write together, those with fewer rows nothing at last.
+  // Collective writes: ranks with fewer rows write nothing at the end.
   for (unsigned int k = rows.count; k < most; ++k)
     write(0);
 }

@@ -35,15 +35,15 @@ voxel::HeldOnSides held_components(const BoundaryCondition condition,
   return held;
 }
 
-/** Place of component @p m (xx, yy, xy in 2D) in the Voigt order of space, where the y of a plane is
- * called z. */
+/** Voigt index in 3D of component @p m (xx, yy, xy in 2D); y of a plane is z in the
+ * solver. */
 template <int dim>
 constexpr unsigned int place(const unsigned int m)
 {
   return dim == 2 ? 2 * m : m;
 }
 
-/** Place of a load case (Voigt and, last, heat) in the solver. */
+/** Index of a load case (Voigt and, last, heat) in the solver. */
 template <int dim>
 constexpr unsigned int place_of_case(const unsigned int k)
 {
@@ -63,7 +63,7 @@ UnitStrains<dim> in_plane(const UnitStrains<3> &space)
   return result;
 }
 
-/** The same matrix in space; what is not in the plane is zero. */
+/** The same matrix in 3D; out-of-plane entries are zero. */
 template <int dim>
 VoigtMatrix<3> in_space(const VoigtMatrix<dim> &matrix)
 {
@@ -86,7 +86,7 @@ VoigtMatrix<dim> in_plane(const VoigtMatrix<3> &space)
 }
 } // namespace
 
-// How thick it is does not matter.
+// The thickness is arbitrary.
 UniformGrid<3> in_space(const UniformGrid<2> &grid)
 {
   return {{{grid.cells[0], 1, grid.cells[1]}},
@@ -153,8 +153,8 @@ VolumeSums<dim> VoxelVolume<dim>::integrate() const
       mean += strains.sum.leftCols<6>();
     }
   mean /= sums.volume;
-  // Of stresses the solver gives the complementary energy, twice the work of the tractions
-  // less the elastic energy.
+  // Under prescribed stresses the solver gives the complementary energy: twice the work
+  // of the tractions minus the elastic energy.
   VoigtMatrix<3> energy = solver->effective_stiffness();
   if (condition == BoundaryCondition::SUBC)
     energy = mean + mean.transpose() - inverse<3>(energy);
@@ -212,7 +212,7 @@ void VoxelVolume<dim>::for_each_sample(const Sample &visit) const
   StrainModes<dim> modes(spacing);
   UnitStrains<dim> applied = UnitStrains<dim>::Zero();
   if (condition != BoundaryCondition::SUBC)
-    applied.setIdentity(); // 0 of heat
+    applied.setIdentity(); // 0 for heat
   voxel::Solver::NodesOfRow row;
   for (unsigned int k = 0; k < planes().count; ++k)
     for (unsigned int j = 0; j < cells.grid.cells[1]; ++j)
@@ -223,7 +223,7 @@ void VoxelVolume<dim>::for_each_sample(const Sample &visit) const
             for (unsigned int corner = 0; corner < 1U << dim; ++corner)
               for (unsigned int c = 0; c < dim; ++c)
                 for (unsigned int load = 0; load <= n_voigt<dim>; ++load)
-                  // In 2D the second bit is that of z.
+                  // In 2D the second bit is the z bit.
                   modes.displacement(corner, c)[load] = row.displacement(
                     place_of_case<dim>(load), c, dim == 2 ? corner & 2U : corner >> 1,
                     i + corner % 2);
@@ -254,7 +254,7 @@ template class VoxelVolume<3>;
 
 double copies_on_this_machine(const unsigned int n_cells)
 {
-  // KUBC have the fewest planes of nodes that are unknowns.
+  // KUBC have the fewest planes of unknown nodes.
   const auto n_ranks = mpi::n_mpi_processes(MPI_COMM_WORLD);
   return n_ranks == 1 || voxel::is_divided_among(n_cells - 1, n_ranks)
            ? share_of_this_machine()

@@ -11,12 +11,12 @@
 
 namespace mesoslip
 {
-/** A plane grid as a box one cell thick, whose z is the y of the plane. */
+/** The plane grid as a box one cell thick; z of the box is y of the plane. */
 UniformGrid<3> in_space(const UniformGrid<2> &grid);
 
 /**
- * A volume element of voxels whose planes across z, or of a plane grid whose rows the ranks divide among
- * themselves: cells are trilinear bricks, solved by voxel::Solver, in 2D by its flat case.
+ * A volume element of voxels, or of a plane grid, of trilinear bricks. The ranks divide
+ * the planes across z (2D: the rows). Solved by voxel::Solver, in 2D by its flat case.
  */
 template <int dim>
 class VoxelVolume : public VolumeElement<dim>
@@ -26,11 +26,11 @@ public:
   using typename VolumeElement<dim>::Sample;
   using typename VolumeElement<dim>::Values;
 
-  /** Most phases of a plane grid. */
+  /** Largest number of phases of a plane grid. */
   static constexpr std::size_t most_phases = 255;
 
-  /** @p the_cells, whose numbers have to outlive it, lie on @p the_grid (in 2D in_space()) and are made of
-   * @p the_phases (stiffness in Pa). */
+  /** @p the_cells, which must outlive this object, lie on @p the_grid (in 2D in_space())
+   * and consist of @p the_phases (stiffness in Pa). */
   VoxelVolume(const UniformGrid<dim> &the_grid,
               const CellPlanes &the_cells,
               const std::vector<ElasticPhase<dim>> &the_phases);
@@ -53,18 +53,20 @@ public:
 private:
   VolumeSums<dim> integrate() const;
 
-  /** The planes of cells of this rank; what every rank has (see voxel::Solver) counts as rank 0's. */
+  /** Locally owned planes of cells. A replicated volume (see voxel::Solver) belongs to
+   * rank 0. */
   PlaneRange planes() const;
 
   const UniformGrid<dim> grid;
   const CellPlanes cells;
-  std::vector<ElasticPhase<3>> phases;                   ///< in space
+  std::vector<ElasticPhase<3>> phases;                   ///< as 3D phases
   BoundaryCondition condition = BoundaryCondition::KUBC; ///< solved last
-  std::unique_ptr<voxel::Solver> solver;                 ///< of it
+  std::unique_ptr<voxel::Solver> solver;                 ///< solver of `condition`
 };
 
-/** How often the ranks of this machine hold a volume of so many cells along its last axis:
- *  their share of it or, if that is too few to divide them, each of them all. Collective. */
+/** Number of copies of a volume with @p n_cells along its last axis that the ranks of
+ * this machine hold: their share of one volume, or one copy per rank if the volume is
+ * too small to divide. Collective. */
 double copies_on_this_machine(const unsigned int n_cells);
 } // namespace mesoslip
 

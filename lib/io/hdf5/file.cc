@@ -15,7 +15,7 @@
 #include <sstream>
 #include <unistd.h>
 
-// The library's functions, inlined: nothing has to be linked.
+// Inlines the library's functions, so that no library has to be linked.
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
@@ -23,28 +23,29 @@ namespace mesoslip
 {
 namespace
 {
-/** The first line of a file whose parts do not fit together for the moment. */
+/** First line of a file that is temporarily inconsistent. */
 constexpr char unfinished[] = "unfinished";
 constexpr char flushed[]    = "flushed";
 
-/** From then on nothing is closed any more: the library (1.10) crashes when it closes a
+/** Once true, no file is closed any more: the library (1.10) crashes when it closes a
  * file that it cannot write to, also in its own exit handlers. */
 std::atomic<bool> writing_failed{false};
 
-/** For opening a file, all of which is closed with it; silences the library, as our
- *  messages replace its own. */
+/** File access properties: closing a file closes all its objects. Also silences the
+ * library, as our messages replace its own. */
 Hdf5Handle access_properties()
 {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS));
   H5Pset_fclose_degree(access, H5F_CLOSE_STRONG);
-  // The oldest layout that holds what is written, which HDF5 2 no longer takes by itself: all
+  // The oldest layout for the content, which HDF5 2 no longer selects by default: all
   // releases read it, and groups have no times, so that equal results are equal files.
   H5Pset_libver_bounds(access, H5F_LIBVER_EARLIEST, H5F_LIBVER_LATEST);
   return access;
 }
 
-/** Versions 5 to 7 begin with these letters; version 7.3 is HDF5 behind them. */
+/** MATLAB files of versions 5 to 7 begin with these letters; version 7.3 is HDF5 after
+ * this header. */
 bool starts_with_matlab(const std::string &path)
 {
   std::string start(6, ' ');
@@ -71,7 +72,7 @@ hid_t open_file(const std::string &path, const unsigned int mode)
 
 constexpr char method[] = "xxh3-128";
 
-/** The 32 digits of its canonical form. */
+/** The checksum as 32 hexadecimal digits (canonical form). */
 std::string hex(const XXH128_hash_t &hash)
 {
   char text[33];
@@ -79,12 +80,12 @@ std::string hex(const XXH128_hash_t &hash)
   return text;
 }
 
-/** Of all bytes after the line. */
+/** Checksum of all bytes after the line. */
 std::string checksum_of_rest(const std::string &path)
 {
   std::ifstream in(path, std::ios::binary);
   in.seekg(signature_bytes);
-  // A piece stays in the cache between the two who look at it.
+  // A piece stays in the cache between reading and checksum.
   std::vector<char> piece(1 << 18);
   XXH3_state_t state;
   XXH3_128bits_reset(&state);
@@ -173,7 +174,7 @@ Hdf5File::~Hdf5File()
       }
     catch (const std::exception &)
       {
-        // Left as <path>.part; whoever needs to know calls close().
+        // A failed file stays <path>.part; call close() to see errors.
       }
 }
 
@@ -301,7 +302,7 @@ bool Hdf5File::exists(const std::string &name) const
 {
   if (name == "/")
     return true;
-  // Every group on the way has to exist before the library may be asked for the next.
+  // A group has to exist before the library is asked for its members.
   for (std::size_t slash = 0; slash != std::string::npos;)
     {
       slash = name.find('/', slash + 1);

@@ -10,39 +10,43 @@
 #include <type_traits>
 #include <vector>
 
-// Only for the sources of Hdf5File: the HDF5 library's names stay here.
+// Internal to the sources of Hdf5File: keeps the names of the HDF5 library out of other
+// headers.
 namespace mesoslip
 {
-/** Bytes at the begin of a signed file that the line takes; a user block of HDF5. */
+/** Bytes at the beginning of a signed file reserved for the signature line; a user block
+ * of HDF5. */
 constexpr std::size_t signature_bytes = 512;
 
 /**
  * Writes "FORMAT xxh3-128 CHECKSUM" and a line feed into the first bytes of @p path,
- * which are free for it: the 128 bit XXH3 checksum of all bytes after signature_bytes, in
- * 32 hexadecimal digits. It tells accidents, no intent. @throws UserError if the file
- * cannot be read or written.
+ * which are reserved for it: the 128 bit XXH3 checksum of all bytes after
+ * signature_bytes, in 32 hexadecimal digits. It detects accidental changes only.
+ * @throws UserError if the file cannot be read or written.
  */
 void sign_file(const std::string &path, const std::string &format);
 
-/** Puts @p line in the place of the checksum for the time being. @throws UserError. */
+/** Writes @p line temporarily in place of the signature.
+ * @throws UserError. */
 void write_first_line(const std::string &path, const std::string &line);
 
-/** What write_first_line() or sign_file() wrote last; empty if none did. */
+/** The line last written by write_first_line() or sign_file(); empty if none was. */
 std::string first_line(const std::string &path);
 
-/** Compares a file with its line. @throws UserError if it cannot be read. */
+/** Compares a file with its signature.
+ * @throws UserError if it cannot be read. */
 Signature check_signature(const std::string &path);
 
 namespace hdf5
 {
-/** From now on Hdf5File::writing_has_failed(). */
+/** Makes Hdf5File::writing_has_failed() true from now on. */
 void note_failed_writing();
 
-/** What is wrong with other files that hold the numbers of @p dataset in the file @p path, as those
- * of virtual and external datasets are: HDF5 takes zeros for what is missing. Empty: nothing. */
+/** Describes missing or short files that hold the numbers of @p dataset of the file
+ * @p path (virtual and external datasets); HDF5 would read zeros. Empty: none. */
 std::string missing_numbers(const std::string &path, const hid_t dataset);
 
-/** The type of the numbers T in memory. */
+/** HDF5 type of the numbers T in memory. */
 template <typename T>
 hid_t native_type()
 {
@@ -58,13 +62,13 @@ hid_t native_type()
                             : H5T_NATIVE_UINT64;
 }
 
-/** Extents as the library wants them. */
+/** A shape as a vector of hsize_t. */
 inline std::vector<hsize_t> dims(const Shape &shape)
 {
   return std::vector<hsize_t>(shape.begin(), shape.end());
 }
 
-/** Number of values. */
+/** Number of values of a shape. */
 inline std::size_t product(const Shape &shape)
 {
   std::size_t n = 1;
@@ -81,8 +85,8 @@ inline Hdf5Handle make_space(const Shape &shape)
                                                      dims(shape).data(), nullptr));
 }
 
-/** The space of @p dataset with @p count values from @p offset along each axis selected.
- */
+/** The dataspace of @p dataset with a block selected: @p count values from @p offset
+ * along each axis. */
 inline Hdf5Handle
 select_block(const hid_t dataset, const Shape &offset, const Shape &count)
 {
@@ -92,7 +96,7 @@ select_block(const hid_t dataset, const Shape &offset, const Shape &count)
   return space;
 }
 
-/** "a value that is not finite, at position 3 of 7", or nothing if all are finite. */
+/** "a value that is not finite, at position 3 of 7", or empty if all are finite. */
 template <typename T>
 std::string not_finite(const T *values, const std::size_t n)
 {
@@ -119,13 +123,13 @@ constexpr std::size_t array_size = 0;
 template <typename T, std::size_t n>
 constexpr std::size_t array_size<std::array<T, n>> = n;
 
-/** What an object of a file is called in messages. */
+/** Name of a dataset in messages. */
 inline std::string dataset_text(const std::string &name)
 {
   return "the dataset " + name;
 }
 
-/** What an attribute is called in messages. */
+/** Name of an attribute in messages. */
 inline std::string attribute_text(const std::string &object, const std::string &name)
 {
   return "the attribute '" + name + "' of " + object;

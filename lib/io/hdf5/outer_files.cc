@@ -9,7 +9,8 @@ namespace
 {
 namespace fs = std::filesystem;
 
-/** Calls @p get(text, length) for the length and then for the text, as HDF5 returns names. */
+/** Gets a name by two calls of @p get(text, length): for the length, then for the text,
+ * as in HDF5. */
 template <typename Get>
 std::string name_from(const Get &get)
 {
@@ -21,7 +22,8 @@ std::string name_from(const Get &get)
   return name;
 }
 
-/** Where HDF5 finds the source @p name of a virtual dataset in the file @p path; empty: nowhere. */
+/** The file in which HDF5 finds the source @p name of a virtual dataset of @p path;
+ * empty: none. */
 std::string place_of_source(const std::string &name, const std::string &path)
 {
   if (name == ".")
@@ -37,7 +39,7 @@ std::string place_of_source(const std::string &name, const std::string &path)
 std::string
 unreadable_source(const std::string &path, const hid_t dataset, const int depth);
 
-/** What is wrong with source @p k of a virtual dataset. */
+/** Describes an unreadable source @p k of a virtual dataset; empty: it is readable. */
 std::string unreadable_mapping(const std::string &path,
                                const hid_t properties,
                                const std::size_t k,
@@ -49,7 +51,7 @@ std::string unreadable_mapping(const std::string &path,
   const std::string dataset = name_from([&](char *text, const std::size_t n) {
     return H5Pget_virtual_dsetname(properties, k, text, n);
   });
-  // Of a pattern of names as many count as there are; HDF5_VDS_PREFIX may lead anywhere.
+  // A pattern of names matches any number of files; HDF5_VDS_PREFIX may lead anywhere.
   if ((name + dataset).find('%') != std::string::npos ||
       std::getenv("HDF5_VDS_PREFIX") != nullptr)
     return "";
@@ -65,7 +67,8 @@ std::string unreadable_mapping(const std::string &path,
   return unreadable_source(place, source, depth + 1);
 }
 
-/** What is wrong with the plain files that hold the numbers of @p dataset. */
+/** Describes missing or short plain files that hold the numbers of @p dataset; empty:
+ * none. */
 std::string short_external_file(const hid_t properties, const hid_t dataset)
 {
   const Hdf5Handle type(H5Dget_type(dataset)), space(H5Dget_space(dataset));
@@ -97,7 +100,7 @@ std::string short_external_file(const hid_t properties, const hid_t dataset)
 std::string
 unreadable_source(const std::string &path, const hid_t dataset, const int depth)
 {
-  constexpr int deepest = 8; // sources that lead back to themselves
+  constexpr int deepest = 8; // limit for sources that refer to themselves
   const Hdf5Handle properties(H5Dget_create_plist(dataset));
   std::size_t n = 0;
   if (H5Pget_layout(properties) != H5D_VIRTUAL)

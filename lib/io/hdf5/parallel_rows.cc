@@ -12,7 +12,7 @@ namespace mesoslip
 {
 namespace
 {
-/** Whether something holds on all ranks. */
+/** Whether @p fine is true on all ranks. */
 bool on_all(const bool fine, const MPI_Comm communicator)
 {
   return mpi::min(fine ? 1U : 0U, communicator) > 0;
@@ -34,7 +34,7 @@ ParallelRows::ParallelRows(const std::string &path,
     !parallel || H5Pset_fapl_mpio(of_file, communicator, MPI_INFO_NULL) >= 0;
   file = Hdf5Handle(H5Fopen((path + ".part").c_str(), H5F_ACC_RDWR, of_file));
   require(fine && file.valid(), "cannot be opened by all processes");
-  // Straight to the disk, past the buffer for chunks.
+  // Writes bypass the chunk cache.
   H5Pset_chunk_cache(of_dataset, 0, 0, 0.);
   dataset = Hdf5Handle(H5Dopen2(file, name.c_str(), of_dataset));
   require(dataset.valid(), hdf5::dataset_text(name) + " cannot be opened");

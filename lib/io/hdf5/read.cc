@@ -17,7 +17,7 @@ bool same_shape(const Shape &shape, const Shape &expected)
     [](const std::size_t a, const std::size_t b) { return a == b || b == any_extent; });
 }
 
-/** Why a dataset cannot be read: a filter that this library does not have, or damage. */
+/** Reason why a dataset cannot be read: a missing filter, or damage. */
 std::string reading_failure(const hid_t object)
 {
   const bool is_dataset = H5Iget_type(object) == H5I_DATASET;
@@ -37,8 +37,7 @@ std::string reading_failure(const hid_t object)
     }
   return "cannot be read: the file is truncated or damaged";
 }
-/** Ends the conversion of a number that the type in memory cannot hold, which HDF5 would
- * replace by the nearest that it can. */
+/** Stops conversion of a number out of range of the memory type; HDF5 would clamp it. */
 H5T_conv_ret_t refuse(const H5T_conv_except_t what,
                       const hid_t /*from*/,
                       const hid_t /*to*/,
@@ -110,8 +109,8 @@ std::vector<T> Hdf5File::read_values(const Hdf5Handle &object,
     fail(text + " does not hold whole numbers");
 
   const std::size_t n = hdf5::product(shape);
-  // The space in memory is of the same rank as the selection: otherwise HDF5 maps every
-  // number by itself.
+  // The memory space has the rank of the selection: otherwise HDF5 maps each number
+  // separately.
   const Hdf5Handle memory = hdf5::make_space(shape);
   bool beyond             = false;
   const Hdf5Handle transfer(H5Pcreate(H5P_DATASET_XFER));

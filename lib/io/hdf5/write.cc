@@ -12,8 +12,9 @@ using hdf5::attribute_text, hdf5::dataset_text;
 namespace
 {
 /**
- * Values as the library takes them; texts become UTF-8 of the length of the longest,
- * filled up with zeros. @throws NumericalFailure for a number that is not finite.
+ * Values in the form of the library; texts become UTF-8 padded with zeros to the
+ * longest.
+ * @throws NumericalFailure for a number that is not finite.
  */
 struct Encoded
 {
@@ -49,7 +50,7 @@ struct Encoded
   std::string characters;
 };
 
-/** For links with the groups on the way. */
+/** Link properties that create intermediate groups. */
 Hdf5Handle link_properties()
 {
   Hdf5Handle links(H5Pcreate(H5P_LINK_CREATE));
@@ -57,7 +58,7 @@ Hdf5Handle link_properties()
   return links;
 }
 
-/** For datasets; without times, so that equal results are equal files. */
+/** Dataset properties without times, so that equal results are equal files. */
 Hdf5Handle creation_properties()
 {
   Hdf5Handle properties(H5Pcreate(H5P_DATASET_CREATE));
@@ -157,7 +158,7 @@ void Hdf5File::reserve_rows(const std::string &name,
     }
   Shape chunk = shape;
   chunk[0]    = std::max<std::size_t>(1, std::min(n_together, shape[0]));
-  // The library takes chunks below 4 GB.
+  // The library's limit for chunks is 4 GB.
   while (hdf5::product(chunk) > (std::size_t(1) << 28))
     chunk[1] = (chunk[1] + 1) / 2;
   std::vector<hsize_t> limits = hdf5::dims(shape);
@@ -184,7 +185,7 @@ void Hdf5File::write_row(const std::string &name,
 {
   const Encoded encoded(file_path + ": " + dataset_text(name), values.data(),
                         values.size());
-  // Straight to the disk, past the buffer for chunks.
+  // Writes bypass the chunk cache.
   const Hdf5Handle access(H5Pcreate(H5P_DATASET_ACCESS));
   H5Pset_chunk_cache(access, 0, 0, 0.);
   Hdf5Handle dataset(H5Dopen2(file, name.c_str(), access));

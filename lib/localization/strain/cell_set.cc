@@ -33,7 +33,7 @@ template <int dim>
 std::optional<std::array<unsigned int, dim>> cell_at(const UniformGrid<dim> &grid,
                                                      const dealii::Point<dim> &point)
 {
-  constexpr double reach = 0.25, on_face = 1e-9; // in diameters, as CellLocator
+  constexpr double reach = 0.25, on_face = 1e-9; // in cell diameters, as in CellLocator
   double squares = 0.;
   for (const double h : grid.spacing)
     squares += h * h;

@@ -16,14 +16,14 @@
 
 namespace mesoslip
 {
-/** The cells of a volume or a body in the order of its file, x fastest: a grid, of which
- * nothing is stored but its numbers, or a whole mesh. */
+/** The cells of a volume or a body in the order of its file, x fastest: a grid, stored as
+ * its numbers only, or a whole mesh. */
 template <int dim>
 struct CellSet
 {
   CellSet() = default;
 
-  /** Those of @p file, an RveFile or BodySnapshots. */
+  /** The cells of @p file, an RveFile or BodySnapshots. */
   template <typename File>
   CellSet(const File &file, const bool of_grid)
     : is_grid(of_grid)
@@ -38,30 +38,30 @@ struct CellSet
     return is_grid ? grid.n_cells() : mesh.cells.size();
   }
 
-  /** Number of their corners. */
+  /** Number of grid nodes or mesh points. */
   std::size_t n_points() const
   {
     return is_grid ? grid.n_nodes() : mesh.points.size();
   }
 
-  /** Cells of a layer of a grid across its last axis; of a mesh one. */
+  /** Cells per layer of a grid across its last axis; for a mesh 1. */
   std::size_t cells_in_layer() const
   {
     return is_grid ? grid.cells_in_layer() : 1;
   }
 
-  /** Middle and size of cell @p k. */
+  /** Centroid and size of cell @p k. */
   CellMeasure<dim> measure(const std::size_t k) const;
 
   /** The box around all cells (m). */
   dealii::BoundingBox<dim> box() const;
 
   bool is_grid = true;   ///< whether mesh is empty
-  UniformGrid<dim> grid; ///< of a mesh its box as one cell
+  UniformGrid<dim> grid; ///< for a mesh its bounding box as one cell
   Mesh<dim> mesh;        ///< points and cells
 };
 
-/** The places along the axes of cell number @p k of a grid. */
+/** Indices along the axes of cell number @p k of a grid. */
 template <int dim>
 std::array<unsigned int, dim> places_of(const UniformGrid<dim> &grid, const std::size_t k)
 {
@@ -86,8 +86,8 @@ dealii::Point<dim> middle_of(const UniformGrid<dim> &grid,
   return middle;
 }
 
-/** The places along the axes of the cell of a grid that holds @p point, as CellLocator finds
- * it: of several the upper one; up to a quarter of the diameter of a cell outside. */
+/** Indices of the grid cell that holds @p point, as in CellLocator: of several cells the
+ * upper one; the point may lie up to a quarter of the diameter of a cell outside. */
 template <int dim>
 std::optional<std::array<unsigned int, dim>> cell_at(const UniformGrid<dim> &grid,
                                                      const dealii::Point<dim> &point);
@@ -104,20 +104,21 @@ std::string corners_text(const dealii::BoundingBox<dim> &box);
 template <int dim>
 std::string cells_text(const UniformGrid<dim> &grid);
 
-/** Finds the cells that hold points; of a mesh it sorts them when it is asked first. */
+/** Finds the cells that hold points; on a mesh the search tree is built at the first
+ * query. */
 template <int dim>
 class CellFinder
 {
 public:
-  /** The cells must outlive it. */
+  /** The cells must outlive this object. */
   explicit CellFinder(const CellSet<dim> &of_cells);
 
-  /** Number of the cell that holds @p point; nothing if there is none. */
+  /** Number of the cell that holds @p point; empty if there is none. */
   std::optional<std::size_t> find(const dealii::Point<dim> &point);
 
 private:
   const CellSet<dim> &cells;
-  std::optional<CellLocator<dim>> locator; ///< finds cells of a mesh; none of a grid
+  std::optional<CellLocator<dim>> locator; ///< search tree of a mesh; empty for a grid
 };
 } // namespace mesoslip
 

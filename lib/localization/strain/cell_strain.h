@@ -10,25 +10,23 @@
 namespace mesoslip
 {
 /**
- * The strain (engineering shear) in some cells of a body from the displacement of its
- * points: the mean over each cell, and a linear continuation from it.
- *
- * At a place in cell c it is E(x) = E_c + G_c (x - x_c), E_c being the mean strain and x_c
- * the centroid. G_c is that of SlopeFits. Linear fields of mean strain are continued exactly;
- * at the centroid the strain is that of the cell, whatever is around it. Where nothing else is asked for, G_c is
- * left out: its fits take more time than the rest, and memory.
+ * The strain (engineering shear) in some cells of a body from nodal displacements: the
+ * mean over each cell, and its linear continuation E(x) = E_c + G_c (x - x_c) in cell c,
+ * with the mean strain E_c and the centroid x_c. G_c is the slope by SlopeFits. Linear
+ * strain fields are reproduced exactly; at the centroid the strain is the mean of the
+ * cell. With only_means, G_c is left out: its fits take most of the time, and memory.
  */
 template <int dim>
 class CellStrain
 {
 public:
-  /** For the cells @p wanted of @p mesh, which are asked for by their place in that list,
-   * with @p only_means at their centroids alone. The mesh is not needed later. */
+  /** For the cells @p wanted of @p mesh, which are addressed by their index in this list;
+   * with @p only_means only at their centroids. The mesh is not needed later. */
   CellStrain(const Mesh<dim> &mesh,
              const std::vector<unsigned int> &wanted,
              const bool only_means = false);
 
-  /** Evaluates the displacement of all points (m) [n_points][dim]. */
+  /** Evaluates the strains for the displacement of all points (m) [n_points][dim]. */
   void set_displacement(const std::vector<double> &u);
 
   /** Strain in wanted cell @p k at @p place. */
@@ -46,58 +44,58 @@ public:
 private:
   using Tensor = dealii::Tensor<1, dim>;
 
-  /** One corner of a cell and what it adds to the gradient. */
+  /** A corner of a cell and its weight in the displacement gradient. */
   struct Corner
   {
     std::size_t point;
     Tensor gradient; ///< mean over the cell (1/m)
   };
 
-  /** A cell near to a wanted one and what it adds to the slope there. */
+  /** A neighbour cell and its weight in the slope. */
   struct Neighbour
   {
     std::size_t cell;
     Tensor weight; ///< 1/m
   };
 
-  /** Fits the slopes of the wanted cells, and returns these and then the others that the
-   * fits take the means of. */
+  /** Fits the slopes of the wanted cells.
+   * @return the wanted cells, then the neighbours whose means the fits use */
   std::vector<unsigned int> add_neighbours(const Mesh<dim> &mesh,
                                            const std::vector<unsigned int> &wanted);
 
   void add_corners(const Mesh<dim> &mesh, const std::vector<unsigned int> &cells);
 
   std::vector<Corner> corners;
-  std::vector<std::size_t> first_corner; ///< of each cell, the wanted ones first
+  std::vector<std::size_t> first_corner; ///< per cell, the wanted cells first
   std::vector<Neighbour> neighbours;
-  std::vector<std::size_t> first_neighbour; ///< of each wanted cell
-  std::vector<dealii::Point<dim>> centroid; ///< of cells with a slope (m)
+  std::vector<std::size_t> first_neighbour; ///< per wanted cell
+  std::vector<dealii::Point<dim>> centroid; ///< for cells with a slope (m)
   std::vector<VoigtVector<dim>> mean;       ///< strain of all cells
   std::vector<std::array<VoigtVector<dim>, dim>>
-    slope; ///< of the wanted cells or none (1/m)
+    slope; ///< per wanted cell, or empty (1/m)
 };
 
 /**
- * Mean strain over a whole body, as a linear function of the displacement of its points
- * (m) [n_points][dim], or what some of them add to it.
+ * Mean strain over a body as a linear function of nodal displacements (m)
+ * [n_points][dim], or the contribution of some points.
  */
 template <int dim>
 class MeanStrain
 {
 public:
-  /** Of no points. */
+  /** No points. */
   MeanStrain() = default;
 
   /** The mesh is not needed later. */
   explicit MeanStrain(const Mesh<dim> &mesh);
 
-  /** That of @p n points from point @p first on. */
+  /** Contribution of @p n points from point @p first on. */
   MeanStrain part(const std::size_t first, const std::size_t n) const;
 
-  /** Adds to @p strain, point after point, what comes of the displacement @p u. */
+  /** Adds the contribution of the displacement @p u to @p strain, point by point. */
   void add(const std::vector<double> &u, VoigtVector<dim> &strain) const;
 
-  /** Of boost::serialization. */
+  /** For boost::serialization. */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
@@ -105,7 +103,7 @@ public:
   }
 
 private:
-  std::vector<dealii::Tensor<1, dim>> gradient; ///< of each point (1/m)
+  std::vector<dealii::Tensor<1, dim>> gradient; ///< per point (1/m)
 };
 } // namespace mesoslip
 

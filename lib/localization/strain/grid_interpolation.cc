@@ -9,8 +9,8 @@ namespace mesoslip
 namespace
 {
 /**
- * Mean strain (engineering shear) of @p n cells between two rows of n + 1 nodes whose
- * displacements are stored node after node; the factors are 1/2 over the sides of a cell (1/m).
+ * Mean strain (engineering shear) of @p n cells between two rows of n + 1 nodes with
+ * node-wise displacements; the factors are 1/2 over the sides of a cell (1/m).
  */
 MESOSLIP_CLONES
 void strain_row(const double *lower,
@@ -42,8 +42,9 @@ void strain_row(const std::array<const double *, 2> &rows,
              strain + 2 * stride);
 }
 
-/** The same in space between four rows: lower, upper along y, along z, along both; the factors are
- * 1/4 over the sides, and component k of the strain begins at @p strain + k @p stride. */
+/** 3D version, between four rows: lower, upper along y, along z, along both; the factors
+ * are 1/4 over the sides, and component k of the strain begins at @p strain + k
+ * @p stride. */
 MESOSLIP_CLONES
 void strain_row(const std::array<const double *, 4> &rows,
                 const std::size_t n,
@@ -53,7 +54,7 @@ void strain_row(const std::array<const double *, 4> &rows,
 {
   const std::array<const double *, 4> first = rows;
   const double hx = factor[0], hy = factor[1], hz = factor[2];
-  // The arrays of the strain do not overlap each other nor the displacement.
+  // The strain arrays do not overlap each other or the displacement.
 #pragma GCC ivdep
   for (std::size_t i = 0; i < n; ++i)
     {
@@ -104,7 +105,7 @@ void gather_pairs_row(const double *__restrict__ source,
       weight[2 * i] * source[first[i]] + weight[2 * i + 1] * source[first[i] + 1];
 }
 
-/** A row of cells of the target from one of the source. */
+/** Interpolates a row of source cells to target cells along x. */
 void combine_columns(const AxisWeights &x, const double *values, double *combined)
 {
   const std::size_t n = x.first.size();
@@ -187,7 +188,7 @@ void StrainInterpolation<dim>::set_displacement(const double *u)
   std::fill(kept_row.begin(), kept_row.end(), no_row);
 }
 
-/** A row of the source in the columns of the target. */
+/** A source row interpolated to the columns of the target. */
 template <int dim>
 CellRow StrainInterpolation<dim>::source_row(const RowIndex &at)
 {
@@ -225,7 +226,8 @@ CellRow StrainInterpolation<dim>::source_row(const RowIndex &at)
 template <int dim>
 CellRow StrainInterpolation<dim>::row(const std::size_t j)
 {
-  // Each axis but x has some rows with a weight; all combinations are numbered, y fastest.
+  // Sums over all combinations of contributing rows along the axes other than x, y
+  // fastest.
   RowIndex at, first;
   std::array<const double *, dim - 1> weight;
   std::size_t rest = j, n_rows = 1;

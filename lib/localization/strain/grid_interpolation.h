@@ -11,13 +11,13 @@
 namespace mesoslip
 {
 /**
- * How the values of @p n_target cells along one axis follow from those of @p n_source
- * cells of the same length altogether: value i is the sum of weight[i width + k] times
- * the source value first[i] + k.
+ * Interpolation of cell values along one axis, from @p n_source to @p n_target cells
+ * that cover the same length: target value i is the sum of weight[i width + k] times the
+ * source value first[i] + k.
  *
- * n_source = r n_target, r whole: the mean of r cells (r = 1: identity). Otherwise linear
- * between the two nearest cell centres, and beyond the outermost ones extrapolated;
- * exact for linear functions everywhere.
+ * If n_source = r n_target with an integer r, the weights form the mean of r cells (r =
+ * 1: identity). Otherwise interpolation is linear between the two nearest cell centres,
+ * and extrapolates beyond the outermost ones; it is exact for linear functions.
  */
 struct AxisWeights
 {
@@ -26,45 +26,45 @@ struct AxisWeights
   /** Weights from @p n_source cells to @p n_target cells, both at least 1. */
   AxisWeights(const unsigned int n_source, const unsigned int n_target);
 
-  /** Whether the values are those of the source. */
+  /** Whether target values equal source values. */
   bool is_identity() const
   {
     return width == 1 && first.size() == n_source;
   }
 
   unsigned int n_source = 0;       ///< cells of the source
-  unsigned int width    = 0;       ///< source cells that a target cell draws on
+  unsigned int width    = 0;       ///< source cells per target cell
   std::vector<unsigned int> first; ///< first source cell of each target cell
-  std::vector<double> weight; ///< [target cell][width]; those of a target cell sum to 1
+  std::vector<double> weight;      ///< [target cell][width]; sum per target cell is 1
 };
 
 /**
- * The strain of a run on a grid in the cells of another grid of the same box, from the
- * displacement of the nodes of some of its layers. Strains at cell centres are of second order,
- * better than anywhere else in a cell; they are interpolated by AxisWeights along all axes, along x
- * first: the rows that come of it serve several rows of a finer grid and are kept. One object for
- * each snapshot at hand.
+ * The strain of a run on a grid, in the cells of another grid of the same box, from the
+ * displacement of the nodes of some of its layers. Strains at cell centres are of second
+ * order, more accurate than elsewhere in a cell. They are interpolated by AxisWeights
+ * along all axes, x first; the interpolated rows are kept, as they serve several rows of
+ * a finer grid. One object per snapshot in memory.
  */
 template <int dim>
 class StrainInterpolation
 {
 public:
-  /** Both grids cover the same box; @p known are the cells of the source whose nodes have a
-   * displacement, all of them along all axes but the last. */
+  /** Both grids cover the same box. @p known are the cells of the source with known nodal
+   * displacements: all cells along all axes except the last. */
   StrainInterpolation(const UniformGrid<dim> &source,
                       const UniformGrid<dim> &target,
                       const CellBlock<dim> &known);
 
-  /** Strains are those of @p u from now on: the displacement of the known nodes (m)
-   * [n_nodes][dim], which stays the caller's. */
+  /** Sets the displacement of the known nodes (m) [n_nodes][dim] for the following
+   * strains; @p u is referenced, not copied. */
   void set_displacement(const double *u);
 
-  /** Strain of row @p j of the target, numbered along y and then z, valid until the next call.
-   * Rows are best asked for in their order. */
+  /** Strain of row @p j of the target, numbered along y and then z, valid until the next
+   * call. Ascending order is fastest. */
   CellRow row(const std::size_t j);
 
-  /** The layers of the source along the last axis that the rows of the layers from @p begin to
-   * @p end of the target draw on, the last one excluded. */
+  /** Range of source layers along the last axis, [begin, end), needed for the target
+   * layers from @p begin to @p end. */
   static std::array<unsigned int, 2> layers(const UniformGrid<dim> &source,
                                             const UniformGrid<dim> &target,
                                             const unsigned int begin,
@@ -78,13 +78,13 @@ private:
 
   UniformGrid<dim> source;              ///< the grid of the run
   std::size_t n_target;                 ///< cells of a row of the target
-  std::size_t first_layer;              ///< of those known, along the last axis
-  std::array<AxisWeights, dim> axes;    ///< from source to target
-  const double *displacement = nullptr; ///< of the known nodes (m)
+  std::size_t first_layer;              ///< first known layer, along the last axis
+  std::array<AxisWeights, dim> axes;    ///< interpolation from source to target
+  const double *displacement = nullptr; ///< displacement of the known nodes (m)
   CellRows scratch;                     ///< a strain row of the source
-  CellRows kept;                        ///< rows that have been interpolated along x last
-  std::vector<std::size_t> kept_row; ///< which row of the source each of them is, or none
-  CellRows result;                   ///< a sum of such rows
+  CellRows kept;                        ///< rows last interpolated along x
+  std::vector<std::size_t> kept_row;    ///< source row of each kept row, or none
+  CellRows result;                      ///< weighted sum of kept rows
 };
 } // namespace mesoslip
 

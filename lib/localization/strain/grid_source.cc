@@ -15,22 +15,22 @@ namespace mesoslip
 {
 namespace
 {
-/** Layers around a cell whose means the slope in it is made of. */
+/** Stencil radius of the slope fit, in cells. */
 constexpr unsigned int n_layers = 2;
 
-/** Bytes of snapshots at hand, beside as many that are being read, and the most snapshots that
- * help. */
+/** Bytes of a batch of snapshots (as many more are being read), and largest useful number
+ * of snapshots. */
 constexpr std::size_t batch_bytes = 16 << 20;
 constexpr std::size_t max_batch   = 4;
 
-/** Snapshots that are read at a time, of which one has @p bytes. */
+/** Number of snapshots per batch; one has @p bytes. */
 std::size_t batch_size(const std::size_t bytes)
 {
   return std::clamp<std::size_t>(batch_bytes / std::max<std::size_t>(bytes, 1), 1,
                                  max_batch);
 }
 
-/** The cell that holds @p place, which lies in the body as far as numbers can tell. */
+/** The cell that holds @p place, which lies in the body up to round-off. */
 template <int dim>
 std::array<unsigned int, dim> cell_around(const UniformGrid<dim> &body,
                                           const dealii::Point<dim> &place)
@@ -54,9 +54,9 @@ struct BlockSnapshots
 };
 
 /**
- * Reads whole layers of the body, those around the cells of this rank and those whose sides it adds
- * to the mean strain, and a block around each of the points. Cells of a grid are interpolated to, at other
- * middles the strain is that of GridStrain.
+ * Reads whole layers of the body (around the cells of this rank, and for its share of
+ * the mean strain) and a block around each point. Strains are interpolated to the cells
+ * of a grid; at other centroids GridStrain gives the strain.
  */
 template <int dim>
 class GridSource : public StrainSource<dim>
@@ -73,7 +73,8 @@ public:
     on_all_ranks(communicator, [this]() { find_blocks(); });
     const std::size_t largest =
       mpi::max(sizeof(double) * dim * n_nodes(block), communicator);
-    // Of GridStrain there is one, for one snapshot; all ranks read as many at a time.
+    // There is only one GridStrain, for one snapshot; all ranks read the same number of
+    // snapshots.
     const bool any_middles  = mpi::max(places.middles.empty() ? 0 : 1, communicator) > 0;
     const std::size_t batch = any_middles ? 1 : batch_size(largest);
     if (places.grid != nullptr && places.n_cells > 0)
@@ -89,7 +90,7 @@ public:
     const std::size_t n = ahead->n_next();
     if (n == 0)
       return 0;
-    now = {}; // the next but one are read into its memory
+    now = {}; // frees memory for the batch being read
     on_all_ranks(communicator, [this]() { now = ahead->next(); });
     const std::size_t size = now.of_rank.size() / n;
     for (std::size_t b = 0; b < n && !interpolations.empty(); ++b)
@@ -141,7 +142,7 @@ private:
     return dim == 3 ? places.grid->cells[1] : 1;
   }
 
-  /** What GridStrain is to be asked for. */
+  /** Finds the cells of the centroids for GridStrain. */
   void prepare_middles()
   {
     around_middles.emplace(run.grid, block);
@@ -162,14 +163,14 @@ private:
                       : around_middles->at(cells[k], places.middles[k]);
   }
 
-  /** The first of the layers of the body whose sides rank @p rank adds to the mean. */
+  /** First layer of the body whose sides rank @p rank adds to the mean. */
   unsigned int first_layer(const unsigned int rank) const
   {
     return static_cast<unsigned int>(std::uint64_t{rank} * run.grid.cells[dim - 1] /
                                      mpi::n_mpi_processes(communicator));
   }
 
-  /** The layers of the body that the cells of this rank lie in or draw on. */
+  /** Layers of the body that the cells of this rank need. */
   std::array<unsigned int, 2> layers_of_cells() const
   {
     const unsigned int n = run.grid.cells[dim - 1];
@@ -218,7 +219,7 @@ private:
     return some;
   }
 
-  /** Of number @p b of @p n snapshots. */
+  /** Evaluates the points for snapshot @p b of @p n. */
   void evaluate_points(const std::size_t b, const std::size_t n)
   {
     at_points[b].clear();
@@ -235,7 +236,7 @@ private:
       }
   }
 
-  /** The mean of @p n snapshots, of which this rank has @p size numbers each. */
+  /** Averages @p n snapshots, of which this rank has @p size numbers each. */
   void average(const std::size_t n, const std::size_t size)
   {
     constexpr std::size_t n_sums = std::size_t{2} * dim * dim;
@@ -257,19 +258,19 @@ private:
   const StrainPlaces<dim> &places;
   const MPI_Comm communicator;
   StrainRowBuffer<dim> buffer;
-  std::array<unsigned int, 2> own_layers = {}; ///< whose sides this rank adds to the mean
+  std::array<unsigned int, 2> own_layers = {}; ///< layers of its share of the mean
   CellBlock<dim> block;                        ///< the layers that this rank reads
 
-  std::vector<StrainInterpolation<dim>> interpolations; ///< to a grid, one a snapshot
-  std::optional<GridStrain<dim>> around_middles;        ///< of other cells
-  std::vector<std::size_t> cells; ///< that hold the middles, numbers in the block
-  bool at_middles = true;         ///< whether the middles are those of these cells
+  std::vector<StrainInterpolation<dim>> interpolations; ///< to a grid, one per snapshot
+  std::optional<GridStrain<dim>> around_middles;        ///< for a volume that is no grid
+  std::vector<std::size_t> cells; ///< cells that hold the centroids, numbers in the block
+  bool at_middles = true;         ///< whether these are the cell centroids
 
   std::vector<GridStrain<dim>> around_points;
-  std::vector<std::vector<VoigtVector<dim>>> at_points; ///< of the snapshots at hand
-  std::vector<VoigtVector<dim>> means;                  ///< of the snapshots at hand
-  BlockSnapshots now;                                   ///< the snapshots at hand
-  std::unique_ptr<ReadAhead<BlockSnapshots>> ahead;     ///< reads with all of the above
+  std::vector<std::vector<VoigtVector<dim>>> at_points; ///< for the current batch
+  std::vector<VoigtVector<dim>> means;                  ///< for the current batch
+  BlockSnapshots now;                                   ///< the current batch
+  std::unique_ptr<ReadAhead<BlockSnapshots>> ahead;     ///< uses the members above
 };
 } // namespace
 

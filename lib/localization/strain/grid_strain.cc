@@ -9,10 +9,10 @@ namespace mesoslip
 {
 namespace
 {
-/** Cells along an axis that are of different kinds: two at each side, and those between. */
+/** Kinds of cells along an axis: two at each side, and the interior. */
 constexpr unsigned int n_kinds = 5;
 
-/** Which of them cell @p i of @p n is. */
+/** Kind of cell @p i of @p n along an axis. */
 unsigned int kind_of(const unsigned int i, const unsigned int n)
 {
   if (n <= n_kinds || i < 2)

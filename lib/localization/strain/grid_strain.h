@@ -11,16 +11,16 @@
 namespace mesoslip
 {
 /**
- * The strain of CellStrain in a block of equal cells. The gradients at the corners are the same
- * for all cells, and those of the means depend on how near the sides of the grid are, so that
- * nothing is stored of a cell but its mean strain.
+ * The strain of CellStrain in a block of equal cells. The gradients are the same for all
+ * cells, and the slope weights depend only on the distance to the sides of the grid, so
+ * only the mean strain is stored per cell.
  */
 template <int dim>
 class GridStrain
 {
 public:
-  /** For the cells @p cells of @p body; at() needs two layers around the cells that it is asked
-   * for, as far as the body reaches. */
+  /** For the @p cells of @p body; at() needs two layers around each requested cell, as
+   * far as the body reaches. */
   GridStrain(const UniformGrid<dim> &body, const CellBlock<dim> &cells);
 
   /** The cells. */
@@ -29,7 +29,8 @@ public:
     return cells;
   }
 
-  /** Evaluates the displacement of the nodes of the block (m) [n_nodes][dim]. */
+  /** Evaluates the strains for the displacement of the nodes of the block (m)
+   * [n_nodes][dim]. */
   void set_displacement(const std::vector<double> &u);
 
   /** Mean strain of cell number @p k of the block. */
@@ -39,27 +40,27 @@ public:
   }
 
   /** Strain at @p place in cell number @p k of the block, continued linearly from the
-   * middle of the cell. */
+   * centre of the cell. */
   VoigtVector<dim> at(const std::size_t k, const dealii::Point<dim> &place) const;
 
 private:
-  /** Another cell that counts in the slope. */
+  /** A neighbour cell and its weight in the slope. */
   struct Neighbour
   {
-    std::ptrdiff_t step;           ///< to its number in the block
+    std::ptrdiff_t step;           ///< offset of its number in the block
     dealii::Tensor<1, dim> weight; ///< 1/m
   };
 
-  /** Places along the axes in a grid of at most five cells along each, in which cells are as
-   * far from the sides, up to two layers. */
+  /** Distances from the sides, up to two layers, as indices in a grid of at most five
+   * cells along each axis. */
   using Kind = std::array<unsigned int, dim>;
 
   UniformGrid<dim> body;
   CellBlock<dim> cells;
   UniformGrid<dim> part; ///< the cells of the block as a grid
-  std::array<dealii::Tensor<1, dim>, 1U << dim> gradient; ///< of the corners (1/m)
+  std::array<dealii::Tensor<1, dim>, 1U << dim> gradient; ///< per corner (1/m)
   std::map<Kind, std::vector<Neighbour>> neighbours;
-  std::vector<VoigtVector<dim>> means; ///< of the cells of the block
+  std::vector<VoigtVector<dim>> means; ///< per cell of the block
 };
 } // namespace mesoslip
 

@@ -19,10 +19,10 @@ template <int dim>
 struct Neighbourhood
 {
   Mesh<dim> mesh;
-  std::vector<unsigned int> points; ///< in the body
+  std::vector<unsigned int> points; ///< numbers in the body
   std::vector<unsigned int> wanted; ///< cells of mesh
 
-  /** Of boost::serialization. */
+  /** For boost::serialization. */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
@@ -30,7 +30,7 @@ struct Neighbourhood
   }
 };
 
-/** Those of the cells @p wanted, and of two layers around them: what CellStrain looks at. */
+/** The cells @p wanted with two layers around them, as CellStrain needs them. */
 template <int dim>
 Neighbourhood<dim> neighbourhood(const Mesh<dim> &body,
                                  const std::vector<unsigned int> &wanted)
@@ -173,7 +173,7 @@ private:
     });
   }
 
-  /** What the points that each rank reads add to the mean strain. */
+  /** Distributes the contributions of each rank's block of points to the mean strain. */
   void distribute_mean(const Mesh<dim> &of_root)
   {
     const std::vector<std::size_t> own = {points->first(), points->size()};
@@ -188,15 +188,15 @@ private:
   const BodySnapshots<dim> &run;
   const StrainPlaces<dim> &asked;
   const MPI_Comm communicator;
-  std::vector<dealii::Point<dim>> places; ///< the middles, and then the points
-  std::vector<std::size_t> wanted_cell;   ///< place among those of CellStrain
+  std::vector<dealii::Point<dim>> places; ///< centroids, then points
+  std::vector<std::size_t> wanted_cell;   ///< index in CellStrain
   StrainRowBuffer<dim> buffer;
 
   std::unique_ptr<CellStrain<dim>> strain;
-  std::unique_ptr<const NumbersFromBlocks> points; ///< of the body, around the places
-  MeanStrain<dim> mean_of_block; ///< what the points that this rank reads add
-  VoigtVector<dim> mean_strain = VoigtVector<dim>::Zero(); ///< of the snapshot at hand
-  std::optional<ReadAhead<std::vector<double>>> ahead; ///< reads with all of the above
+  std::unique_ptr<const NumbersFromBlocks> points; ///< exchanges points around places
+  MeanStrain<dim> mean_of_block; ///< contribution of the points that this rank reads
+  VoigtVector<dim> mean_strain = VoigtVector<dim>::Zero(); ///< of this snapshot
+  std::optional<ReadAhead<std::vector<double>>> ahead;     ///< uses the members above
 };
 } // namespace
 

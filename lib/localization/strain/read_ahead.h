@@ -11,15 +11,15 @@
 namespace mesoslip
 {
 /**
- * Reads the snapshots of a range some at a time, the next ones in a thread of its own while the
- * caller treats those at hand. HDF5 is used by one thread at a time: from the first next() to the
- * last one nobody else may read.
+ * Reads the snapshots of a range in batches; a thread reads the next batch while the
+ * caller works on the current one. Only one thread may use HDF5: between the first and
+ * the last next() nothing else may read.
  */
 template <typename Snapshots>
 class ReadAhead
 {
 public:
-  /** @p reader reads some snapshots; @p most of them at a time. */
+  /** @p reader reads the snapshots of a range; @p most: size of a batch. */
   ReadAhead(const IndexRange &range,
             const std::size_t most,
             std::function<Snapshots(const IndexRange &)> reader)
@@ -29,13 +29,14 @@ public:
   {
   }
 
-  /** The number of snapshots that next() returns; 0 behind the last one. */
+  /** The number of snapshots that next() returns; 0 after the last one. */
   std::size_t n_next() const
   {
     return std::min(rest.count, n_most);
   }
 
-  /** The next snapshots, of which there is one at least. @throws what reading throws */
+  /** The next snapshots; n_next() has to be positive.
+   * @throws any exception of the reader */
   Snapshots next()
   {
     if (!waiting.valid())
@@ -55,10 +56,10 @@ private:
     waiting = std::async(std::launch::async, read, IndexRange{rest.first, n_next()});
   }
 
-  IndexRange rest;    ///< those that next() has not returned
-  std::size_t n_most; ///< at a time
+  IndexRange rest;    ///< snapshots not yet returned by next()
+  std::size_t n_most; ///< snapshots per batch
   std::function<Snapshots(const IndexRange &)> read; ///< the reader
-  std::future<Snapshots> waiting; ///< those that are being read, if any
+  std::future<Snapshots> waiting;                    ///< batch being read, if any
 };
 } // namespace mesoslip
 

@@ -6,8 +6,8 @@ namespace mesoslip
 {
 namespace
 {
-/** Adds to @p sum what is lost of it to @p lost (Neumaier): the sums over opposite sides are large
- * beside their difference. */
+/** Adds @p value to @p sum with compensation @p lost (Neumaier): the sums over opposite
+ * sides are large relative to their difference. */
 void add_exactly(const double value, double &sum, double &lost)
 {
   const double next = sum + value;
@@ -16,7 +16,8 @@ void add_exactly(const double value, double &sum, double &lost)
   sum = next;
 }
 
-/** Adds one side, across axis @p d, of the cell number @p cell of those known to the integrals. */
+/** Adds the contribution of a side, across axis @p d, of cell number @p cell of the known
+ * cells to the integrals. */
 template <int dim>
 class SideSum
 {
@@ -75,7 +76,7 @@ void add_side_integrals(const UniformGrid<dim> &grid,
         const auto is_end = [](const unsigned int k, const unsigned int n) {
           return k == 0 || k + 1 == n;
         };
-        // Of most rows only both ends are at a side.
+        // In most rows only both ends are at a side.
         const bool whole =
           is_end(layer, grid.cells[last]) || (dim == 3 && is_end(y, n_y));
         const unsigned int n = grid.cells[0];

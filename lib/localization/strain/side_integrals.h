@@ -7,10 +7,11 @@
 namespace mesoslip
 {
 /**
- * Adds to sums [2][dim][dim] what the sides of the layers from @p begin to @p end of a grid add to the
- * integral of du_c / dx_d over it (Gauss' theorem), the compensation of round-off behind it. @p u is
- * the displacement of the nodes of the cells @p known. Layer after layer, so that the sum does
- * not depend on who adds which of them.
+ * Adds to sums [2][dim][dim] the contributions of the sides of the layers from @p begin
+ * to @p end of a grid to the integral of du_c / dx_d (Gauss' theorem); the second half
+ * is the compensation of round-off. @p u is the displacement of the nodes of the cells
+ * @p known. Sums run layer by layer, so the result does not depend on the distribution
+ * of layers over ranks.
  */
 template <int dim>
 void add_side_integrals(const UniformGrid<dim> &grid,
@@ -20,7 +21,7 @@ void add_side_integrals(const UniformGrid<dim> &grid,
                         const unsigned int end,
                         double *sums);
 
-/** The mean strain over a grid from these sums of all its layers. */
+/** The mean strain over a grid from the side sums of all its layers. */
 template <int dim>
 VoigtVector<dim> mean_strain(const UniformGrid<dim> &grid, const double *sums);
 } // namespace mesoslip

@@ -11,8 +11,8 @@ namespace mesoslip
 {
 namespace
 {
-/** Weights of the differences of values at @p places from that at the origin in the
- * gradient there: least squares with weights 1 / distance^2. */
+/** Least-squares weights (1 / distance^2) with which differences of values at @p places
+ * from the value at the origin form the gradient. */
 template <int dim>
 struct Fit
 {
@@ -23,7 +23,7 @@ struct Fit
     for (Eigen::Index k = 0; k < n; ++k)
       for (unsigned int d = 0; d < dim; ++d)
         A(k, d) = places[k][d] / places[k].norm();
-    // Directions in which there is hardly a neighbour have no slope.
+    // The slope is zero in directions without neighbours.
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
     solver.setThreshold(0.1);
     solver.compute(A);

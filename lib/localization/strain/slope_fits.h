@@ -7,32 +7,32 @@
 
 namespace mesoslip
 {
-/** What the difference of the mean in another cell adds to the slope in a cell. */
+/** Weight of a neighbour's mean in the slope of a cell. */
 template <int dim>
 struct SlopeWeight
 {
-  unsigned int cell;             ///< the other one
+  unsigned int cell;             ///< the neighbour
   dealii::Tensor<1, dim> weight; ///< 1/m
 };
 
 /**
- * The slope in a cell of a field whose means over the cells are known: the linear
- * least-squares fit, with weights 1 / distance^2, to the differences of the means of the cells
- * that share a face with it; where these do not span the space, as in a corner of simplices,
- * also of those that share a face with them.
+ * The slope in a cell of a field with known cell means: a linear least-squares fit, with
+ * weights 1 / distance^2, to the differences to the means of the face neighbours. If
+ * these do not span the space, as in a corner of simplices, the face neighbours of the
+ * face neighbours are included.
  */
 template <int dim>
 class SlopeFits
 {
 public:
-  /** The mesh must outlive it. */
+  /** @p of_mesh must outlive this object. */
   explicit SlopeFits(const Mesh<dim> &of_mesh);
 
-  /** What the slope in @p cell is made of. */
+  /** Weights of the slope in @p cell. */
   std::vector<SlopeWeight<dim>> of(const unsigned int cell) const;
 
 private:
-  /** In ascending order. */
+  /** Face neighbours in ascending order. */
   std::vector<unsigned int> face_neighbours(const unsigned int cell) const;
 
   std::vector<std::vector<unsigned int>> cells_of_point;

@@ -10,54 +10,56 @@
 
 namespace mesoslip
 {
-/** Where the strain of a run is wanted, and when. */
+/** Places and times at which the strain of a run is requested. */
 template <int dim>
 struct StrainPlaces
 {
-  std::size_t n_cells  = 0; ///< of the volume on this rank, in rows as in CellRows
-  std::size_t n_in_row = 1; ///< cells of a row
+  std::size_t n_cells  = 0; ///< cells of the volume on this rank, in rows as in CellRows
+  std::size_t n_in_row = 1; ///< cells per row
 
-  /** The volume, if it is a grid of which this rank has whole layers along the last axis. */
+  /** The volume, if it is a grid; this rank has whole layers along the last axis. */
   const UniformGrid<dim> *grid = nullptr;
 
-  /** The first of these layers. */
+  /** First layer of this rank. */
   std::size_t first_layer = 0;
 
-  /** Middles of the cells of this rank (m); not needed of a grid in a body on a grid. */
+  /** Centroids of the cells of this rank (m); not needed if volume and body are grids. */
   std::vector<dealii::Point<dim>> middles = {};
 
-  std::vector<dealii::Point<dim>> points = {}; ///< the same on all ranks (m)
-  bool mean = false;                           ///< whether that over the body is wanted
-  IndexRange snapshots;                        ///< of the run
+  std::vector<dealii::Point<dim>> points = {};    ///< the same on all ranks (m)
+  bool mean                              = false; ///< whether the mean is requested
+  IndexRange snapshots;                           ///< snapshots of the run
 };
 
-/** The strain of a run at some places, for some snapshots at a time. */
+/** The strain of a run at the requested places, a batch of snapshots at a time. */
 template <int dim>
 class StrainSource
 {
 public:
   virtual ~StrainSource() = default;
 
-  /** Goes on to the next snapshots; their number, 0 behind the last one. Collective. @throws
-   * UserError */
+  /** Advances to the next batch of snapshots.
+   * @return their number, 0 after the last one. Collective.
+   * @throws UserError */
   virtual std::size_t next() = 0;
 
-  /** Strain of row @p j of the cells in number @p b of these snapshots; until the next call. */
+  /** Strain of row @p j of the cells in snapshot @p b of the batch; valid until the next
+   * call. */
   virtual CellRow row(const std::size_t b, const std::size_t j) = 0;
 
-  /** Strain at point number @p p in number @p b of these snapshots. */
+  /** Strain at point @p p in snapshot @p b of the batch. */
   virtual VoigtVector<dim> at_point(const std::size_t b, const std::size_t p) const = 0;
 
-  /** Strain over the body in number @p b of these snapshots, if it is wanted. */
+  /** Mean strain of the body in snapshot @p b of the batch, if requested. */
   virtual const VoigtVector<dim> &mean(const std::size_t b) const = 0;
 };
 
-/** A row of strains that are found cell by cell. */
+/** A row of strains that is filled cell by cell. */
 template <int dim>
 class StrainRowBuffer
 {
 public:
-  /** Of @p n_in_row cells at most. */
+  /** At most @p n_in_row cells. */
   explicit StrainRowBuffer(const std::size_t n_in_row)
     : values(n_in_row, n_in_row, n_voigt<dim>)
   {
@@ -77,25 +79,25 @@ public:
   }
 
 private:
-  CellRows values; ///< one row
+  CellRows values; ///< buffer of a row
 };
 
-/** Of a body on a grid: each rank reads the nodes around its places. @p run and @p places have to
- * outlive it. Collective. */
+/** Source for a body on a grid: each rank reads the nodes around its places. @p run and
+ * @p places must outlive it. Collective. */
 template <int dim>
 std::unique_ptr<StrainSource<dim>> make_grid_source(const BodySnapshots<dim> &run,
                                                     const StrainPlaces<dim> &places,
                                                     const MPI_Comm communicator);
 
-/** Bytes of the displacements of a grid that a rank has in memory, if those of its places take @p
- * of_snapshot bytes in each of @p n_snapshots. */
+/** Memory of a rank for displacements of a grid (bytes), if its places take
+ * @p of_snapshot bytes in each of @p n_snapshots. */
 double bytes_of_displacements(const double of_snapshot, const std::size_t n_snapshots);
 
 /**
- * Of a body on a mesh, whose cells @p cell hold the middles and points of this rank. Rank 0, where
- * the whole mesh is @p of_root, gives each rank the cells around its places; of each snapshot a rank reads a
- * block of the points, and gets those that it needs from the others. @p run and @p places have to
- * outlive it. Collective.
+ * Source for a body on a mesh; the cells @p cell hold the centroids and points of this
+ * rank. Rank 0 has the whole mesh @p of_root and sends each rank the cells around its
+ * places. Of each snapshot a rank reads a block of points; needed values are exchanged.
+ * @p run and @p places must outlive it. Collective.
  */
 template <int dim>
 std::unique_ptr<StrainSource<dim>> make_mesh_source(const BodySnapshots<dim> &run,

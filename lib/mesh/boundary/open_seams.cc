@@ -37,7 +37,7 @@ double distance_to_triangle(const dealii::Point<3> &p,
   return is_over ? std::fabs((p - corners[0]) * normal) / normal.norm() : least;
 }
 
-/** A quadrilateral is two triangles. */
+/** A quadrilateral is treated as two triangles. */
 template <int dim>
 double distance_to_face(const Mesh<dim> &mesh,
                         const dealii::Point<dim> &p,
@@ -64,7 +64,7 @@ std::vector<unsigned int> open_seams(const Mesh<dim> &mesh,
                                      const std::vector<BoundaryFace<dim>> &faces)
 {
   constexpr double near = 0.01;
-  std::map<unsigned int, double> reach; // of the points (m)
+  std::map<unsigned int, double> reach; // tolerance per point (m)
   std::vector<double> reach_of_face;
   std::vector<dealii::BoundingBox<dim>> boxes;
   for (const BoundaryFace<dim> &face : faces)

@@ -6,9 +6,9 @@
 namespace mesoslip
 {
 /**
- * The points of the boundary that lie on one of @p faces of which they are no corner, in ascending
- * order: points that are there twice, and hanging nodes. The body is open there, as it is along a
- * crack. A point lies on a face within a hundredth of the edges of both.
+ * Boundary points on one of @p faces of which they are not a corner, in ascending order:
+ * duplicated points and hanging nodes. The body is open there, as along a crack. The
+ * tolerance is a hundredth of the edges of both faces.
  */
 template <int dim>
 std::vector<unsigned int> open_seams(const Mesh<dim> &mesh,

@@ -14,8 +14,8 @@ namespace mesoslip
 {
 namespace
 {
-/** A cell with so many corners that has a node in the middle of each edge, too, and on quadrilaterals and
- * hexahedra in the middle of faces and cell. */
+/** A cell with nodes at corners and edge middles, on quadrilaterals and hexahedra also at
+ * the middles of faces and cell. */
 template <int dim>
 class QuadraticCell
 {
@@ -64,14 +64,14 @@ public:
   }
 
   std::vector<std::vector<unsigned int>>
-    around; ///< of each node the corners whose mean it is
+    around; ///< per node the corners whose mean it is
 
 private:
   std::unique_ptr<dealii::FiniteElement<dim>> element;
   dealii::Quadrature<dim> quadrature;
 };
 
-/** The two kinds of cells of a mesh. */
+/** Both kinds of cells of a mesh. */
 template <int dim>
 struct QuadraticCells
 {
@@ -84,7 +84,8 @@ struct QuadraticCells
                      cube    = QuadraticCell<dim>(1U << dim);
 };
 
-/** The bulge of the edge, face or cell with these @p corners, in any order; nullptr if it is straight. */
+/** The bulge of the edge, face or cell with these @p corners, in any order; nullptr if it
+ * is straight. */
 template <int dim>
 const Bulge<dim> *find_bulge(const Mesh<dim> &mesh, std::vector<unsigned int> corners)
 {
@@ -95,7 +96,7 @@ const Bulge<dim> *find_bulge(const Mesh<dim> &mesh, std::vector<unsigned int> co
   return found != mesh.bulges.end() && found->corners == corners ? &*found : nullptr;
 }
 
-/** Of node @p n of a quadratic cell with the corners @p vertices. */
+/** Corners around a node of a quadratic cell: the entries @p around of @p vertices. */
 std::vector<unsigned int> at(const std::vector<unsigned int> &vertices,
                              const std::vector<unsigned int> &around)
 {

@@ -12,11 +12,11 @@ template <int dim>
 struct CurvedNode
 {
   unsigned int cell = 0; ///< index into the cells of the mesh
-  unsigned int node = 0; ///< of the quadratic cell of deal.II, corners included
-  std::array<double, dim> offset = {}; ///< from the mean of the corners around it (m)
+  unsigned int node = 0; ///< number in deal.II's quadratic cell, corners included
+  std::array<double, dim> offset = {}; ///< to the mean of its corners (m)
 };
 
-/** Those of all cells of @p mesh, cell after cell. */
+/** Curved nodes of all cells of @p mesh, sorted by cell. */
 template <int dim>
 std::vector<CurvedNode<dim>> curved_nodes(const Mesh<dim> &mesh);
 
@@ -29,11 +29,12 @@ struct CurvedCell
     0.; ///< smallest determinant of the mapping at a node or quadrature point
 };
 
-/** Those of @p mesh. */
+/** Curved cells of @p mesh. */
 template <int dim>
 std::vector<CurvedCell> curved_cells(const Mesh<dim> &mesh);
 
-/** How far the edges of the face (2D: edge) with these @p corners and its middle bulge along @p axis (m). */
+/** Bulge along @p axis (m) of the edges and the middle of the face (2D: edge) with these
+ * @p corners. */
 template <int dim>
 double bulge_of_face(const Mesh<dim> &mesh,
                      const std::vector<unsigned int> &corners,

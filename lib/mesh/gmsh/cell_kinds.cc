@@ -11,12 +11,12 @@ namespace mesoslip
 {
 namespace
 {
-/** Cells of one kind in Gmsh and in deal.II. */
+/** A kind of cell in Gmsh and deal.II. */
 struct CellKind
 {
-  int gmsh_type;                    ///< as in the file
+  int gmsh_type;                    ///< type number in the file
   int order;                        ///< 1 or 2
-  std::vector<unsigned int> corner; ///< of Gmsh, in the order of deal.II
+  std::vector<unsigned int> corner; ///< Gmsh corner of each deal.II corner
 };
 
 const std::vector<CellKind> cell_kinds = {{15, 1, {0}},
@@ -57,7 +57,8 @@ std::vector<std::vector<unsigned int>> middles_in_order(const int type)
   int d = 0, order = 0, n = 0, n_corners = 0;
   std::vector<double> local;
   gmsh::model::mesh::getElementProperties(type, name, d, order, n, local, n_corners);
-  // Of the corner of deal.II with this number, Gmsh's functions: barycentric on simplices, from -1 to 1 along axes else.
+  // Whether a node belongs to a deal.II corner, from Gmsh's parametric coordinates:
+  // barycentric on simplices, otherwise from -1 to 1 along axes.
   const auto is_around = [&](const unsigned int corner, const double *const at) {
     if (n_corners == d + 1 && d > 1)
       return (corner > 0 ? at[corner - 1] : 1. - std::accumulate(at, at + d, 0.)) > 1e-6;
@@ -144,7 +145,7 @@ void require_groups(const std::string &file, const int d, const std::size_t n_in
   const std::size_t n = n_cells(d);
   if (n == n_in_groups)
     return;
-  // Of a part of the geometry Gmsh gives the cells of one order only.
+  // Gmsh returns only cells of one order for a part of the geometry.
   std::vector<int> types;
   std::vector<std::vector<std::size_t>> tags, corners;
   gmsh::model::mesh::getElements(types, tags, corners, d);

@@ -17,7 +17,7 @@ namespace mesoslip
 {
 namespace
 {
-/** The words of a section, which blanks and ends of lines separate, up to the next '$'. */
+/** The words of a section, separated by blanks and line ends, up to the next '$'. */
 class GmshSection
 {
 public:
@@ -30,21 +30,21 @@ public:
   {
   }
 
-  /** Whether what follows is no word of this section. */
+  /** Whether the section has no further word. */
   bool ended()
   {
     at = std::min(text.find_first_not_of(blanks, at), text.size());
     return at == text.size() || text[at] == '$';
   }
 
-  /** Goes past @p n words. */
+  /** Skips @p n words. */
   void skip(const std::size_t n)
   {
     for (std::size_t k = 0; k < n; ++k)
       word();
   }
 
-  /** The next word, a whole number; one too large is the largest that a long holds. */
+  /** The next word, a whole number; too large numbers are clamped to the largest long. */
   long whole()
   {
     const std::string_view found = word();
@@ -58,7 +58,7 @@ public:
                                                   : value;
   }
 
-  /** A whole number of things. */
+  /** The next word as a count. */
   std::size_t count()
   {
     const long value = whole();
@@ -68,7 +68,7 @@ public:
     return static_cast<std::size_t>(value);
   }
 
-  /** Throws if fewer words follow than @p n things of @p each have, as far as bytes tell. */
+  /** Throws if the file is too short for @p n items with @p each words. */
   void require_room(const std::size_t n, const std::size_t each, const std::string &what)
   {
     if (n > (text.size() - at) / each)
@@ -98,7 +98,7 @@ private:
   std::size_t at = 0;
 };
 
-/** Numbers of a section of a binary file, in the order of bytes of this machine. */
+/** Numbers of a section of a binary file, in this machine's byte order. */
 class BinarySection
 {
 public:
@@ -111,7 +111,7 @@ public:
   {
   }
 
-  /** The next number; a negative one is huge. */
+  /** The next number; a negative one becomes huge. */
   template <typename T>
   std::size_t number()
   {
@@ -121,7 +121,7 @@ public:
     return static_cast<std::size_t>(value);
   }
 
-  /** The number of the first line, which is a text in format 2. */
+  /** The number in the first line, which is a text in format 2. */
   std::size_t line()
   {
     std::size_t value = 0;
@@ -130,7 +130,7 @@ public:
     return value;
   }
 
-  /** Goes past @p n things of @p each bytes. */
+  /** Skips @p n items of @p each bytes. */
   void skip(const std::size_t n, const std::size_t each, const std::string &what)
   {
     if (n > (text.size() - at) / each)
@@ -138,7 +138,7 @@ public:
     at += n * each;
   }
 
-  /** Throws unless the section ends here, with the @p said things. */
+  /** Throws unless the section ends here, after the @p said items. */
   void require_end(const std::size_t said, const std::string &what)
   {
     at = std::min(text.find_first_not_of("\r\n", at), text.size());
@@ -147,7 +147,7 @@ public:
            " that it says");
   }
 
-  /** As that of GmshSection. */
+  /** See GmshSection::fail(). */
   [[noreturn]] void fail(const std::string &what) const
   {
     GmshSection(file, name, text).fail(what);
@@ -159,7 +159,7 @@ private:
   std::size_t at = 0;
 };
 
-/** Corners of a cell of Gmsh's @p type; 0: of one that Gmsh has to name. */
+/** Number of corners of a cell of Gmsh's @p type; 0 if Gmsh has to look it up. */
 std::size_t corners_of(const long type)
 {
   constexpr std::array<std::size_t, 16> n = {
@@ -167,7 +167,7 @@ std::size_t corners_of(const long type)
   return type > 0 && type < 16 ? n[static_cast<std::size_t>(type)] : 0;
 }
 
-/** "41 points" against "42". */
+/** Throws if counts differ: "41 points" against "42". */
 template <typename Section>
 void require_same(Section &section,
                   const std::size_t said,
@@ -179,7 +179,7 @@ void require_same(Section &section,
                  std::to_string(found));
 }
 
-/** Format 2: Gmsh cuts what 32 bits do not hold. */
+/** Format 2: Gmsh truncates point numbers to 32 bits. */
 void require_point_number(const std::string &file, const long number)
 {
   if (number < 0 || number > std::numeric_limits<int>::max())
@@ -187,7 +187,7 @@ void require_point_number(const std::string &file, const long number)
                     "; let Gmsh renumber the mesh from 1 on, so that 32 bits hold it");
 }
 
-/** Format 2: a number and three coordinates a point. */
+/** Format 2: a number and three coordinates per point. */
 void check_points(GmshSection &section, const std::string &file)
 {
   const std::size_t said = section.count();
@@ -218,8 +218,8 @@ void check_cells(GmshSection &section, const std::string &file)
   require_same(section, said, found, "cells");
 }
 
-/** Format 4: blocks of points or cells, each with four numbers in front; the third of them says of
- * what kind they are, the last one how many. */
+/** Format 4: blocks of points or cells with four leading numbers; the third is the kind,
+ * the last the number of items. */
 void check_blocks(GmshSection &section, const bool cells, const bool of_4_0)
 {
   const std::string what     = cells ? "cells" : "points";
@@ -302,7 +302,7 @@ void check_binary_list(BinarySection &section, const bool cells)
   section.require_end(said, what);
 }
 
-/** The text behind the line of @p name; nothing without one. */
+/** The text after the line of @p name; empty if there is none. */
 std::string_view behind_line(const std::string_view text, const std::string &name)
 {
   const std::size_t at = text.find("\n$" + name);

@@ -6,10 +6,11 @@
 namespace mesoslip
 {
 /**
- * Compares the numbers of points and cells that the sections $Nodes and $Elements of a file of format
- * 2 or 4 tell of with what they hold. Gmsh's library writes beyond its memory where they are
- * too small, leaves cells out without a word, and cuts numbers of points to 32 bits. Other files
- * pass. @throws UserError beginning with @p file
+ * Compares the counts of points and cells stated in the sections $Nodes and $Elements of
+ * a file of format 2 or 4 with their content. If the counts are too small, Gmsh's
+ * library writes beyond its memory; it also drops cells silently and truncates point
+ * numbers to 32 bits. Other files pass.
+ * @throws UserError beginning with @p file
  */
 void require_gmsh_counts(const std::string &file);
 } // namespace mesoslip

@@ -6,8 +6,8 @@
 namespace mesoslip
 {
 /**
- * The Gmsh library between its start and its end, without models and without output of its own.
- * Where it runs already, as MPI_InitFinalize of deal.II 9.8 starts it, it goes on afterwards.
+ * Starts and stops the Gmsh library, without models and without console output. If it
+ * already runs (MPI_InitFinalize of deal.II 9.8 starts it), it keeps running afterwards.
  */
 class GmshSession
 {
@@ -34,7 +34,7 @@ public:
   }
 
 private:
-// Those before do not tell, and deal.II did not start them.
+// Earlier versions have no isInitialized(), and deal.II does not start them.
 #if GMSH_API_VERSION_MAJOR > 4 || GMSH_API_VERSION_MINOR >= 12
   static bool is_started()
   {

@@ -54,7 +54,7 @@ std::vector<bool> phases_that_turn(const std::vector<Phase<3>> &phases)
   std::vector<bool> turns;
   for (const Phase<3> &phase : phases)
     {
-      // Thermal stress without an axis is the same along all of them.
+      // The part of the thermal stress without a preferred axis is isotropic.
       VoigtVector<3> rest = phase.thermal_stress;
       rest.head<3>().array() -= phase.thermal_stress.head<3>().mean();
       turns.push_back(!is_isotropic(phase.stiffness) ||

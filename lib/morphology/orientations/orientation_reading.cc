@@ -17,19 +17,20 @@ namespace mesoslip
 {
 namespace
 {
-/** Round-off leaves more, numbers whose bytes are read in the wrong order less (degrees). */
+/** Round-off leaves larger angles, numbers with a wrong byte order smaller ones
+ * (degrees). */
 constexpr double smallest_angle = 1e-25;
-/** A file without a larger angle is likely to have radians (degrees). */
+/** A file without larger angles is likely to have radians (degrees). */
 constexpr double full_turn_in_radians = 6.2832;
 
-/** "[2][0][7]" of a voxel of the file. */
+/** "[2][0][7]" for a voxel of the file. */
 std::string voxel_text(const std::array<std::size_t, 3> &xyz)
 {
   return "voxel [" + std::to_string(xyz[2]) + "][" + std::to_string(xyz[1]) + "][" +
          std::to_string(xyz[0]) + "]";
 }
 
-/** The voxels that are the cells of this rank. */
+/** Voxels of this rank's cells. */
 VoxelRegion region_of_cells(const MicrostructureParameters &p,
                             const MPI_Comm communicator)
 {
@@ -43,7 +44,7 @@ VoxelRegion region_of_cells(const MicrostructureParameters &p,
   return region;
 }
 
-/** Puts the elements of the sets of all ranks into that of each. Collective. */
+/** Makes the set on each rank the union over all ranks. Collective. */
 template <typename T>
 void unite(std::set<T> &elements, const MPI_Comm communicator)
 {
@@ -68,7 +69,7 @@ public:
   {
   }
 
-  /** Of cells with these phases. */
+  /** Reads orientations for cells with these phases. */
   void read(const std::vector<std::uint8_t> &phase_id)
   {
     if (has_grains)
@@ -90,7 +91,8 @@ public:
       }
   }
 
-  /** Numbers the pairs of all ranks as one rank would, in the order of the cells. Collective. */
+  /** Numbers the pairs of all ranks in the order of the cells, independent of the number
+   * of ranks. Collective. */
   void share(const MPI_Comm communicator)
   {
     unite(seen, communicator);
@@ -117,9 +119,9 @@ public:
     materials = all.materials();
   }
 
-  std::vector<std::uint16_t> id;        ///< of the cells of this rank
-  std::vector<OrientedPhase> materials; ///< of all cells
-  std::set<double> found_grains;        ///< that cells have which turn
+  std::vector<std::uint16_t> id;        ///< per cell of this rank
+  std::vector<OrientedPhase> materials; ///< materials of all cells
+  std::set<double> found_grains;        ///< grains of cells with anisotropic phases
   double largest   = 0.;                ///< angle of a cell (degrees), without its sign
   double deviation = 0.; ///< largest angle (degrees) by which rounding turns a cell
 
@@ -191,7 +193,7 @@ private:
 
   const MicrostructureParameters &p;
   const OrientationReading &reading;
-  const std::vector<bool> turns; ///< of each phase, whether it is anisotropic
+  const std::vector<bool> turns; ///< per phase: whether it is anisotropic
   const bool has_grains;
   const VoxelRegion region;
   std::map<double, Angles> grains;
@@ -199,7 +201,7 @@ private:
   unsigned int last_phase   = 0;
   Angles last_angles        = {};
   std::uint16_t last_number = 0;
-  Palette palette; ///< of the cells of this rank
+  Palette palette; ///< materials of this rank's cells
 };
 
 /** The file that has the angles. */

@@ -13,19 +13,19 @@ namespace mesoslip
 /** Bunge's phi1, Phi, phi2 (degrees). */
 using Angles = std::array<double, 3>;
 
-/** Gives each distinct pair of phase and orientation a number. */
+/** Numbers the distinct pairs of phase and orientation. */
 class Palette
 {
 public:
-  static constexpr std::size_t most_seen = 1000000; ///< more are not told apart
+  static constexpr std::size_t most_seen = 1000000; ///< beyond, pairs are merged
 
-  /** Angles are rounded to multiples of @p the_step (degrees), unless that is zero. */
+  /** Angles are rounded to multiples of @p the_step (degrees), unless it is zero. */
   explicit Palette(const double the_step)
     : step(the_step)
   {
   }
 
-  /** The number of this pair. */
+  /** The number of this pair, added if it is new. */
   std::size_t add(const unsigned int phase, const Angles &given)
   {
     Angles angles = given;
@@ -33,13 +33,13 @@ public:
       {
         for (double &angle : angles)
           angle = std::round(angle / step) * step;
-        // Turns by 360 degrees are none.
+        // Reduces angles to one turn of 360 degrees.
         for (const unsigned int a : {0U, 2U})
           angles[a] -= 360. * std::floor(angles[a] / 360.);
         largest = std::max(largest, angle_between(given, angles));
       }
     for (double &angle : angles)
-      angle += 0.; // no -0
+      angle += 0.; // removes -0
     if (numbers.size() >= most_seen)
       return 0;
     return numbers.emplace(std::make_pair(phase, angles), numbers.size()).first->second;
@@ -51,7 +51,7 @@ public:
     return numbers.size();
   }
 
-  /** Largest angle (degrees) by which rounding has turned. */
+  /** Largest rotation (degrees) caused by rounding. */
   double deviation() const
   {
     return largest;
@@ -73,7 +73,7 @@ private:
     return bunge_rotation(degree * angles[0], degree * angles[1], degree * angles[2]);
   }
 
-  /** Angle (degrees) between two orientations; exact also where it is small. */
+  /** Angle (degrees) between two orientations; accurate for small angles, too. */
   static double angle_between(const Angles &a, const Angles &b)
   {
     const double chord = (rotation_of(a) - rotation_of(b)).norm() / std::sqrt(8.);

@@ -10,7 +10,7 @@ namespace mesoslip
 {
 namespace
 {
-/** A derivative of a stiffness in space, in the plane its plane-strain part. */
+/** A derivative of a 3D stiffness; in 2D its plane-strain part. */
 template <int dim>
 VoigtMatrix<dim> in_dimension(const VoigtMatrix<3> &derivative)
 {
@@ -20,7 +20,7 @@ VoigtMatrix<dim> in_dimension(const VoigtMatrix<3> &derivative)
     return plane_part(derivative);
 }
 
-/** The entries that @p n coefficients of stiffness_from_coefficients() are. */
+/** The entries that @p n coefficients of stiffness_from_coefficients() stand for. */
 template <int dim>
 std::vector<StiffnessEntry> given_entries(const std::size_t n)
 {

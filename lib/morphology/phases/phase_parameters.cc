@@ -14,7 +14,7 @@ namespace mesoslip
 {
 namespace
 {
-/** Orientation in 3D. */
+/** Binds the orientation in 3D. */
 void bind_orientation(Keys &keys, PhaseParameters &phase)
 {
   const std::string which = "3D, orthotropic and stiffness: ";
@@ -40,7 +40,7 @@ void bind_orientation(Keys &keys, PhaseParameters &phase)
                  "there are " + std::to_string(list->size()) + " numbers; give three");
 }
 
-/** What is of use where derivatives of the stiffness are computed. */
+/** Binds keys that only matter if derivatives of the stiffness are computed. */
 void bind_derivatives(Keys &keys, PhaseParameters &phase)
 {
   keys.bind_list(

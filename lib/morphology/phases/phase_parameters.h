@@ -12,23 +12,23 @@ namespace mesoslip
 {
 class Keys;
 
-/** A number that a phase is given by. */
+/** A material constant of a phase. */
 template <int dim>
 struct PhaseConstant
 {
   std::string name; ///< such as E, nu12 or D11
   std::string unit; ///< "Pa", or "1" for pure numbers
   double value;     ///< in that unit
-  double deviation; ///< its standard deviation, 0: it is known
+  double deviation; ///< standard deviation; 0: exactly known
 
-  /** Derivative of the stiffness (Pa) with respect to it. */
+  /** Derivative of the stiffness (Pa) with respect to the constant. */
   VoigtMatrix<dim> derivative;
 };
 
 /** Section `Phases/<name>`: the material of one phase. */
 struct PhaseParameters
 {
-  /** Which keys give the stiffness. */
+  /** Keys that define the stiffness. */
   enum class Type
   {
     isotropic,
@@ -53,49 +53,52 @@ struct PhaseParameters
   double density              = 0.;   ///< kg/m^3; 0: not given
   double friction_coefficient = 0.25; ///< Coulomb, of contact nodes in the phase
 
-  /** Standard deviations of the constants over their values, one for all or one each; empty: they are
-   * known. */
+  /** Relative standard deviations of the constants, one for all or one each; empty:
+   * exactly known. */
   std::vector<double> deviations;
 
-  /** 1/K along the axes 1, 2, 3 of the material, one number for all of them; empty: it does not expand. */
+  /** Thermal expansion (1/K) along the axes 1, 2, 3 of the material, one number for all
+   * of them; empty: none. */
   std::vector<double> expansion;
 
-  /** W/(m K) or S/m along the axes 1, 2, 3 of the material, one number for all of them; empty: not given. */
+  /** Conductivity (W/(m K) or S/m) along the axes 1, 2, 3 of the material, one number for
+   * all of them; empty: not given. */
   std::vector<double> conductivities;
 
   double loss_factor = 0.; ///< imaginary over real part of the stiffness [-]
 
-  /** Throws UserError naming the key when the material makes no sense. */
+  /** Throws UserError naming the key if the material is invalid. */
   template <int dim>
   void check() const;
 
-  /** Pa. Throws std::invalid_argument where check() throws. */
+  /** Stiffness (Pa). Throws std::invalid_argument where check() throws. */
   template <int dim>
   VoigtMatrix<dim> stiffness() const;
 
-  /** Stress (Pa/K) that a change of temperature takes off, in 2D in plane strain: Phase::thermal_stress. */
+  /** Phase::thermal_stress (Pa/K), subtracted per kelvin; in 2D plane strain. */
   template <int dim>
   VoigtVector<dim> thermal_stress() const;
 
-  /** Conductivity (W/(m K) or S/m) in the axes of space, in 2D of the plane; conductivities are not empty. */
+  /** Conductivity (W/(m K) or S/m) in coordinate axes, in 2D in the plane; conductivities
+   * must not be empty. */
   template <int dim>
   Eigen::Matrix<double, dim, dim, Eigen::RowMajor> conductivity() const;
 
-  /** Its component zz (Pa/K) in plane strain. */
+  /** Component zz of the thermal stress (Pa/K) in plane strain. */
   double transverse_thermal_stress() const;
 
-  /** How the stiffness follows from each of the constants, in the order of their keys. */
+  /** The constants with their derivatives, in the order of their keys. */
   template <int dim>
   std::vector<PhaseConstant<dim>> constants() const;
 
-  /** Whether it expands when it is heated. */
+  /** Whether the phase has thermal expansion. */
   bool expands() const
   {
     return std::any_of(expansion.begin(), expansion.end(),
                        [](const double value) { return value != 0.; });
   }
 
-  /** Whether its conductivity depends on the direction. */
+  /** Whether its conductivity is anisotropic. */
   bool conducts_along_axes() const
   {
     return std::any_of(conductivities.begin(), conductivities.end(),
@@ -105,13 +108,14 @@ struct PhaseParameters
   /** alpha . C alpha in space (Pa/K^2), twice the energy of one kelvin without strain. */
   double thermal_energy() const;
 
-  /** Whether one of the keys for an orientation in 3D is given. */
+  /** Whether a key for an orientation in 3D is given. */
   bool is_turned_in_3d() const
   {
     return !euler_angles.empty() || !axis_1.empty() || !axis_2.empty();
   }
 
-  /** Its axes as columns, from those keys. Throws std::invalid_argument. */
+  /** Rotation matrix from the orientation keys; columns are its axes. Throws
+   * std::invalid_argument. */
   Eigen::Matrix3d rotation() const;
 
   /** Moduli and density for the log; check() has passed. */
@@ -119,7 +123,7 @@ struct PhaseParameters
   std::string text() const;
 
 private:
-  /** A stiffness in the axes of the material (Pa) in those of space. */
+  /** Rotates a stiffness (Pa) from material axes to coordinate axes. */
   template <int dim>
   VoigtMatrix<dim> turned(const VoigtMatrix<dim> &of_material) const;
 
@@ -140,14 +144,14 @@ private:
 };
 
 /**
- * Section `Phases`: binds `Names`, a list, and a subsection for each name. The phase that
- * comes first has index 0. No phase has a stiffness or a density that was not given,
- * whatever its name. Of a volume that is homogenized there are keys for what derivatives of the stiffness
- * tell. Throws UserError for names that are not unique or cannot be names.
+ * Section `Phases`: binds `Names`, a list, and a subsection for each name. The first
+ * phase has index 0. Stiffness and density have no default, whatever the name.
+ * @p of_volume: the volume is homogenized, which adds the keys for derivatives of the
+ * stiffness. Throws UserError for names that are not unique or not allowed.
  */
 void bind_phases(Keys &keys, std::vector<PhaseParameters> &phases, const bool of_volume);
 
-/** Key Mean dilatation of the section that is open. */
+/** Binds the key Mean dilatation of the current section. */
 void bind_mean_dilatation(Keys &keys, MeanDilatation &choice);
 
 /** Stiffness and density of each phase; check() has passed. */

@@ -14,7 +14,7 @@ namespace mesoslip
 {
 namespace
 {
-/** Eq. (13) inverted, if it has a solution. */
+/** Inverts eq. (13), if it has a solution. */
 std::optional<double> delta_for(const double mean, const double mu, const double duration)
 {
   if (!(mean > 0. && mean < mu))
@@ -192,7 +192,8 @@ chosen_estimate(const std::vector<FrictionEstimate> &estimates,
                 const FrictionHomogenizationParameters &parameters,
                 const FrictionHomogenizationInput &input)
 {
-  // The first: the static contact analysis if there is one, T_G of the homogeneous run.
+  // The first estimate uses the static contact analysis, if any, and T_G of the
+  // homogeneous run.
   const auto chosen =
     std::find_if(estimates.begin(), estimates.end(), [&](const FrictionEstimate &e) {
       return parameters.pressures == "auto" || parameters.pressures == e.pressures;

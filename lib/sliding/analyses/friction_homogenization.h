@@ -25,61 +25,60 @@ public:
   /** @throws UserError unless the run was a contact_dynamics @p analysis. */
   void require_analysis(const std::string &analysis) const;
 
-  /** The number of that name, in the object @p of; nothing if it is missing or null. */
+  /** The number with this name, in the object @p of; empty if it is missing or null. */
   std::optional<double> find_number(const std::string &name,
                                     const std::string &of = "") const;
 
-  /** A text of the file, empty when there is none of that name. */
+  /** A text of the file with this name; empty if there is none. */
   std::string text(const std::string &name) const;
 
   /** Path of another file in the folder. */
   std::string file(const std::string &name) const;
 
-  const std::string key;    ///< that gave the folder
-  const std::string folder; ///< of the run
+  const std::string key;    ///< key that gave the folder
+  const std::string folder; ///< folder of the run
 
 private:
   nlohmann::json json;
 };
 
-/** The number if it is positive, or nothing. */
+/** @p value if it is positive, else empty. */
 inline std::optional<double> if_positive(const std::optional<double> &value)
 {
   return value && *value > 0. ? value : std::nullopt;
 }
 
-/** A transient run as far as eq. (13) is concerned. */
+/** Data of a transient run for eq. (13). */
 struct FrictionRun
 {
-  std::string folder;       ///< with its summary.json and dynamics.h5
-  RunConditions conditions; ///< of dynamics.h5
+  std::string folder;       ///< folder with summary.json and dynamics.h5
+  RunConditions conditions; ///< loads and supports from dynamics.h5
   double mu_inter = 0.;     ///< global interface friction coefficient, eq. (9)
   std::optional<double> contact_duration; ///< T_G (s); unknown without complete landings
-  std::string duration_warning; ///< why T_G should not be used; empty when it may be
+  std::string duration_warning; ///< reason not to use T_G; empty if there is none
   std::optional<double> regularization_time;  ///< delta (s); none for plain Coulomb
   std::optional<double> friction_coefficient; ///< local mu; none if it varies by phase
 };
 
-/** What the contact homogenization starts from. */
+/** Input of the homogenization of friction. */
 struct FrictionHomogenizationInput
 {
   FrictionRun heterogeneous;              ///< run to be matched
-  std::optional<FrictionRun> homogeneous; ///< its own T_G and mu_inter, if it was run
+  std::optional<FrictionRun> homogeneous; ///< with its T_G and mu_inter, if given
 
   std::vector<std::string> phase_names; ///< phases on the contact line
   std::vector<ContactPhase> surface;    ///< areas are shares of the contact line
   std::vector<ContactPhase> volume;     ///< areas are volume fractions
 
-  /** Pressures (Pa) of those phases in a static contact analysis; empty without one. */
+  /** Pressures (Pa) of these phases in a static contact analysis; empty without one. */
   std::vector<double> static_pressures;
 
   /**
-   * Eq. (17) over the contact nodes of the run with their own coefficients, which differ
-   * from the phases' where phases meet: with eq. (19), and with the static contact
-   * analysis if there is one on the same nodes.
+   * Eq. (17) with eq. (19) over the contact nodes of the run and their own coefficients,
+   * which differ from the phases' where phases meet.
    */
   double mu_of_nodes = 0.;
-  std::optional<double> static_mu_of_nodes; ///< with pressures of the static contact
+  std::optional<double> static_mu_of_nodes; ///< by static contact pressures
   std::vector<std::string> warnings;        ///< sentences on the files read
 
   /** Eq. (17) with the phases of the contact line and the best pressures known. */
@@ -91,43 +90,44 @@ struct FrictionHomogenizationInput
   }
 };
 
-/** One way to the coefficient and the regularization time of the homogeneous model. */
+/** An estimate of coefficient and regularization time of the homogeneous model. */
 struct FrictionEstimate
 {
   std::string pressures;            ///< a choice of the key Pressures from
-  std::string duration;             ///< whose T_G: "heterogeneous", "homogeneous"
-  double mu_homo          = 0.;     ///< eq. (17) with those pressures
+  std::string duration;             ///< run of the T_G: "heterogeneous", "homogeneous"
+  double mu_homo          = 0.;     ///< eq. (17) with these pressures
   double contact_duration = 0.;     ///< T_G (s)
   std::optional<double> delta;      ///< s, eq. (13); none unless mu_inter < mu_homo
   std::optional<double> calibrated; ///< s, eq. (13) scaled to the homogeneous run
 };
 
-/** Reads the folders of section Friction homogenization. @throws UserError naming key, file and what is
- * missing */
+/** Reads the folders of section Friction homogenization.
+ * @throws UserError naming key, file and the missing data */
 FrictionHomogenizationInput
 read_friction_homogenization(const FrictionHomogenizationParameters &parameters);
 
 /**
  * All estimates that the input allows: mu_homo by eqs (17) to (21), delta by inverting
- * eq. (13) for the heterogeneous run's mu_inter. The calibrated delta asks eq. (13) only
- * for the ratio of mu_inter between two deltas: it has to turn the homogeneous run's
- * mu_inter, taken at that run's delta, into the heterogeneous one's.
- * @throws UserError when no T_G is known
+ * eq. (13) for the heterogeneous run's mu_inter. The calibrated delta uses eq. (13) only
+ * for the ratio of mu_inter between two deltas: starting from the homogeneous run's
+ * mu_inter at its own delta, it yields the heterogeneous run's mu_inter.
+ * @throws UserError if no T_G is known
  */
 std::vector<FrictionEstimate>
 friction_estimates(const FrictionHomogenizationInput &input);
 
 /**
- * A warning if the run itself slides with another coefficient than its phases suggest; ""
+ * A warning if the coefficient of the contact nodes differs from that of the phases; ""
  * otherwise.
  */
 std::string node_warning(const FrictionHomogenizationInput &input);
 
-/** A warning if the T_G that @p chosen uses rests on few nodes; "" otherwise. */
+/** A warning if the T_G that @p chosen uses relies on few nodes; "" otherwise. */
 std::string duration_warning(const FrictionHomogenizationInput &input,
                              const FrictionEstimate &chosen);
 
-/** The estimate that section Friction homogenization asks for. @throws UserError */
+/** The estimate selected by section Friction homogenization.
+ * @throws UserError */
 const FrictionEstimate &
 chosen_estimate(const std::vector<FrictionEstimate> &estimates,
                 const FrictionHomogenizationParameters &parameters,

@@ -24,7 +24,7 @@ Hdf5File open_dynamics(const RunSummary &summary)
   return file;
 }
 
-/** Adds to @p warnings if the file has changed. */
+/** Reads a run; adds to @p warnings if the file has changed. */
 FrictionRun read_run(const RunSummary &summary,
                      const Hdf5File &file,
                      std::vector<std::string> &warnings)
@@ -62,8 +62,8 @@ FrictionRun read_run(const RunSummary &summary,
   return run;
 }
 
-/** In what loads and supports of a state at rest differ from those of a run, which may move
- * the flat faster or slower, and begin as it likes. */
+/** Differences of loads and supports between a state at rest and a run. Ignored: flat
+ * speed, load histories and initial velocity. */
 std::string differences_at_rest(RunConditions at_rest, RunConditions run)
 {
   const auto velocity = number_of(at_rest, "velocity"),
@@ -85,7 +85,8 @@ double contact_area(const Hdf5File &file)
   return std::accumulate(areas.begin(), areas.end(), 0.);
 }
 
-/** That the homogeneous body is that of the heterogeneous one @p of, as far as files tell. */
+/** Checks that the homogeneous run has the body of the heterogeneous run with file @p of;
+ * files may lack this information. */
 void require_same_body(const RunSummary &summary,
                        const Hdf5File &file,
                        const Hdf5File &of)
@@ -125,12 +126,12 @@ FrictionRun read_homogeneous(const std::string &folder,
   return run;
 }
 
-/** What eqs (17) and (19) need of a contact. */
+/** Contact data for eqs (17) and (19). */
 struct ContactNodes
 {
   std::vector<double> area;        ///< tributary (m^2, in 2D m)
   std::vector<double> mu;          ///< coefficients of friction
-  std::vector<unsigned int> point; ///< of a mesh; empty on a plane grid
+  std::vector<unsigned int> point; ///< number in the mesh; empty on a plane grid
 };
 
 std::vector<unsigned int> points_of(const Hdf5File &file, const std::string &group)
@@ -147,7 +148,7 @@ ContactNodes read_nodes(const Hdf5File &file, const std::size_t n)
           points_of(file, "/contact")};
 }
 
-/** Eq. (17) over nodes. */
+/** Eq. (17) over contact nodes. */
 double coefficient_of_nodes(const ContactNodes &nodes,
                             const std::vector<double> &pressure)
 {
@@ -161,7 +162,8 @@ double coefficient_of_nodes(const ContactNodes &nodes,
   return friction / force;
 }
 
-/** Eq. (19): the pressure of a node goes with the moduli of the phases around it. */
+/** Eq. (19): the pressure of a node is proportional to the moduli of the phases around
+ * it. */
 std::vector<double> moduli_of_nodes(const PhasesOfContact &phases)
 {
   std::vector<double> moduli(phases.share[0].size());
@@ -171,7 +173,7 @@ std::vector<double> moduli_of_nodes(const PhasesOfContact &phases)
   return moduli;
 }
 
-/** Of each phase the share of the contact. */
+/** Share of each phase in the contact. */
 std::vector<double> surface_fractions(const PhasesOfContact &phases,
                                       const std::vector<double> &area)
 {
@@ -183,7 +185,7 @@ std::vector<double> surface_fractions(const PhasesOfContact &phases,
   return fractions;
 }
 
-/** The phases with these fractions as areas, without those that have none. */
+/** The phases with @p fractions as areas; phases without area are left out. */
 std::vector<ContactPhase> with_areas(const PhasesOfContact &phases,
                                      const std::vector<double> &friction,
                                      const std::vector<double> &fractions)
@@ -195,7 +197,7 @@ std::vector<ContactPhase> with_areas(const PhasesOfContact &phases,
   return result;
 }
 
-/** The coefficient of each phase: its own, or the one of the @p run. */
+/** Coefficient of each phase: its own, or else the coefficient of the @p run. */
 std::vector<double> friction_of_phases(const PhasesOfContact &phases,
                                        const FrictionRun &run)
 {
@@ -206,7 +208,8 @@ std::vector<double> friction_of_phases(const PhasesOfContact &phases,
   return std::vector<double>(phases.names.size(), *run.friction_coefficient);
 }
 
-/** The pressures at rest in the order of the @p nodes of the run; empty unless the nodes are the same. */
+/** Pressures at rest in the order of the @p nodes of the run; empty unless the nodes
+ * agree. */
 std::vector<double> pressures_at_rest(const Hdf5File &file, const ContactNodes &nodes)
 {
   const auto pressure = file.read<double>("/static_contact/pressure", {any_extent},

@@ -12,7 +12,7 @@ template <int dim>
 class ModalAnalysis : public BodyAnalysis<dim>
 {
 public:
-  /** @throws UserError if there are not as many modes as Modal/Number of modes. */
+  /** @throws UserError if the body has fewer modes than Modal/Number of modes. */
   explicit ModalAnalysis(std::unique_ptr<GivenBody<dim>> given);
 
   void run(RunContext &context) override;

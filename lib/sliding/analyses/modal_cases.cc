@@ -17,7 +17,7 @@ namespace mesoslip
 {
 namespace
 {
-/** Along the normal of the flat. */
+/** Name of the axis along the normal of the flat. */
 template <int dim>
 std::string along_normal()
 {

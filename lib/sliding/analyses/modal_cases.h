@@ -12,7 +12,7 @@
 
 namespace mesoslip
 {
-/** One of the paper's boundary conditions and the modes under it. */
+/** Modes under one of the paper's boundary conditions. */
 template <int dim>
 struct ModalCase
 {
@@ -20,33 +20,35 @@ struct ModalCase
   VibrationModes<dim> modes; ///< lowest first
 };
 
-/** Those that are asked for: "free", "held". */
+/** Names of the requested boundary conditions: "free", "held". */
 std::vector<std::string> modal_bottoms(const ContactParameters &parameters);
 
-/** The top of the transient run as long as it is loaded. */
+/** The top support of the transient run in its loaded state. */
 TopSetup top_at_start(const ContactParameters &parameters);
 
-/** @throws UserError naming the key if that many free degrees of freedom have not the
- * modes that are wanted */
+/** @throws UserError naming the key if @p n_free degrees of freedom have fewer modes than
+ * requested */
 void require_modes(const std::size_t n_free, const ContactParameters &parameters);
 
-/** The modes of a bottom that is held or not. */
+/** Function that computes the modes with the bottom held or free. */
 template <int dim>
 using ModesOfBottom = std::function<VibrationModes<dim>(const bool bottom_held,
                                                         const VibrationModesOptions &)>;
 
-/** The modes for each bottom, as @p find has them, and under @p platens; with lines for the log. Collective. @throws NumericalFailure */
+/** Modes for each bottom condition by @p find, with the motion of @p platens, and lines
+ * for the log. Collective.
+ * @throws NumericalFailure */
 template <int dim>
 std::vector<ModalCase<dim>> compute_modes(const ModesOfBottom<dim> &find,
                                           const std::vector<Platen> &platens,
                                           const ContactParameters &parameters,
                                           RunContext &context);
 
-/** On rank 0: modes.csv, and the keys of summary.json that are about the modes. */
+/** On rank 0: writes modes.csv and the modes in summary.json. */
 template <int dim>
 void write_modes(const std::vector<ModalCase<dim>> &cases, RunContext &context);
 
-/** Writes /modes without the shapes. */
+/** Writes /modes without mode shapes. */
 template <int dim>
 void write_frequencies(Hdf5File &file, const std::vector<ModalCase<dim>> &cases);
 

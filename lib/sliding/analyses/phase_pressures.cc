@@ -14,8 +14,8 @@ namespace mesoslip
 namespace
 {
 /**
- * The phases that take part in the contact with @p fractions of it as areas, Young's moduli
- * of the closest isotropic solids, friction coefficients. Absent phases are left out.
+ * Contact phases with @p fractions as areas, Young's moduli of the closest isotropic
+ * solids, and friction coefficients. Absent phases are left out.
  */
 template <int dim>
 std::vector<ContactPhase> contact_phases(const std::vector<Phase<dim>> &phases,

@@ -12,25 +12,26 @@
 
 namespace mesoslip
 {
-/** What the phases carry of a static contact, and the coefficients of friction that follow;
- * by phase, with nothing for phases that are not in contact. */
+/** Contact pressures of the phases in a static contact and the resulting coefficients of
+ * friction; by phase, empty for phases without contact. */
 struct PhasePressures
 {
-  std::vector<std::string> names;                 ///< of the phases
+  std::vector<std::string> names;                 ///< phase names
   std::vector<double> surface_fraction;           ///< share of the contact
   std::vector<std::optional<double>> pressure;    ///< mean (Pa)
   std::vector<std::optional<double>> repartition; ///< by eq. (19) (Pa)
 
-  /** Relative difference between these pressures and the force on the flat. */
+  /** Relative difference between the force of these pressures and the force on the
+   * flat. */
   double imbalance = 0.;
 
-  double mu_homo             = 0.; ///< of eq. (17) with the phases' pressures
-  double mu_homo_repartition = 0.; ///< of eq. (17) with the pressures of eq. (19)
+  double mu_homo             = 0.; ///< eq. (17) with the phases' pressures
+  double mu_homo_repartition = 0.; ///< eq. (17) with the pressures of eq. (19)
 };
 
 /**
- * From the integral of the pressure over each phase's part of the contact, over the area of
- * the whole contact (@p sum, Pa), and the mean pressure of the flat (Pa).
+ * @p sum: integral of the pressure over each phase's part of the contact, divided by the
+ * area of the whole contact (Pa). @p mean_pressure: on the flat (Pa).
  */
 template <int dim>
 PhasePressures phase_pressures(const ContactParameters &parameters,
@@ -44,7 +45,7 @@ PhasePressures phase_pressures(const ContactParameters &parameters,
 std::vector<std::string> pressure_lines(const PhasePressures &found,
                                         const std::optional<double> sliding);
 
-/** The same for summary.json. */
+/** Adds the pressures to summary.json. */
 void add_pressures(const PhasePressures &found, nlohmann::json &json);
 } // namespace mesoslip
 

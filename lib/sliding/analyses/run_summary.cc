@@ -9,7 +9,7 @@ namespace mesoslip
 {
 namespace
 {
-/** A file in the folder stands for the folder, as elsewhere. */
+/** Accepts a file in the folder in place of the folder. */
 std::string folder_of(const std::string &given)
 {
   std::error_code ignored;

@@ -16,7 +16,7 @@ const char *yes_or_no(const bool value)
   return value ? "yes" : "no";
 }
 
-/** As in the parameters. */
+/** Text as in the .prm. */
 const char *side_text(const std::array<bool, 2> &held)
 {
   const char *const names[] = {"free", "u_x", "u_y", "both"};
@@ -60,8 +60,8 @@ void add_friction(RunConditions &conditions, const ContactParameters &parameters
     conditions["regularization_time"] = parameters.contact.law.time;
 }
 
-/** What a body on a mesh or a box in 3D has, whose sides are free but for the groups that are
- * held. */
+/** Conditions of a body on a mesh or a 3D box, whose sides are free except the
+ * constrained groups. */
 void add_mesh(RunConditions &conditions, const ContactParameters &p, const bool transient)
 {
   if (p.mesh.phases.size() > 1)
@@ -81,7 +81,7 @@ void add_mesh(RunConditions &conditions, const ContactParameters &p, const bool 
     }
 }
 
-/** "6e-3 x 4e-3", of as many numbers as there are axes. */
+/** "6e-3 x 4e-3", with a number per axis. */
 template <typename Numbers>
 std::string product_text(const Numbers &numbers, const unsigned int dim)
 {
@@ -91,8 +91,9 @@ std::string product_text(const Numbers &numbers, const unsigned int dim)
   return text;
 }
 
-/** Shape, material, damping, sliding and supports of a counter body; of files their content. Homogeneous and heterogeneous bodies of one
- * volume, on any cells, are the same here, as those above it are. */
+/** Shape, material, damping, sliding and supports of a counter body; files enter by their
+ * content. Homogeneous and heterogeneous bodies of one volume give the same text on any
+ * cells, as for the body above. */
 std::string counter_text(const ContactParameters &p)
 {
   const BodyParameters &body = p.body;

@@ -16,7 +16,7 @@ TopSetup top_at_rest(const ContactParameters &parameters)
 
 namespace
 {
-/** Whether something holds the body along axis @p c. */
+/** Whether a support holds the body along axis @p c. */
 bool is_held_along(const ContactParameters &p, const BodySize &body, const unsigned int c)
 {
   if (top_at_rest(p).holds(c) || !p.mesh.held[c].empty())
@@ -31,7 +31,8 @@ bool is_held_along(const ContactParameters &p, const BodySize &body, const unsig
   return false;
 }
 
-/** What moves a body that nothing holds along axis @p c; empty: nothing. */
+/** Key of a load that moves a body without support along axis @p c; empty: there
+ * is none. */
 std::string
 mover_along(const ContactParameters &p, const BodySize &body, const unsigned int c)
 {
@@ -45,7 +46,7 @@ mover_along(const ContactParameters &p, const BodySize &body, const unsigned int
   return p.step.acceleration[c] != 0. ? "Body/Acceleration" : "";
 }
 
-/** That something holds the body along the flat. */
+/** Checks that a support holds the body along the flat. */
 void check_lateral_support(const ContactParameters &p,
                            const BodySize &body,
                            const bool rubs)
@@ -77,9 +78,9 @@ void check_lateral_support(const ContactParameters &p,
     }
 }
 
-/** That the friction under a flat contact does not tip the body: the resultant of the pressure acts in the
- * middle, the reaction at most half the width from there, and their moment has to hold that of the friction
- * between the flat and the top. */
+/** Checks that friction does not tip the body on a flat contact: the resultant of the
+ * pressure acts in the middle, the reaction at most half the width from there. Their
+ * moment has to balance the moment of the friction between flat and top. */
 void check_tipping(const ContactParameters &p,
                    const BodyFacts<2> &body,
                    const double least_friction)

@@ -7,7 +7,7 @@ namespace mesoslip
 {
 namespace
 {
-/** Of a node on faces that stand on the flat and so have no @p area. */
+/** Traction of a node; faces that stand on the flat have no @p area. */
 double traction(const double force, const double area)
 {
   return force == 0. ? 0. : force / std::fabs(area);

@@ -14,27 +14,28 @@
 
 namespace mesoslip
 {
-/** Equilibrium of the body pressed on the flat, and what follows from it; nodes in the order of
- * ElasticBody::surface(). */
+/** Equilibrium of the body pressed on the flat, with derived results; nodes in the order
+ * of ElasticBody::surface(). */
 template <int dim>
 struct StaticContactResult
 {
-  StaticContactSolution solution;    ///< under the pressure of Supports/Top
-  std::vector<StaticLoadStep> steps; ///< one for each increment of the load
+  StaticContactSolution solution;    ///< solution under the pressure of Supports/Top
+  std::vector<StaticLoadStep> steps; ///< per load increment
 
   double normal_force = 0.; ///< on the flat (N, in 2D N/m)
   std::array<double, dim - 1>
-    tangential_force; ///< of the flat on the body (N, in 2D N/m)
+    tangential_force; ///< friction force of the flat on the body (N, in 2D N/m)
 
-  std::vector<double> node_pressure; ///< of the contact nodes (Pa)
+  std::vector<double> node_pressure; ///< contact pressure per contact node (Pa)
   std::array<std::vector<double>, dim - 1>
     node_shear; ///< shear traction on the body (Pa)
 
-  std::vector<double> cell_pressure; ///< of ContactCell, on rank 0 (Pa)
-  PhasePressures phases;             ///< from cell_pressure, on rank 0
+  std::vector<double> cell_pressure; ///< per ContactCell, on rank 0 (Pa)
+  PhasePressures phases;             ///< derived from cell_pressure, on rank 0
 };
 
-/** Solves for equilibrium of a body whose elastic() is made. Collective. @throws NotConverged */
+/** Computes the equilibrium of a body after make_elastic(). Collective.
+ * @throws NotConverged */
 template <int dim>
 StaticContactResult<dim> compute_static_contact(const GivenBody<dim> &body,
                                                 const StaticContactOptions &options);
@@ -64,7 +65,7 @@ private:
   void write_contact_group(Hdf5File &file) const;
   void summarize(RunContext &context) const;
 
-  /** Number of distinct nodes in @p state. */
+  /** Number of contact nodes in @p state; periodic copies are not counted. */
   std::size_t count(const ContactState state) const;
 
   StaticContactResult<dim> result;

@@ -144,7 +144,7 @@ StaticContactSolution StaticLoad<dim>::follow(const StaticContactOptions &given)
       stick_where_it_is(1. / load.steps);
       for (std::size_t c = 0; c < load.of_flat.size(); ++c)
         way[c] = n * load.of_flat[c] / load.steps;
-      if (platen) // which rises and falls, and is carried along on its springs
+      if (platen) // moves along the normal, and along the flat on its springs
         press(1.);
       else
         solve();

@@ -9,7 +9,7 @@
 
 namespace mesoslip
 {
-/** Those of the sides, then that of the top. */
+/** Adds the platens of the sides, then the platen of the top. */
 template <int dim>
 void StaticLoad<dim>::add_platens(const GivenBody<dim> &body)
 {
@@ -40,8 +40,8 @@ void StaticLoad<dim>::add_platens(const GivenBody<dim> &body)
     }
 }
 
-/** Forces of the body and the springs of platens on them in the components in which they move, from the equilibrium of
- * their nodes (N, in 2D N/m); the flat carries it, with whatever else holds or loads the body. */
+/** Reaction forces of body and springs on the platens, in their components of motion,
+ * from the equilibrium of their nodes (N, in 2D N/m). */
 template <int dim>
 Eigen::VectorXd StaticLoad<dim>::platen_force() const
 {
@@ -78,8 +78,9 @@ void StaticLoad<dim>::press_in_proportion()
 template <int dim>
 void StaticLoad<dim>::press(const double share)
 {
-  // Broyden's method, in one component the secant through the last two forces; these are in proportion to how far
-  // the platen is lowered where there are neither gaps nor springs.
+  // Broyden's method; in one component this is the secant through the last two forces.
+  // Forces are proportional to the lowering of the platen if there are no gaps or
+  // springs.
   constexpr unsigned int most = 40;
   const auto n                = static_cast<Eigen::Index>(platen_moves.size());
   Eigen::VectorXd wanted(n), before, moved;
@@ -93,7 +94,8 @@ void StaticLoad<dim>::press(const double share)
       scale += std::fabs(wanted[k]) + share * move.pulled;
     }
   const bool first = done.empty(), is_lowered = parameters.top.is_platen;
-  // The flat does not carry a body that hangs on the platen; nearer to the flat it may.
+  // If the body hangs on the platen, the flat does not carry it; closer to the flat it
+  // may.
   std::exception_ptr failed;
   if (first)
     start_platens(share);
@@ -135,7 +137,7 @@ void StaticLoad<dim>::press(const double share)
                                 " after moving the platens ", most, " times"));
 }
 
-/** Puts the nodes of platens where these are. */
+/** Puts the nodes of the platens at the platen positions. */
 template <int dim>
 void StaticLoad<dim>::move_platens()
 {
@@ -145,7 +147,7 @@ void StaticLoad<dim>::move_platens()
         shift[static_cast<Eigen::Index>(k)];
 }
 
-/** What solve() throws if there is no equilibrium. */
+/** The exception of solve() if there is no equilibrium, else null. */
 template <int dim>
 std::exception_ptr StaticLoad<dim>::failure_of_solve()
 {
@@ -164,7 +166,7 @@ std::exception_ptr StaticLoad<dim>::failure_of_solve()
   return nullptr;
 }
 
-/** Where platens are under a @p share of the load, and how they move, about. */
+/** Initial guess of platen positions and mobility under a @p share of the load. */
 template <int dim>
 void StaticLoad<dim>::start_platens(const double share)
 {

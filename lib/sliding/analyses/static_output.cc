@@ -19,7 +19,7 @@ namespace mesoslip
 {
 namespace
 {
-/** Of component @p c along the flat: the name alone is that along x. */
+/** Name of component @p c along the flat; x has no suffix. */
 std::string along_flat(const std::string &name, const std::size_t c)
 {
   return c == 0 ? name : name + "_y";
@@ -61,7 +61,8 @@ std::size_t StaticContactAnalysis<dim>::count(const ContactState state) const
     first, first + static_cast<std::ptrdiff_t>(facts.size.n_contact_nodes), state));
 }
 
-/** Friction along the motion of the flat over the normal force; nothing where it rests. */
+/** Friction along the motion of the flat over the normal force; empty if the flat is at
+ * rest. */
 template <int dim>
 std::optional<double> StaticContactAnalysis<dim>::sliding_friction() const
 {

@@ -8,30 +8,34 @@
 
 namespace mesoslip
 {
-/** Areas (m^2, in 2D m) of contact nodes for their springs; those without any have next to none. */
+/** Areas (m^2, in 2D m) of contact nodes for their springs; nodes without area get a tiny
+ * one. */
 std::vector<double> spring_areas(const std::vector<double> &areas);
 
-/** Springs between the contact nodes of a body at rest and the flat, which Newton's method makes linear. */
+/** Springs between the contact nodes and the flat in statics, linearized by Newton's
+ * method. */
 class StaticSprings
 {
 public:
-  /** Of nodes with these @p areas, see spring_areas(), pressed on the flat by @p pressure (Pa) in the mean. */
+  /** Springs of nodes with tributary @p areas, see spring_areas(), under the mean
+   * @p pressure (Pa) on the flat. */
   StaticSprings(const PowerSpring &spring,
                 const std::vector<double> &areas,
                 const double pressure);
 
-  /** Whether they are linear, so that one solve is enough. */
+  /** Whether the springs are linear, so that one solve is enough. */
   bool are_linear() const
   {
     return spring.is_linear();
   }
 
-  /** Stiffness and gap of the nodes in @p problem: of springs that are tangent to theirs, over a flat at the distances
-   * @p gaps (m). */
+  /** Sets tangent stiffness and equivalent gap of the nodes in @p problem for the current
+   * indentation, over a flat at the distances @p gaps (m). */
   void linearize(StaticContactProblem &problem, const std::vector<double> &gaps) const;
 
-  /** Takes the depths of nodes at these @p displacements along the normal (m); the share of the forces in @p solution
-   * by which those of the linear springs differ. */
+  /** Updates the indentation from the normal @p displacements (m).
+   * @return relative difference between the spring forces and the forces in
+   * @p solution */
   double settle(const StaticContactSolution &solution,
                 const std::vector<double> &displacements,
                 const std::vector<double> &gaps);
@@ -39,8 +43,8 @@ public:
 private:
   const PowerSpring spring;
   const std::vector<double> area;
-  double least;              ///< depth (m) at which a node is that does not touch
-  std::vector<double> depth; ///< m
+  double least;              ///< indentation (m) assigned to nodes without contact
+  std::vector<double> depth; ///< current indentation (m)
 };
 } // namespace mesoslip
 

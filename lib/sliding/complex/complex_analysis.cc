@@ -68,7 +68,7 @@ SlidingState ComplexModesAnalysis<dim>::at_rest(const ContactParameters &of_case
   return state;
 }
 
-/** K and M of a body of phases_of_damping(), but for the smallest beta, which SlidingLaw has. */
+/** K and M with phases_of_damping(), without the smallest beta, which SlidingLaw has. */
 template <int dim>
 DampingByPhase ComplexModesAnalysis<dim>::damping(const MPI_Comm communicator) const
 {
@@ -107,7 +107,7 @@ void ComplexModesAnalysis<dim>::run(RunContext &context)
                context);
 }
 
-/** And those of a counter body. */
+/** Also writes the shapes of a counter body. */
 template <int dim>
 void ComplexModesAnalysis<dim>::write_shapes(std::optional<Hdf5File> &file,
                                              const std::string &path,

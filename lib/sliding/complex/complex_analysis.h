@@ -16,7 +16,7 @@ template <int dim>
 class ComplexModesAnalysis : public BodyAnalysis<dim>
 {
 public:
-  /** @throws UserError without steady sliding about which a body could vibrate */
+  /** @throws UserError if there is no steady sliding state */
   explicit ComplexModesAnalysis(std::unique_ptr<GivenBody<dim>> given);
 
   void run(RunContext &context) override;
@@ -26,12 +26,13 @@ private:
   using BodyAnalysis<dim>::facts;
   using BodyAnalysis<dim>::parameters;
 
-  /** Whether the static state follows from a load; if not, the top is held, see sliding_state(). */
+  /** Whether the static state follows from a load; else the top is held, see
+   * sliding_state(). */
   bool is_pressed() const;
 
   DampingByPhase damping(const MPI_Comm communicator) const;
 
-  /** See StateAtRest. */
+  /** Static sliding state, see StateAtRest. */
   SlidingState at_rest(const ContactParameters &of_case,
                        const double friction_factor,
                        RunContext &context) const;

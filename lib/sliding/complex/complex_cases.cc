@@ -17,8 +17,9 @@ namespace mesoslip
 {
 namespace
 {
-/** A part of a shape that tells it from others, whatever nodes are free: some thousand of the
- * body's displacements, with the root of their mass, of length one. */
+/** A sample of a shape to compare shapes with, independent of the free nodes: some
+ * thousand of the body's displacements, multiplied by the root of their mass,
+ * normalized. */
 template <int dim>
 std::vector<std::complex<float>> sample(const ElasticBody<dim> &body,
                                         const FreeDofs<dim> &dofs,
@@ -73,7 +74,7 @@ ComplexCase numbers_of(const SlidingPencil &pencil,
   return result;
 }
 
-/** Where friction falls with the slip rate by more than waves carry away. */
+/** Warns if friction falls with the slip rate by more than waves radiate. */
 void warn_of_weakening(const RateWeakening &friction,
                        const std::string &place,
                        RunContext &context)
@@ -91,7 +92,8 @@ void warn_of_weakening(const RateWeakening &friction,
                      "listed; use a regularization (Friction/Law)")));
 }
 
-/** The factor of the coefficients at a value of the sweep, which by phase scales all of them. */
+/** Factor of the coefficients at a value of the sweep; coefficients by phase are all
+ * scaled. */
 double friction_factor(const ContactParameters &parameters, const double value)
 {
   return parameters.complex_modes.sweep == ModeSweep::coefficient &&
@@ -100,7 +102,7 @@ double friction_factor(const ContactParameters &parameters, const double value)
            : 1.;
 }
 
-/** What one rank throws ends all of them. Collective. */
+/** Throws on all ranks if one rank has thrown. Collective. */
 void agree(const std::exception_ptr &problem,
            const bool interrupted,
            const MPI_Comm communicator)
@@ -127,7 +129,7 @@ double highest_frequency_of(const ContactParameters &parameters,
 
 double complex_modes_memory(const double n_dofs, const unsigned int dim)
 {
-  // Complex factors as measured with METIS' ordering, matrices, and Arnoldi vectors.
+  // As measured: complex factors with METIS' ordering, matrices, and Arnoldi vectors.
   const double factors =
     dim == 2 ? 42. * n_dofs * std::log2(n_dofs) : 26. * std::pow(n_dofs, 4. / 3.);
   const double vectors = 110. * 2.1 * n_dofs;
@@ -170,7 +172,7 @@ ComplexCases<dim> compute_complex_modes(const ElasticBody<dim> &body,
                         "result yet");
   };
 
-  constexpr std::size_t fewest_unknowns = 40; // what the iterations take for granted
+  constexpr std::size_t fewest_unknowns = 40; // least size that the iterations support
   ComplexCases<dim> result;
   result.highest_frequency  = highest_frequency;
   result.parts              = parts;

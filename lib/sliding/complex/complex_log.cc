@@ -9,7 +9,7 @@ namespace mesoslip
 {
 namespace
 {
-/** How many modes were found, of which kind. */
+/** Number of modes found, and their kind. */
 std::string
 range_text(const std::size_t n, const ComplexModesParameters &keys, const double highest)
 {
@@ -41,7 +41,7 @@ void warn_of_missing(const ComplexCase &of_case,
       "reduce Highest frequency");
 }
 
-/** The coefficient of the law about steady sliding, and how it changes. */
+/** The coefficient of the law in steady sliding, and its derivatives, as text. */
 std::string law_text(const SlidingState &state)
 {
   const SlidingNodesAtRest &contact = state.contact;
@@ -62,7 +62,7 @@ std::string law_text(const SlidingState &state)
          (*mu.first == *mu.second ? "" : " where the sum is least");
 }
 
-/** What the phases of the contact have of a mode, in words. */
+/** Contributions of the contact phases to a mode, as text. */
 std::string parts_text(const ModeNumbers &mode, const ContactParts &parts)
 {
   std::string text;
@@ -73,7 +73,7 @@ std::string parts_text(const ModeNumbers &mode, const ContactParts &parts)
   return text;
 }
 
-/** Which phases slide, in words. */
+/** Sliding phases and their shares, as text. */
 std::string contact_text(const ContactParts &parts, const SlidingState &state)
 {
   const std::vector<double> shares = parts.of_contact(state);
@@ -136,7 +136,7 @@ void log_complex_modes(const ComplexCases<dim> &cases,
       highest < cases.highest_frequency)
     context.log(
       brief_text(4, "No mode of these cells is above ", 1e-3 * highest, " kHz"));
-  // Of a body that nothing holds along the flat it is round-off.
+  // For a body without support along the flat the frequency is round-off.
   if (base.nothing_grows_above < 1e3 * found.highest)
     context.log(brief_text(5, "No mode above ", 1e-3 * base.nothing_grows_above,
                            " kHz can grow on these cells"));

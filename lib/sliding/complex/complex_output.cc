@@ -21,7 +21,7 @@ nlohmann::json finite_or_null(const double value)
   return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json();
 }
 
-/** Null where not all that can vibrate and grow was counted. */
+/** Number of missing modes; null if the count of growing modes is incomplete. */
 nlohmann::json missing(const ComplexCase &of_case, const bool counted)
 {
   return counted && of_case.all_counted && of_case.n_missing >= 0
@@ -103,8 +103,8 @@ void write_sweep_table(const std::vector<ComplexCase> &sweep,
   table.flush();
 }
 
-/** Real and imaginary part of a shape: the largest displacement vector has length one, and the
- * phase is that with the most in the real part. */
+/** Real and imaginary part of a shape: the largest displacement vector has length one,
+ * and the phase maximizes the real part. */
 template <int dim>
 std::array<NodalField<double>, 2>
 parts_of(const ComplexMode &mode, const FreeDofs<dim> &dofs, const ElasticBody<dim> &body)

@@ -10,10 +10,10 @@
 
 namespace mesoslip
 {
-/** Files that the analysis writes. */
+/** Names of the files that the analysis writes. */
 std::vector<std::string> complex_modes_files();
 
-/** Name of what is swept, with its unit, as a column has it. */
+/** Column heading of the swept parameter, with its unit. */
 std::string swept_column(const ContactParameters &parameters);
 
 /** Lines and warnings on modes, completeness and the static state. */
@@ -22,21 +22,22 @@ void log_complex_modes(const ComplexCases<dim> &cases,
                        const ContactParameters &parameters,
                        RunContext &context);
 
-/** On rank 0: complex_modes.csv, of a sweep complex_modes_sweep.csv, and the keys of summary.json
- * that are about modes. */
+/** On rank 0: writes complex_modes.csv, for a sweep complex_modes_sweep.csv, and the
+ * modes in summary.json. */
 template <int dim>
 void write_complex_tables(const ComplexCases<dim> &cases,
                           const ContactParameters &parameters,
                           RunContext &context);
 
-/** Shapes that files have and ParaView shows; the time of a frame is the number of its mode. */
+/** Mode shapes for files and ParaView; the time of a frame is the number of its mode. */
 struct ComplexShapes
 {
-  std::array<std::vector<NodalField<double>>, 2> parts; ///< real and imaginary ones
+  std::array<std::vector<NodalField<double>>, 2> parts; ///< real and imaginary parts
   std::vector<double> numbers;                          ///< 1, 2, ...
 };
 
-/** On rank 0: writes /complex_modes but for the shapes, which it returns. */
+/** On rank 0: writes /complex_modes without the shapes.
+ * @return the shapes */
 template <int dim>
 ComplexShapes write_complex_modes(Hdf5File &file,
                                   const ComplexCases<dim> &cases,

@@ -20,7 +20,7 @@ std::vector<PartOfMode> ContactParts::of_mode(const ComplexMode &mode,
   if (!differ())
     return {};
   std::vector<PartOfMode> result(names.size());
-  // Nodes that are held along the flat are behind the last entry, or have zeros.
+  // Nodes held along the flat are beyond the last entry, or have zeros.
   const auto n = static_cast<std::size_t>(mode.motion_of_contact.size());
   double whole = 0.;
   for (std::size_t k = 0; k < n; ++k)

@@ -10,13 +10,13 @@
 
 namespace mesoslip
 {
-/** What a phase of the contact has of a mode. */
+/** Contribution of a phase of the contact to a mode. */
 struct PartOfMode
 {
-  double growth_by_friction = 0.; ///< what its nodes add to the growth rate (1/s)
-  double motion = 0.; ///< of the mean square motion along the flat, all phases have one
+  double growth_by_friction = 0.; ///< contribution of its nodes to the growth rate (1/s)
+  double motion = 0.; ///< share of the mean square motion; the sum over phases is 1
 
-  /** Of boost::serialization. */
+  /** For boost::serialization. */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
@@ -27,7 +27,7 @@ struct PartOfMode
 /** The phases of the body at its contact. */
 struct ContactParts
 {
-  std::vector<std::string> names; ///< of the phases
+  std::vector<std::string> names; ///< phase names
 
   /** For each phase, its share of the tributary area of each node of ElasticBody::surface(). */
   std::vector<std::vector<double>> shares;
@@ -42,8 +42,9 @@ struct ContactParts
   std::vector<double> of_contact(const SlidingState &state) const;
 
   /**
-   * Of each phase the sum over the nodes that slide of its share times the node's part of the
-   * growth, and times |u|^2 and area, over that sum of all phases. Empty with one phase.
+   * Contributions by phase. Growth: sum over the sliding nodes of the phase's share
+   * times the node's part of the growth. Motion: sum of share times |u|^2 times area,
+   * over the same sum of all phases. Empty with one phase.
    */
   std::vector<PartOfMode> of_mode(const ComplexMode &mode,
                                   const SlidingState &state) const;

@@ -8,7 +8,7 @@ namespace mesoslip
 {
 namespace
 {
-/** Likeness of two shapes, whose samples have length one. */
+/** Similarity of two shapes, whose samples have length one. */
 double likeness(const std::vector<std::complex<float>> &a,
                 const std::vector<std::complex<float>> &b)
 {
@@ -24,7 +24,7 @@ struct Pair
   std::size_t before, after;
 };
 
-/** The number of the partner among the modes of the case before, or their number. */
+/** Partner of each mode in the case before; their number if there is none. */
 std::vector<std::size_t> partners(const ComplexCase &before, const ComplexCase &after)
 {
   std::vector<Pair> pairs;

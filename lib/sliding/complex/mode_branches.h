@@ -8,10 +8,9 @@
 namespace mesoslip
 {
 /**
- * Follows modes through a sweep: for each case the number of the curve that each mode belongs to,
- * from 1. From one case to the next those pairs go together whose shapes are most
- * alike, |u^H M u'|^2 / (u^H M u  u'^H M u'), as long as that is at least 0.5; a mode
- * without partner begins a curve.
+ * Follows modes through a sweep: for each case the curve number of each mode, from 1.
+ * Between consecutive cases modes are paired by the largest |u^H M u'|^2 / (u^H M u u'^H
+ * M u'), if it is at least 0.5; a mode without partner begins a curve.
  */
 std::vector<std::vector<unsigned int>>
 mode_branches(const std::vector<ComplexCase> &cases);

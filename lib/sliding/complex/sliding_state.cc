@@ -12,7 +12,7 @@ namespace mesoslip
 {
 namespace
 {
-/** Tributary area of a node (m^2, in 2D m), with that of its duplicate. */
+/** Tributary area of a node (m^2, in 2D m), including its periodic copy. */
 template <int dim>
 double area_of(const SurfaceNodes<dim> &bottom, const std::size_t k)
 {
@@ -22,7 +22,7 @@ double area_of(const SurfaceNodes<dim> &bottom, const std::size_t k)
                 : std::fabs(bottom.normal_area[k][dim - 1]);
 }
 
-/** Friction of each node of a surface as the law has it under a static contact. */
+/** Friction of each surface node by the law in a static contact. */
 template <int dim>
 std::vector<SteadyFriction> friction_of(const SurfaceNodes<dim> &bottom,
                                         const ElasticBody<dim> &body,
@@ -57,7 +57,7 @@ std::vector<SteadyFriction> friction_of(const SurfaceNodes<dim> &bottom,
   return result;
 }
 
-/** The static contact whose pressures give the coefficients that it has. */
+/** Iterates the static contact until its pressures and the coefficients agree. */
 template <int dim>
 StaticContactSolution settle(const SurfaceNodes<dim> &bottom,
                              const ElasticBody<dim> &body,
@@ -95,7 +95,7 @@ StaticContactSolution settle(const SurfaceNodes<dim> &bottom,
 
 namespace
 {
-/** Stiffness (N/m, in 2D Pa) of the spring of a node that carries @p force. */
+/** Tangent stiffness (N/m, in 2D Pa) of the spring of a node that carries @p force. */
 double tangent_of(const PowerSpring &spring, const double area, const double force)
 {
   return area * (area > 0.
@@ -131,7 +131,7 @@ SlidingState sliding_state(const ElasticBody<dim> &body,
     {
       const NodeIndex &node = bottom.nodes[k];
       if (held.is_constrained(dim - 1, node))
-        continue; // by a side: no contact node
+        continue; // held by a side: no contact node
       if (solution && solution->state[k] == ContactState::separated)
         {
           ++state.n_separated;

@@ -14,28 +14,29 @@ namespace mesoslip
 /** The static state of sliding about which a body vibrates. */
 struct SlidingState
 {
-  DofMask held;                   ///< by sides, top and the flat
-  std::vector<Platen> platens;    ///< of top and sides; their nodes are held
-  SlidingNodesAtRest contact;     ///< nodes that are pressed on the flat
-  std::vector<std::size_t> place; ///< of each of them in ElasticBody::surface()
-  std::vector<double> area;       ///< tributary of each of them (m^2, in 2D m)
-  std::size_t n_separated = 0;    ///< contact nodes that do not touch in this state
-  double steepest_fall    = 0.;   ///< largest -p d mu/d V at once (Pa s/m); 0: none
-  double state_time       = 0.;   ///< SlidingLaw::state_time
+  DofMask held;                   ///< constraints by sides, top and flat
+  std::vector<Platen> platens;    ///< platens of top and sides; their nodes are in `held`
+  SlidingNodesAtRest contact;     ///< nodes pressed on the flat
+  std::vector<std::size_t> place; ///< index of each such node in ElasticBody::surface()
+  std::vector<double> area;       ///< tributary area of each such node (m^2, in 2D m)
+  std::size_t n_separated = 0;    ///< contact nodes without contact in this state
+  double steepest_fall    = 0.;   ///< largest instantaneous -p d mu/d V (Pa s/m); 0: none
+  double state_time       = 0.;   ///< see SlidingLaw::state_time
 };
 
-/** The static contact with the sliding flat for these coefficients of the contact nodes in the
- * order of the body. Collective. */
+/** Solves the static contact with the sliding flat for given coefficients of the contact
+ * nodes, in the order of the body. Collective. */
 using StaticContact = std::function<StaticContactSolution(const std::vector<double> &)>;
 
 /**
- * @p held is what sides and top hold, @p friction the coefficients of the contact nodes in the order
- * of the body, which a law of the coefficient multiplies by its own one over its reference: that
- * at the speed of the flat, the place, and the pressure of the node in the static state. Where the
- * pressure takes part, @p solve is called until the coefficients do not change. Nodes that are
- * separated are free. Without @p solve, under a top that is held, all nodes
- * touch. @throws UserError if no node does, or for a law that is not known in steady sliding;
- * NotConverged
+ * @p held are the constraints of sides and top, @p friction the coefficients of the
+ * contact nodes in the order of the body. A law of the coefficient multiplies them by
+ * its value over its reference, at the speed of the flat, the place, and the pressure of
+ * the node in the static state. If the law depends on pressure, @p solve is called until
+ * the coefficients converge. Separated nodes are free. Without @p solve, under a held
+ * top, all nodes touch.
+ * @throws UserError if no node touches, or for a law that steady sliding does not
+ * support; NotConverged
  */
 template <int dim>
 SlidingState sliding_state(const ElasticBody<dim> &body,

@@ -9,9 +9,9 @@ namespace mesoslip
 {
 namespace
 {
-constexpr double width = 1e-5; // of differences, relative
+constexpr double width = 1e-5; // relative width of finite differences
 
-/** The time within which a state near @p steady returns to it (s). */
+/** Time constant (s) with which a state near @p steady returns to it. */
 double return_time(const SlipLaw &law, const double steady, const double slip_rate)
 {
   SlipStep step;
@@ -31,7 +31,7 @@ double return_time(const SlipLaw &law, const double steady, const double slip_ra
   return -dt / std::log(rest(dt));
 }
 
-/** Whether @p steady stays what it is while a node slides. */
+/** Whether the state @p steady is constant during sliding. */
 bool stays(const SlipLaw &law, const double steady, const double slip_rate)
 {
   SlipStep step;

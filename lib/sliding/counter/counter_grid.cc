@@ -57,7 +57,7 @@ CounterMotion<2> GivenGrid::start_below(const SlidingSetup &given,
   return below;
 }
 
-/** As files have it: upright, below the origin. */
+/** The body as files have it: upright, below the origin. */
 BodyDescription GivenGrid::described() const
 {
   BodyDescription upright = body;

@@ -12,16 +12,16 @@ namespace mesoslip
 {
 struct FieldRows;
 
-/** A second body that moves below the first one. */
+/** A counter body, which moves below the first body. */
 template <int dim>
 struct CounterMotion
 {
   std::unique_ptr<PartnerSurface<dim>> partner; ///< moves its contact nodes
-  std::unique_ptr<SlidingBody<dim>> body;       ///< all of it that moves
-  std::unique_ptr<ProbeRecorder> probes;        ///< refer to the body; null without any
-  std::function<FieldRows()> displacement;      ///< as files have it, upright
-  SurfaceMeeting meeting;                       ///< of the contacts of both
-  MPI_Comm communicator = MPI_COMM_SELF;        ///< of the ranks that have it
+  std::unique_ptr<SlidingBody<dim>> body;       ///< the counter body
+  std::unique_ptr<ProbeRecorder> probes;        ///< its probes; null without any
+  std::function<FieldRows()> displacement;      ///< as in files, upright
+  SurfaceMeeting meeting;                       ///< contact pairing of both bodies
+  MPI_Comm communicator = MPI_COMM_SELF;        ///< ranks that hold the counter body
 };
 } // namespace mesoslip
 

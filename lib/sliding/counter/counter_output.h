@@ -8,13 +8,14 @@
 
 namespace mesoslip
 {
-/** counter_body.h5 and .xdmf: snapshots of the second body at the times of those of the first one. Members are called by the
- * ranks that have the body. */
+/** counter_body.h5 and .xdmf: snapshots of the counter body, at the same times as those
+ * of the first body. Members are called by the ranks that hold the body. */
 template <int dim>
 class CounterOutput
 {
 public:
-  /** Of the @p body in @p motion, before these @p steps of length @p dt (s); references are kept. */
+  /** @p body moves with @p motion; snapshots are taken before @p steps of length @p dt
+   * (s). References are kept. */
   CounterOutput(const std::string &path,
                 const GivenBody<dim> &body,
                 const CounterMotion<dim> &motion,
@@ -22,17 +23,19 @@ public:
                 const double dt,
                 Timer &timer);
 
-  /** Makes place for snapshots, of which the first @p n_done are in the file of the run that is continued. @throws UserError
-   * if they are not */
+  /** Reserves the snapshots; the first @p n_done are already in the file of the continued
+   * run.
+   * @throws UserError if they are missing */
   void begin(const std::uint64_t n_done);
 
-  /** There are no more snapshots. */
+  /** Ends the snapshots. */
   void end();
 
-  /** On rank 0, after end(): completes the file with the @p conditions of the run and what @p probes saw. */
+  /** On rank 0, after end(): completes the file with the @p conditions of the run and the
+   * histories of @p probes. */
   void write(const RunConditions &conditions, const std::vector<ProbeHistory> &probes);
 
-  Snapshots<dim> snapshots; ///< displacements of the second body
+  Snapshots<dim> snapshots; ///< displacements of the counter body
 
 private:
   const std::string path;

@@ -14,7 +14,7 @@ namespace mesoslip
 {
 namespace
 {
-/** Whether an expression is "-(...)" with brackets that belong together. */
+/** Whether an expression is "-(...)" with matching brackets. */
 bool is_negative(const std::string &text)
 {
   if (text.size() < 3 || text.compare(0, 2, "-(") != 0)
@@ -46,7 +46,7 @@ SideSupport turned_over(SideSupport side, const unsigned int dim)
 
 namespace
 {
-/** The bottom as the top of a body that is computed upside down. */
+/** Converts the bottom to the top of a body that is computed upside down. */
 TopSetup top_of(const SideSupport &bottom, const Keys &keys, const unsigned int dim)
 {
   TopSetup top;
@@ -61,7 +61,8 @@ TopSetup top_of(const SideSupport &bottom, const Keys &keys, const unsigned int 
 }
 } // namespace
 
-/** Its supports: the bottom, other sides of grids, and groups of a mesh. */
+/** Binds the supports of a counter body: the bottom, other sides of grids, and groups of
+ * a mesh. */
 void ContactParameters::bind_supports_below(Keys &keys, ContactParameters &other) const
 {
   const auto section             = keys.section("Supports");
@@ -174,12 +175,12 @@ void ContactParameters::bind_counter(Keys &keys)
         other->body.initial_velocity[1] *= -1.;
     }
   other->friction.coefficient_by_phase = false;
-  other->contact.gap                   = 1.; // nothing is there that it could touch
+  other->contact.gap                   = 1.; // the body below has no opponent
   other->hold_sides();
   counter = other;
 }
 
-/** What a second body goes with. */
+/** Checks which keys and analyses support a counter body. */
 void ContactParameters::check_counter(const Keys &keys,
                                       const ContactParameters &other) const
 {

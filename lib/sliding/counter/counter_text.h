@@ -7,7 +7,8 @@
 
 namespace mesoslip
 {
-/** "Counter body: 12 x 8 cells" of the line "Body: 12 x 8 cells", or of another one that is told of a counter body. */
+/** Text for a counter body: "Counter body: 12 x 8 cells" from "Body: 12 x 8 cells"; other
+ * lines get the prefix. */
 inline std::string text_of_counter(const std::string &line)
 {
   const std::string start = "Body: ";
@@ -15,7 +16,8 @@ inline std::string text_of_counter(const std::string &line)
          (line.rfind(start, 0) == 0 ? line.substr(start.size()) : line);
 }
 
-/** A support of a body that is computed upside down, along its last axis of @p dim; or that of such a body as it was given. */
+/** Mirrors a support between the upright and the upside-down body, along the last axis of
+ * @p dim. The function is its own inverse. */
 SideSupport turned_over(SideSupport side, const unsigned int dim);
 } // namespace mesoslip
 

@@ -14,7 +14,7 @@ namespace mesoslip
 {
 namespace
 {
-/** The contact nodes of a body by their places. */
+/** The contact nodes of a body, searchable by position. */
 class PlacesByX
 {
 public:
@@ -49,7 +49,7 @@ private:
   std::vector<unsigned int> order; ///< nodes with ascending x
 };
 
-/** That the contact of @p counter is a plane. */
+/** Checks that the contact of @p counter is a plane. */
 template <int dim>
 void require_even(const GivenBody<dim> &counter, const double tolerance)
 {
@@ -61,7 +61,8 @@ void require_even(const GivenBody<dim> &counter, const double tolerance)
       "; name a plane group, or let the body above it be the one that is not even");
 }
 
-/** For each contact node of @p counter that of @p body at its place, where there is one that no other node has. */
+/** For each contact node of @p counter the coincident node of @p body; each node is used
+ * once. */
 template <int dim>
 std::vector<unsigned int> found_partners(const GivenBody<dim> &body,
                                          const GivenBody<dim> &counter,
@@ -91,7 +92,7 @@ bool are_all(const std::vector<unsigned int> &partners,
          partners.size() == body.facts().contact_place[0].size();
 }
 
-/** From where to where a contact goes along an axis (m). */
+/** Range of a contact along an axis (m). */
 template <int dim>
 Interval extent_of(const GivenBody<dim> &body, const unsigned int axis)
 {
@@ -105,7 +106,8 @@ Interval extent_of(const GivenBody<dim> &body, const unsigned int axis)
   return extent;
 }
 
-/** The length after which a body repeats itself along an axis (m), 0: it does not; its contact spans it. */
+/** Period of a periodic body along an axis (m), spanned by its contact; 0: not
+ * periodic. */
 template <int dim>
 double period_of(const GivenBody<dim> &body, const unsigned int axis)
 {
@@ -116,7 +118,7 @@ double period_of(const GivenBody<dim> &body, const unsigned int axis)
   return repeats ? extent.to - extent.from : 0.;
 }
 
-/** The periods of the counter body, which has to be below all of the body on its way. */
+/** Periods of the counter body; checks that it is below the whole body on its way. */
 template <int dim>
 std::array<double, 2> periods_below(const GivenBody<dim> &body,
                                     const GivenBody<dim> &counter)
@@ -178,7 +180,7 @@ SurfaceMeeting meeting_of(const GivenBody<dim> &body, const GivenBody<dim> &coun
       for (unsigned int j = 0; j < partners.size(); ++j)
         below[partners[j]] = j;
       SparseRows rows;
-      for (std::size_t k = 0; k < n; ++k) // without the twin of a periodic grid
+      for (std::size_t k = 0; k < n; ++k) // without the periodic copy of a grid
         {
           rows.entries.push_back({below[k], 1.});
           rows.end_row();

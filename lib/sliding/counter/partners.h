@@ -8,11 +8,13 @@
 
 namespace mesoslip
 {
-/** A line on how two bodies meet. */
+/** A line on the pairing of two contacts. */
 std::string text_of(const SurfaceMeeting &meeting);
 
-/** What the contact nodes of @p body meet of @p counter: partners where the nodes of both are at the same places and stay there, else
- * weights of their facets. @throws UserError where the counter body is not below all of the body on its way, or not even */
+/** Pairing of the contact nodes of @p body with @p counter: partner nodes if the nodes of
+ * both coincide and stay so, else weights on facets.
+ * @throws UserError if the counter body is not below the whole body on its way, or is
+ * not even */
 template <int dim>
 SurfaceMeeting meeting_of(const GivenBody<dim> &body, const GivenBody<dim> &counter);
 } // namespace mesoslip

@@ -9,7 +9,8 @@ namespace mesoslip
 {
 namespace
 {
-/** Puts the direction of the flat into @p p; its speed along it (m/s). */
+/** Sets the direction of the flat in @p p.
+ * @return its speed along it (m/s) */
 double bind_flat_direction(Keys &keys, ContactParameters &p)
 {
   std::vector<double> velocity = {2.};

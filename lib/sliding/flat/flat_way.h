@@ -5,14 +5,14 @@
 
 namespace mesoslip
 {
-/** From one end to the other (m). */
+/** An interval (m). */
 struct Interval
 {
   double from = 0.; ///< lower end
   double to   = 0.; ///< upper end
 };
 
-/** What the flat moves along its direction in a run (m). */
+/** Range of the flat's displacement along its direction in a run (m). */
 Interval way_of_flat(const ContactParameters &parameters);
 } // namespace mesoslip
 

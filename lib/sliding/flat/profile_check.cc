@@ -16,7 +16,8 @@ namespace
 constexpr double steepest = 0.1, steep = 0.02; // slopes
 constexpr unsigned int per_spacing = 4;        // samples between neighbouring nodes
 
-/** What the body moves along an axis on its own, with its velocity at the start and the far ends of its supports (m). */
+/** Range of the body's own motion along an axis (m): initial velocity and far-end motions
+ * of its supports. */
 Interval own_way(const ContactParameters &p, const unsigned int axis)
 {
   Interval way;
@@ -34,7 +35,7 @@ Interval own_way(const ContactParameters &p, const unsigned int axis)
   return way;
 }
 
-/** The part of the flat that comes below the body, along an axis. */
+/** Range of the flat that passes below the body, along an axis. */
 Interval part_along(const ContactParameters &p,
                     const Interval &way,
                     const std::vector<double> &place,
@@ -79,7 +80,7 @@ public:
   double lowest  = std::numeric_limits<double>::infinity();  ///< m
   double highest = -std::numeric_limits<double>::infinity(); ///< m
   double slope   = 0.;                                       ///< largest
-  double missed  = 0.;   ///< of the height between neighbouring nodes (m)
+  double missed  = 0.;   ///< largest error of the height between neighbouring nodes (m)
   bool complete  = true; ///< whether there are per_spacing samples between neighbours
 
 private:
@@ -118,7 +119,8 @@ private:
         }
   }
 
-  /** How far the height @p here is from the straight line between neighbouring nodes to either side. */
+  /** Updates the error of linear interpolation between neighbouring nodes around the
+   * height @p here. */
   void miss(const double here, const std::size_t i, const std::size_t j)
   {
     const double x = at(0, i), y = at(1, j), half = 0.5 * spacing,
@@ -126,7 +128,7 @@ private:
                    std::fabs(here - 0.5 * (profile(x - half, y) + profile(x + half, y))),
                  by_y =
                    std::fabs(here - 0.5 * (profile(x, y - half) + profile(x, y + half)));
-    if (std::isfinite(by_x + by_y)) // beyond the way it need not be
+    if (std::isfinite(by_x + by_y)) // may be infinite beyond the way
       missed = std::max({missed, by_x, by_y});
   }
 
@@ -161,7 +163,7 @@ double below(const FlatProfile &profile,
   return profile(x[i] - way[0], y.empty() ? 0. : y[i] - way[1]);
 }
 
-/** That no node is in the flat at the start. */
+/** Checks that no node is below the profile at the start. */
 void require_gap(const ContactParameters &p,
                  const ContactPlaces &nodes,
                  const double range)
@@ -182,7 +184,7 @@ void require_gap(const ContactParameters &p,
                     " m; set Flat/Gap to " + to_text(needed) + " or more");
 }
 
-/** That it is the same a period of the body further. */
+/** Checks that the profile is periodic with the period of the body. */
 void require_period(const ContactParameters &p,
                     const BodyScales &body,
                     const std::array<Interval, 2> &part,

@@ -10,25 +10,27 @@
 
 namespace mesoslip
 {
-/** Where the nodes of the contact are before the first step. */
+/** Initial positions of the contact nodes. */
 struct ContactPlaces
 {
   const std::array<std::vector<double>, 2> &place; ///< x and, in 3D, y (m)
-  const std::vector<double> &height; ///< above the lowest (m); empty: all are as high
-  double spacing = 0.;               ///< about, between neighbours (m)
+  const std::vector<double> &height; ///< above the lowest (m); empty: all equal
+  double spacing = 0.;               ///< approximate distance between neighbours (m)
 };
 
 /**
- * Looks at the profile of the flat wherever it comes below the body on its way; warnings on what cannot be trusted of it.
- * @throws UserError for one that is not finite, too steep, into the body at the start, or not the same below both
- * sides of a periodic body
+ * Checks the profile of the flat wherever it passes below the body.
+ * @return warnings on unreliable parts.
+ * @throws UserError for a profile that is not finite, too steep, in the body at the
+ * start, or different below the two sides of a periodic body
  */
 std::vector<std::string> look_at_profile(const ContactParameters &parameters,
                                          const BodyScales &body,
                                          const ContactPlaces &nodes);
 
-/** Gaps of the nodes (m), less the least of them at the start, after the flat has moved by @p way (m) and the nodes along
- * it by @p displaced (m, their dim - 1 components together; empty: not). */
+/** Gaps of the nodes (m), minus the least initial gap, after the flat has moved by @p way
+ * (m) and the nodes by @p displaced along the flat (m, dim - 1 components per node;
+ * empty: zero). */
 std::vector<double> gaps_over_profile(const FlatProfile &profile,
                                       const ContactPlaces &nodes,
                                       const std::array<double, 2> &way,

@@ -11,14 +11,15 @@ namespace mesoslip
 {
 namespace
 {
-/** What tells contents apart, wherever the file lies. */
+/** Identifies a source by its content, independent of its path. */
 std::string
 source_text(const std::string &kind, const std::string &path, const std::string &more)
 {
   return kind + " " + Digest().add_file(path).hex() + more;
 }
 
-/** That the ends of each row, or column, are as high as copies of it need. */
+/** Checks that the first and the last height of each row and column agree, for a
+ * repeating profile. */
 void require_seamless(const ProfileTable::Points &points, const std::string &path)
 {
   const std::size_t n = points.x.at.size(), m = points.y.at.size();
@@ -48,7 +49,7 @@ read_profile_table(const std::string &path, const unsigned int dim, const bool r
     throw UserError(path + " has a column '" + y +
                     "', but Dimension is 2; give the heights over x alone");
   if (!table.has_column(x))
-    table.numbers(x); // says so
+    table.numbers(x); // throws with the reason
   const GridTable grid = table.has_column(y) ? grid_table(table, y, x, "height [m]")
                                              : grid_table(table, x, y, "height [m]");
   ProfileTable::Points points;
@@ -73,7 +74,8 @@ ProfileTable::Points read_profile_picture(const ProfileParameters &given,
                     " has colours; a profile is a picture of grey levels");
   const double white = image.deep ? 65535. : 255.;
   ProfileTable::Points points;
-  // Pixels count in their middle; the first follows the last where copies do.
+  // Heights belong to pixel centres; if the picture repeats, its first pixel follows the
+  // last.
   const auto places = [&](const unsigned int n, const double size, ProfileAxis &axis) {
     for (unsigned int i = 0; i < n + (given.repeats ? 1 : 0); ++i)
       axis.at.push_back((i + 0.5) * size / n);

@@ -148,7 +148,7 @@ void ContactParameters::make_slip_law(const Keys &keys)
   use.pressure = std::fabs(top.pressure.amplitude());
   use.speed    = std::fabs(contact.flat_velocity.amplitude());
   use.in_time  = analysis == ContactAnalysis::transient ||
-                analysis == ContactAnalysis::complex_modes; // which linearize it
+                analysis == ContactAnalysis::complex_modes; // which linearizes the law
   use.flat_displaced = static_load.moves_flat();
   friction.make_slip_law(keys, use, contact.law);
 }

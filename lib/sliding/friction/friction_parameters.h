@@ -17,14 +17,15 @@ struct FrictionParameters
   std::string law_name      = "constant time"; ///< coulomb, constant time or slip rate
   double slip_length        = 3e-6;            ///< L of the slip-rate law (m)
   double reference_velocity = 1e-3;            ///< V_ref of the slip-rate law (m/s)
-  bool coefficient_by_phase = false;           ///< those of the phases in rve.h5
-  double coefficient        = 0.25;            ///< of all nodes, unless by phase; at rest
+  bool coefficient_by_phase = false;           ///< whether taken from phases of rve.h5
+  double coefficient        = 0.25;            ///< constant of all nodes; at rest
   std::string node_rule =
     "stiffness";              ///< stiffness, mean, largest or smallest; see make_body()
-  SlipLawParameters slip_law; ///< how the coefficient varies
+  SlipLawParameters slip_law; ///< law of the coefficient
   std::string normal_stress = "instant"; ///< or constant time, slip rate
 
-  /** Whether all nodes have a coefficient of which Friction/Coefficient is the constant. */
+  /** Whether all nodes have a coefficient of which Friction/Coefficient is the
+   * constant. */
   bool has_constant_coefficient() const
   {
     return !coefficient_by_phase && slip_law.has_reference();
@@ -33,20 +34,21 @@ struct FrictionParameters
   /** Binds the keys of section Friction; puts the regularizations into @p law. */
   void bind(Keys &keys, FrictionLaw &law);
 
-  /** Where and how a law of the coefficient is used. */
+  /** Conditions under which a law of the coefficient is used. */
   struct Use
   {
-    unsigned int dim    = 2;     ///< of the body
-    double pressure     = 0.;    ///< of the top (Pa)
-    double speed        = 0.;    ///< of the flat (m/s), at least 0
-    bool in_time        = true;  ///< in a transient run; else in statics
-    bool flat_displaced = false; ///< in statics, in increments
+    unsigned int dim    = 2;     ///< dimension of the body
+    double pressure     = 0.;    ///< pressure on the top (Pa)
+    double speed        = 0.;    ///< speed of the flat (m/s), at least 0
+    bool in_time        = true;  ///< transient run; else statics
+    bool flat_displaced = false; ///< statics with a displaced flat, in increments
   };
 
   /**
-   * Makes the law of the coefficient, once all other keys are bound: in transient runs
-   * @p law has it, in statics coefficient becomes that of the law at the speed of the flat.
-   * Collective. @throws UserError for a law that has no meaning there
+   * Makes the law of the coefficient, after all other keys are bound. In transient runs
+   * @p law gets it, in statics the coefficient becomes its value at the speed of the
+   * flat. Collective.
+   * @throws UserError for a law that has no meaning there
    */
   void make_slip_law(const Keys &keys, const Use &use, FrictionLaw &law);
 

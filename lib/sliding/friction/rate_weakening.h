@@ -6,30 +6,31 @@
 namespace mesoslip
 {
 /**
- * Friction that falls with the slip rate, against the shear waves that carry away what this sets
- * free. Where it falls by more, r = fall / impedance > 1, vibrations of a body without
- * delta and beta grow in proportion to the inverse of their length: a half-space under waves
- * across the motion by k c_T / sqrt(r^2 - 1), cells of height h by 2 c_T sqrt(r^2 - 1) / h.
+ * Compares the fall of friction with the slip rate to the radiation of shear waves. If r
+ * = fall / impedance > 1, vibrations of a body without delta and beta grow in proportion
+ * to their wave number: a half-space under waves across the motion by k c_T / sqrt(r^2 -
+ * 1), cells of height h by 2 c_T sqrt(r^2 - 1) / h.
  */
 struct RateWeakening
 {
-  double fall      = 0.; ///< largest -p d mu/d V, the state of the law as it is (Pa s/m)
+  double fall      = 0.; ///< largest -p d mu/d V at constant state of the law (Pa s/m)
   double impedance = 0.; ///< shear_impedance() of the body (Pa s/m)
   double delta     = 0.; ///< regularization time (s)
   double beta      = 0.; ///< Rayleigh beta (s)
 
-  /** Whether waves do not carry away enough. */
+  /** Whether friction falls by more than waves radiate. */
   bool is_too_steep() const
   {
     return fall > 0. && !(fall < impedance);
   }
 
-  /** Growth rate (1/s) that vibrations of any length keep to where friction is too steep, the
-   * s with sqrt(1 + beta s) (1 + delta s) = r; infinite without delta and beta. */
+  /** Upper bound (1/s) of the growth rate of vibrations of any length where friction is
+   * too steep: the s with sqrt(1 + beta s) (1 + delta s) = r; infinite without delta and
+   * beta. */
   double fastest_growth() const;
 
-  /** "falls by up to 7e6 Pa s/m with the slip rate @p where, more than the 5e6 Pa s/m that
-   * shear waves into the body resist (density times wave speed)" */
+  /** "falls by up to 7e6 Pa s/m with the slip rate @p where, more than the 5e6 Pa s/m
+   * that shear waves into the body resist (density times wave speed)" */
   std::string text(const std::string &where) const;
 };
 } // namespace mesoslip

@@ -17,7 +17,7 @@ class Keys;
 /** The law of the coefficient of friction in section Friction. */
 struct SlipLawParameters
 {
-  /** What the coefficient is. */
+  /** Law of the coefficient. */
   enum class Kind
   {
     constant,
@@ -30,19 +30,19 @@ struct SlipLawParameters
     expression
   };
 
-  /** Whether it varies. */
+  /** Whether the coefficient varies. */
   bool is_given() const
   {
     return kind != Kind::constant;
   }
 
-  /** Whether Friction/Coefficient is one of its constants. */
+  /** Whether Friction/Coefficient is a constant of the law. */
   bool has_reference() const
   {
     return kind != Kind::table && kind != Kind::expression;
   }
 
-  /** Whether it depends on the slip that a node has accumulated. */
+  /** Whether the coefficient depends on the accumulated slip of a node. */
   bool is_slip_weakening() const
   {
     return kind == Kind::linear_slip_weakening ||
@@ -58,30 +58,30 @@ struct SlipLawParameters
    */
   std::shared_ptr<const SlipLaw> make(const double reference, const unsigned int dim);
 
-  /** Name and all constants but mu_s or f_0, for comparisons: "Stribeck: mu_k = 0.2, ...";
-   * call it after make(). */
+  /** Name and all constants except mu_s or f_0, for comparisons: "Stribeck: mu_k = 0.2,
+   * ..."; call it after make(). */
   std::string text() const;
 
-  Kind kind = Kind::constant; ///< which of those below counts
+  Kind kind = Kind::constant; ///< law in use; selects the constants below
 
-  /** Also of static and kinetic. By default like dry steel, whose friction halves within some
-   * cm/s. */
+  /** Also for static and kinetic. By default like dry steel, whose friction halves within
+   * some cm/s. */
   Stribeck::Constants stribeck = {0., 0.2, 0.1, 2., 0.};
 
-  SlipWeakening::Constants weakening = {0., 0.2, 1e-5, false, {}}; ///< of both kinds
-  RateAndState::Constants state;                                   ///< of both kinds
-  Healing healing = {Healing::Kind::separation, 1e-3};             ///< of slip weakening
-  std::string table_file;         ///< of a table, see read_friction_table()
+  SlipWeakening::Constants weakening = {0., 0.2, 1e-5, false, {}}; ///< for both laws
+  RateAndState::Constants state;                       ///< constants of rate and state
+  Healing healing = {Healing::Kind::separation, 1e-3}; ///< healing of slip weakening
+  std::string table_file;         ///< file of the table, see read_friction_table()
   std::string expression = "0.3"; ///< mu, see FrictionExpression
 
 private:
-  std::string table_digest; ///< of its numbers
+  std::string table_digest; ///< digest of the table's numbers
 };
 
 /**
- * Points of a table of friction: columns "slip rate [m/s]", "coefficient [-]" and, if wanted,
- * "pressure [Pa]", a row for each pair of a slip rate and a pressure in any order.
- * @throws UserError for what is missing, twice, or negative
+ * Points of a table of friction: columns "slip rate [m/s]", "coefficient [-]" and, if
+ * wanted, "pressure [Pa]", a row for each pair of slip rate and pressure in any order.
+ * @throws UserError for missing, repeated or negative values
  */
 FrictionTable::Points read_friction_table(const std::string &path);
 } // namespace mesoslip

@@ -20,8 +20,8 @@
 namespace mesoslip
 {
 /**
- * The mesh of a body as rank 0 has it: what its sides are, where its points lie, what files say of it. Of a
- * box of bricks, see BoxBody, it may be the mesh of some cells; here it is that of all.
+ * The mesh of a body on rank 0: sides, points, file layout. BoxBody has a mesh of some
+ * cells only; here the mesh has all cells.
  */
 template <int dim>
 class BodyMesh : public MeshMorphology<dim>
@@ -30,23 +30,24 @@ public:
   virtual ~BodyMesh() = default;
 
   /**
-   * Reads the mesh and joins the sides that are periodic, on rank 0, whose machine has @p n_here of all @p
-   * n_ranks; @p parameters are those after with_phases(). Returns what the analysis takes of memory.
-   * @throws UserError naming the key or file, also when the machine has not the memory
+   * Reads the mesh and joins periodic sides, on rank 0, whose machine runs @p n_here of
+   * all @p n_ranks; @p parameters come from with_phases().
+   * @return the memory of the analysis.
+   * @throws UserError naming the key or file, also if the memory is insufficient
    */
   virtual BodyMemory read(const ContactParameters &parameters,
                           const unsigned int n_here,
                           const unsigned int n_ranks);
 
-  /** Gives the other ranks what they need to have their parts of it. Collective. */
+  /** Sends the other ranks the data for their parts of the body. Collective. */
   virtual void share(const BodyParameters & /*parameters*/)
   {
   }
 
-  /** The phases in the orientations that cells of a box have; empty: as they are. */
+  /** Phases in the orientations of the cells of a box; empty: not rotated. */
   std::vector<OrientedPhase> oriented;
 
-  /** What the cells are made of, by their numbers. */
+  /** Materials of the cells, by material number. */
   std::vector<Phase<dim>> materials() const
   {
     return oriented_phases(this->phases, oriented);
@@ -58,7 +59,7 @@ public:
     return oriented.empty() ? m : oriented[m].phase;
   }
 
-  /** Damping by phase for materials(). */
+  /** Expands damping by phase to damping per entry of materials(). */
   StepParameters of_materials(StepParameters step) const
   {
     for (std::vector<double> *values : {&step.beta_of_phases, &step.alpha_of_phases})
@@ -72,70 +73,72 @@ public:
     return step;
   }
 
-  /** All faces of the boundary, unless group() needs none. */
+  /** All boundary faces, unless group() needs none. */
   virtual std::vector<BoundaryFace<dim>> boundary() const
   {
     return boundary_faces(this->mesh);
   }
 
-  /** Of the faces of the boundary() those of physical group number @p group, which @p key asks for.
-   * @throws UserError if some of them are inside */
+  /** Boundary @p faces of physical group number @p group, which @p key asks for.
+   * @throws UserError if a face of the group is inside the body */
   virtual std::vector<BoundaryFace<dim>>
   group(const std::vector<BoundaryFace<dim>> &faces,
         const std::string &key,
         const unsigned int group) const;
 
-  /** Of all cells (m). */
+  /** Shortest edge of all cells (m). */
   virtual double smallest_edge() const;
 
-  /** See locate_probes(). */
+  /** Locates probes, see locate_probes(). */
   virtual std::vector<MeshPlace> places_of(const std::vector<ProbePoint> &points) const
   {
     return locate_probes(this->mesh, points);
   }
 
-  /** Mass (kg, in 2D kg/m), where that of the bounding box would be @p of_box. */
+  /** Mass (kg, in 2D kg/m); @p of_box is the mass of the bounding box. */
   virtual double mass(const double of_box) const;
 
-  /** Number in the whole body of point @p i of the mesh. */
+  /** Number of mesh point @p i in the whole body. */
   virtual unsigned int whole_point(const unsigned int i) const
   {
     return i;
   }
 
-  /** The same of cell @p k. */
+  /** Number of mesh cell @p k in the whole body. */
   virtual unsigned int whole_cell(const unsigned int k) const
   {
     return k;
   }
 
-  /** Where point @p number of the whole body is. */
+  /** Coordinates of point @p number of the whole body. */
   virtual dealii::Point<dim> point(const unsigned int number) const
   {
     return this->mesh.points[number];
   }
 
-  /** Of the whole body. */
+  /** Number of points of the whole body. */
   virtual std::size_t n_points() const
   {
     return this->mesh.points.size();
   }
 
-  /** Of the whole body. */
+  /** Number of cells of the whole body. */
   virtual std::size_t n_cells() const
   {
     return this->mesh.cells.size();
   }
 
-  /** Ranks that steps can make use of. */
+  /** Largest number of ranks that time steps can use. */
   virtual unsigned int most_ranks() const
   {
     return std::numeric_limits<unsigned int>::max();
   }
 
-  /** Divides the body among the ranks for steps: a mesh by METIS, where cells at the points of the @p contact
-   * weigh more; a box by layers, with those cells that hold the @p probes. Collective.
-   * @throws UserError for more ranks than layers of a box, or if its cells cannot be read */
+  /** Partitions the body for time steps: a mesh by METIS, where cells at the points of
+   * the @p contact weigh more; a box by layers, keeping only the cells of the @p probes.
+   * Collective.
+   * @throws UserError for more ranks than layers of a box, or if its cells cannot be
+   * read */
   virtual std::unique_ptr<DistributedBody<dim>>
   distribute(const std::vector<unsigned int> &contact,
              const std::vector<MeshPlace> &probes,
@@ -144,9 +147,9 @@ public:
              const MPI_Comm communicator) const;
 
   /**
-   * The body for statics and modes, with fields that are divided among the ranks; or if @p whole, with
-   * whole ones, and then all ranks hold the whole mesh. Groups of faces that are contact and top have these
-   * names, empty where there is none. Collective.
+   * The body for statics and modes. Fields are distributed or, if @p whole, replicated;
+   * then all ranks hold the whole mesh. @p contact and @p top name the face groups,
+   * empty where there is none. Collective.
    */
   virtual std::unique_ptr<PointBody<dim>>
   make_elastic(const MeshBodyParameters &parameters,
@@ -156,11 +159,12 @@ public:
                const MPI_Comm communicator,
                const bool whole) const;
 
-  /** Of the cells under the displacement @p u of the @p elastic body that it made. Collective. */
+  /** Strains and rotations of the cells under the displacement @p u of @p elastic, which
+   * make_elastic() made. Collective. */
   virtual Deformation deformation(const PointBody<dim> &elastic,
                                   const NodalField<double> &u) const;
 
-  /** What is behind the name of the format of its files. */
+  /** Suffix of the format name of its files. */
   virtual std::string format_ending() const
   {
     return "-mesh";
@@ -169,21 +173,23 @@ public:
   /** Writes the grid or mesh and the phases of the cells. */
   virtual void write_cells(Hdf5File &file) const;
 
-  /** Extents of a vector for each point: [points][dim], of a box [nz + 1][ny + 1][nx + 1][3]. */
+  /** Shape of a nodal vector field: [points][dim], for a box [nz + 1][ny + 1][nx +
+   * 1][3]. */
   virtual Shape vectors_shape() const
   {
     return {this->mesh.points.size(), dim};
   }
 
-  /** Writes NAME.xdmf for ParaView, if there are @p fields of the file NAME.h5 at @p path, and
-   * NAME-phases.xdmf with the phases of the cells: data of nodes and of cells cannot be shown in one. */
+  /** Writes NAME.xdmf for ParaView, if there are @p fields of the file NAME.h5 at
+   * @p path, and NAME-phases.xdmf with the phases of the cells: ParaView cannot show
+   * nodal and cell data of one file. */
   virtual void show(const std::string &path,
                     const std::vector<XdmfField> &fields,
                     const std::vector<double> &times) const;
 };
 
-/** The faces of the physical group @p name of @p body, which @p key asks for, of all @p faces of its
- * boundary(). @throws UserError */
+/** Boundary @p faces of the physical group @p name of @p body, which @p key asks for.
+ * @throws UserError */
 template <int dim>
 std::vector<BoundaryFace<dim>> group_faces(const BodyMesh<dim> &body,
                                            const std::vector<BoundaryFace<dim>> &faces,
@@ -191,8 +197,9 @@ std::vector<BoundaryFace<dim>> group_faces(const BodyMesh<dim> &body,
                                            const std::string &name);
 
 /**
- * Joins the sides of the mesh that are periodic, and refuses those with points that do not
- * lie opposite. Returns a line on each pair. @throws UserError
+ * Joins the periodic sides of the mesh; their points have to match.
+ * @return a line per pair of sides.
+ * @throws UserError
  */
 template <int dim>
 std::vector<std::string> join_periodic_sides(BodyMesh<dim> &body,

@@ -26,7 +26,7 @@ PhaseNumbers numbers_of(const Phase<dim> &phase)
   return numbers;
 }
 
-/** The phase as section Phases would give it. */
+/** The phase in the form of section Phases. */
 PhaseParameters phase_parameters(const PhaseNumbers &numbers)
 {
   PhaseParameters phase;
@@ -38,7 +38,8 @@ PhaseParameters phase_parameters(const PhaseNumbers &numbers)
   return phase;
 }
 
-/** The phases of the RVE file: all, which cells of a mesh have as they are, or the effective one. */
+/** Phases of the RVE file: all phases of a heterogeneous body (a mesh has no
+ * orientations), else the effective one. */
 template <int dim>
 std::vector<PhaseNumbers>
 phases_of_file(const BodyParameters &body, const bool on_mesh, const RveFile<dim> &rve)

@@ -33,7 +33,8 @@ std::string grid_line(const UniformGrid<3> &grid)
                     grid.extent(1), " x ", grid.extent(2), " m");
 }
 
-/** The materials of the cells of a body on @p grid: those of @p rve, unless all are alike. */
+/** Reader of the cell materials of a body on @p grid: materials of @p rve, or a single
+ * material. */
 CellReader reader_of_box(const BodyParameters &parameters,
                          const UniformGrid<3> &grid,
                          const std::shared_ptr<const RveFile<3>> &rve)
@@ -47,8 +48,8 @@ CellReader reader_of_box(const BodyParameters &parameters,
   };
 }
 
-/** Sets the materials of the cells of the mesh, ascending in the box. Returns the number of cells
- * of each phase in the whole box, of which it reads some layers at a time. */
+/** Sets the materials of the mesh's cells, ascending in the box. Reads the box in layers.
+ * @return the number of cells of each phase in the whole box */
 std::vector<std::size_t> find_materials(BoxBody &box)
 {
   std::vector<std::size_t> count(box.phases.size());
@@ -84,7 +85,7 @@ void describe_phases(BoxBody &box,
     }
 }
 
-/** Numbers of the cells within one of those that hold @p points, ascending. */
+/** Numbers of the cells that hold @p points and their neighbours, ascending. */
 std::vector<unsigned int> cells_around(const UniformGrid<3> &grid,
                                        const std::vector<ProbePoint> &points)
 {
@@ -129,7 +130,7 @@ std::vector<unsigned int> cells_at_sides(const std::array<unsigned int, 3> &n)
   return cells;
 }
 
-/** Makes the mesh of these cells, ascending. */
+/** Makes the mesh of these @p cells, ascending. */
 void keep_cells(BoxBody &body, std::vector<unsigned int> cells)
 {
   const UniformGrid<3> &grid = body.box.grid;
@@ -161,7 +162,8 @@ BoxBody::group(const std::vector<BoundaryFace<3>> & /*faces*/,
 {
   const std::array<unsigned int, 3> &n = box.grid.cells;
   const unsigned int axis = group / 2, end = group % 2;
-  // In deal.II the first coordinate of a face is the lower of its axes but in y.
+  // deal.II: the first coordinate of a face is the lower of its axes, except for faces
+  // across y.
   const unsigned int first = (axis + 1) % 3, second = (axis + 2) % 3,
                      lower = axis == 1 ? first : std::min(first, second),
                      upper = first + second - lower;
@@ -211,7 +213,7 @@ BodyMemory BoxBody::read(const ContactParameters &parameters,
     }
   UniformGrid<3> grid = make_grid<3>(parameters.body, rve.get());
   if (parameters.is_counter)
-    grid.origin[2] = -grid.extent(2); // as files show it
+    grid.origin[2] = -grid.extent(2); // position as in files
   const BodyMemory memory = memory_of_box(parameters, grid);
   const double bytes      = memory.on_machine(n_here, n_ranks);
   require_memory({bytes, cells_that_fit({grid.cells.begin(), grid.cells.end()}, bytes) +
@@ -239,7 +241,7 @@ BodyMemory BoxBody::read(const ContactParameters &parameters,
   if (!oriented.empty())
     description.push_back("Orientations: " + std::to_string(oriented.size()) +
                           " different pairs of phase and orientation");
-  join_periodic_sides(*this, parameters.mesh); // which are opposite
+  join_periodic_sides(*this, parameters.mesh); // points are opposite
   return memory;
 }
 

@@ -8,28 +8,28 @@
 namespace mesoslip
 {
 /**
- * A grid in 3D as a body with the groups Left, Right (lower and upper x), Front, Back (y), Contact and Top
- * (z). Its mesh is that of the cells at the sides and near the probes. Nodes and cells are numbered with x
- * fastest, then y.
+ * A 3D grid as a body with the groups Left, Right (lower and upper x), Front, Back (y),
+ * Contact and Top (z). Its mesh has only the cells at the sides and near the probes.
+ * Nodes and cells are numbered with x fastest, then y.
  */
 class BoxBody : public BodyMesh<3>
 {
 public:
-  BrickBox box; ///< on rank 0, after share() everywhere
+  BrickBox box; ///< on rank 0, after share() on all ranks
 
-  /** Reads the materials of the cells: their phases, or which of the oriented ones. */
+  /** Reads the materials of the cells: phases, or oriented phases. */
   CellReader materials_in;
 
-  /** Numbers in the box of the points of the mesh, ascending. */
+  /** Number in the box of each mesh point, ascending. */
   std::vector<unsigned int> point_in_box;
 
-  std::vector<unsigned int> cell_in_box; ///< the same of its cells
+  std::vector<unsigned int> cell_in_box; ///< number in the box of each mesh cell
 
   BodyMemory read(const ContactParameters &parameters,
                   const unsigned int n_here,
                   const unsigned int n_ranks) override;
 
-  /** @throws UserError when other ranks cannot open the file of the materials */
+  /** @throws UserError if other ranks cannot open the file of the materials */
   void share(const BodyParameters &parameters) override;
 
   std::vector<BoundaryFace<3>> boundary() const override
@@ -37,7 +37,7 @@ public:
     return {};
   }
 
-  /** The faces of the mesh on side number @p group, which are found by their place. */
+  /** Faces of the mesh on side number @p group, found by position. */
   std::vector<BoundaryFace<3>> group(const std::vector<BoundaryFace<3>> &faces,
                                      const std::string &key,
                                      const unsigned int group) const override;
@@ -76,8 +76,8 @@ public:
     return box.grid.cells[2] / 4;
   }
 
-  /** By layers; the @p probes are in cells that the parts have. Collective. @throws UserError for more ranks
-   * than layers, or if cells cannot be read */
+  /** Partitions by layers; each part has the cells of its @p probes only. Collective.
+   * @throws UserError for more ranks than layers, or if cells cannot be read */
   std::unique_ptr<DistributedBody<3>>
   distribute(const std::vector<unsigned int> &contact,
              const std::vector<MeshPlace> &probes,
@@ -85,14 +85,15 @@ public:
              const InstructionSet isa,
              const MPI_Comm communicator) const override;
 
-  /** A GridBody<3>, by planes across z, whatever the names of contact and top. Collective. */
+  /** A GridBody<3>, partitioned by planes across z; ignores the names of contact and top.
+   * Collective. */
   std::unique_ptr<PointBody<3>> make_elastic(const MeshBodyParameters &parameters,
                                              const std::string &contact,
                                              const std::string &top,
                                              const std::vector<ElasticPhase<3>> &phases,
                                              const MPI_Comm communicator,
                                              const bool whole) const override;
-  /** Of a GridBody<3>. Collective. */
+  /** Deformation of a GridBody<3>. Collective. */
   Deformation deformation(const PointBody<3> &elastic,
                           const NodalField<double> &u) const override;
 

@@ -7,11 +7,13 @@
 
 namespace mesoslip
 {
-/** Empty if all contact nodes have an area seen along the normal of the flat. */
+/** Warning if contact nodes have no area seen along the normal of the flat; else
+ * empty. */
 std::string standing_faces_warning(const MeshBoundary &contact,
                                    const MeshBodyParameters &mesh);
 
-/** That forces on the nodes are pressures. @throws UserError */
+/** Checks that the contact has an area, so that nodal forces give pressures.
+ * @throws UserError */
 void require_contact_area(const MeshBodyDescription &body);
 } // namespace mesoslip
 

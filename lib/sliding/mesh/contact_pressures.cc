@@ -12,7 +12,7 @@ namespace mesoslip
 {
 namespace
 {
-/** The displacement of points of a mesh, by their number. */
+/** Displacements of mesh points by number. */
 template <int dim>
 using Displacements = std::map<unsigned int, std::array<double, dim>>;
 
@@ -31,8 +31,8 @@ VoigtVector<dim> mean_strain(const Mesh<dim> &mesh,
   return strain / cell_measure(mesh, corners).volume;
 }
 
-/** Of the corners of the cells behind these @p faces, which rank 0 has, by their numbers in its mesh.
- * Collective. */
+/** Displacements of the corners of the cells behind these @p faces (on rank 0), by point
+ * number in the mesh of rank 0. Collective. */
 template <int dim>
 Displacements<dim> displacements_behind(const std::vector<BoundaryFace<dim>> &faces,
                                         const BodyMesh<dim> &morphology,

@@ -11,8 +11,8 @@ namespace mesoslip
 namespace
 {
 /**
- * What the cells cost in a step, for METIS: those at the contact with their share of its
- * nodes, of which one costs as much as a quadrilateral or as 0.4 hexahedra (measured).
+ * Cost of the cells in a step, for METIS. Cells at the contact include a share of its
+ * nodes; a node costs as much as a quadrilateral or 0.4 hexahedra (measured).
  */
 template <int dim>
 std::vector<unsigned int> cell_weights(const Mesh<dim> &mesh,
@@ -33,7 +33,7 @@ std::vector<unsigned int> cell_weights(const Mesh<dim> &mesh,
   return weights;
 }
 
-/** The cells of this rank. */
+/** Distributes the cells; returns this rank's part. */
 template <int dim>
 MeshPart<dim> part_of_mesh(const Mesh<dim> &mesh,
                            const std::vector<unsigned int> &contact,
@@ -46,7 +46,7 @@ MeshPart<dim> part_of_mesh(const Mesh<dim> &mesh,
   return distribute(mesh, ranks, communicator);
 }
 
-/** A body of any cells. */
+/** A partitioned body on any mesh. */
 template <int dim>
 class BodyOfCells : public DistributedBody<dim>
 {
@@ -103,7 +103,7 @@ private:
   const MeshOperator<dim> op;
 };
 
-/** A box of bricks. */
+/** A partitioned box of bricks. */
 class BodyOfBricks : public DistributedBody<3>
 {
 public:
@@ -173,7 +173,7 @@ private:
   const std::vector<ElasticPhase<3>> phases;
   const InstructionSet isa;
   const BrickOperator op;
-  std::optional<FrequencyEstimate> of_blocks; ///< where there is one phase
+  std::optional<FrequencyEstimate> of_blocks; ///< for a single phase
 };
 } // namespace
 

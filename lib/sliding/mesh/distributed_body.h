@@ -13,27 +13,27 @@
 
 namespace mesoslip
 {
-/** What each rank has of a body that is advanced in time, and how. */
+/** The part of a body on this rank, with its time integration. */
 template <int dim>
 class DistributedBody
 {
 public:
   virtual ~DistributedBody() = default;
 
-  /** Points and cells of this rank. */
+  /** Points and cells of this rank's part. */
   virtual const MeshPart<dim> &part() const = 0;
 
-  /** Of the ranks that share the body. */
+  /** Ranks that share the body. */
   virtual MPI_Comm communicator() const = 0;
 
-  /** Of the points of the part (kg, in 2D kg/m). */
+  /** Lumped masses of the points of the part (kg, in 2D kg/m). */
   virtual const std::vector<double> &lumped_mass() const = 0;
 
   /** Largest frequency of M^-1 K. Collective. */
   virtual FrequencyEstimate largest_frequency() const = 0;
 
-  /** A stepper for these fields, which like this must outlive it; see MeshStepper.
-   * Collective. */
+  /** A stepper for the fields @p u and @p w, which like this object must outlive it; see
+   * MeshStepper. Collective. */
   virtual std::unique_ptr<SurfaceStepper<dim>>
   make_stepper(const std::vector<HeldComponent> &held,
                const StepParameters &parameters,
@@ -41,8 +41,8 @@ public:
                NodalField<double> &w) const = 0;
 };
 
-/** Divides the @p mesh that rank 0 has among the ranks by METIS, where cells at the points of the @p contact
- * weigh more. Collective. */
+/** Partitions the @p mesh of rank 0 by METIS; cells at the points of the @p contact weigh
+ * more. Collective. */
 template <int dim>
 std::unique_ptr<DistributedBody<dim>>
 distribute_mesh(const Mesh<dim> &mesh,
@@ -51,8 +51,9 @@ distribute_mesh(const Mesh<dim> &mesh,
                 const InstructionSet isa,
                 const MPI_Comm communicator);
 
-/** Divides a box of bricks, which all ranks have, by layers; the part has no cells but those of the @p
- * probes. Collective. @throws UserError for more ranks than layers of cells, or if these cannot be read */
+/** Partitions a box of bricks, replicated on all ranks, by layers; the part stores only
+ * the cells of the @p probes. Collective.
+ * @throws UserError for more ranks than layers of cells, or if cells cannot be read */
 std::unique_ptr<DistributedBody<3>>
 distribute_box(const BrickBox &box,
                const CellReader &materials,

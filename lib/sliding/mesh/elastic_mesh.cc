@@ -60,7 +60,7 @@ std::size_t n_free_on_mesh(const Mesh<dim> &mesh,
   for (const unsigned int point : body.contact.points)
     if (contact_held)
       held.emplace(point, dim - 1);
-  // Nothing holds copies but their originals.
+  // Periodic copies are not constrained themselves.
   std::size_t n_copies = 0;
   for (unsigned int p = 0; p < mesh.points.size(); ++p)
     n_copies += mesh.original(p) == p ? 0 : 1;
@@ -88,7 +88,7 @@ double frequency_of_springs(const DistributedBody<dim> &distributed,
                             const MeshBodyDescription &body,
                             const ContactParameters &parameters)
 {
-  std::map<unsigned int, double> squared; // of points of this rank
+  std::map<unsigned int, double> squared; // for locally stored points
   const std::vector<double> &mass = distributed.lumped_mass();
   const auto add                  = [&](const Suspension &suspension,
                        const std::vector<unsigned int> &points,

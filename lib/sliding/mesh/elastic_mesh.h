@@ -12,39 +12,42 @@
 
 namespace mesoslip
 {
-/** On rank 0: the cells behind the faces of the contact under the displacement @p u of @p elastic. Collective. */
+/** The cells behind the contact faces under the displacement @p u of @p elastic, on rank
+ * 0. Collective. */
 template <int dim>
 std::vector<ContactCell> cells_at_contact(const BodyMesh<dim> &morphology,
                                           const MeshBodyParameters &parameters,
                                           const PointBody<dim> &elastic,
                                           const NodalField<double> &u);
 
-/** What groups of faces and top hold, all components of what platens move; with @p
- * contact_held the contact along the normal of the flat. */
+/** Constraints by face groups and top, including all components of nodes that platens
+ * move; with @p contact_held the contact along the normal of the flat. */
 template <int dim>
 DofMask held_by_mesh(const MeshBodyDescription &body,
                      const TopSetup &top,
                      const bool contact_held,
                      const PointBody<dim> &elastic);
 
-/** Number of components that all this leaves free, of the @p mesh that rank 0 has. Collective. */
+/** Number of free components under these constraints; @p mesh is on rank 0.
+ * Collective. */
 template <int dim>
 std::size_t n_free_on_mesh(const Mesh<dim> &mesh,
                            const MeshBodyDescription &body,
                            const TopSetup &top,
                            const bool contact_held);
 
-/** The nodes of a side that a rank has in @p elastic. */
+/** Locally stored nodes of a side in @p elastic. */
 template <int dim>
 SupportNodes nodes_of(const MeshSide &side, const PointBody<dim> &elastic);
 
-/** Circular, of a node of top or sides that moves alone on its springs, the fastest one (1/s). Collective. */
+/** Largest circular frequency (1/s) of a single node of top or sides on its springs.
+ * Collective. */
 template <int dim>
 double frequency_of_springs(const DistributedBody<dim> &distributed,
                             const MeshBodyDescription &body,
                             const ContactParameters &parameters);
 
-/** Puts the contact nodes of the description into the order of @p elastic. */
+/** Sorts the contact nodes of the description into the order of @p elastic. */
 template <int dim>
 void order_contact(MeshBodyDescription &body, const PointBody<dim> &elastic);
 } // namespace mesoslip

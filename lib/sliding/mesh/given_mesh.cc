@@ -134,7 +134,7 @@ BodySize GivenMesh<dim>::size() const
 template <int dim>
 unsigned int GivenMesh<dim>::most_ranks() const
 {
-  constexpr unsigned int of_a_rank = 2000; // cells that hide what ranks tell each other
+  constexpr unsigned int of_a_rank = 2000; // cells per rank that hide communication
   unsigned int most                = static_cast<unsigned int>(body.n_cells / of_a_rank);
   return std::max(1U, std::min(most, mesh->most_ranks()));
 }
@@ -170,7 +170,7 @@ std::vector<ProbePoint> GivenMesh<dim>::probe_places() const
 template <int dim>
 void GivenMesh<dim>::make_elastic(const MPI_Comm communicator, const bool whole)
 {
-  // What the analysis does not need may not be there.
+  // Contact and top are empty if the analysis does not need them.
   const bool has_contact = !body.contact.points.empty(),
              has_top     = !body.top.points.empty();
   of_statics             = mesh->make_elastic(
@@ -294,7 +294,7 @@ void GivenMesh<dim>::write_fields(
   const std::string &name,
   const std::vector<const NodalField<double> *> &fields) const
 {
-  // Whole fields are the same on all ranks.
+  // Replicated fields are written by rank 0.
   if (file || of_statics->communicator() != MPI_COMM_SELF)
     write_divided_fields(file, path, name, fields, *mesh, *of_statics);
 }

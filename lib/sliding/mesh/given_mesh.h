@@ -14,14 +14,15 @@
 
 namespace mesoslip
 {
-/** A mesh, or a grid in 3D. */
+/** A body on a mesh, or on a grid in 3D. */
 template <int dim>
 class GivenMesh : public GivenBody<dim>
 {
 public:
   /**
-   * Rank 0 reads what is @p unread; all know what is described of it. For steps it is divided among the
-   * ranks. @throws UserError for input that no analysis can work with
+   * Rank 0 reads @p unread; the description is sent to all ranks. Time steps use a
+   * partition.
+   * @throws UserError for input that no analysis supports
    */
   GivenMesh(const ContactParameters &given, std::unique_ptr<BodyMesh<dim>> unread);
 
@@ -57,7 +58,7 @@ public:
             const std::vector<XdmfField> &fields,
             const std::vector<double> &times) const override;
 
-  /** The body that elastic() is. */
+  /** The body returned by elastic(). */
   const PointBody<dim> &points() const
   {
     return *of_statics;
@@ -70,7 +71,7 @@ private:
 
   std::unique_ptr<BodyMesh<dim>> mesh;   ///< on rank 0, see BodyMesh::share()
   MeshBodyDescription body;              ///< the same on all ranks
-  std::vector<ElasticPhase<dim>> phases; ///< of the cells, the same on all ranks
+  std::vector<ElasticPhase<dim>> phases; ///< per material, same on all ranks
 
   std::vector<std::string> lines() const;
   BodySize size() const;
@@ -83,7 +84,7 @@ private:
                                            const std::uint64_t interval) const;
   void describe_contact();
 
-  std::unique_ptr<DistributedBody<dim>> distributed; ///< of steps
+  std::unique_ptr<DistributedBody<dim>> distributed; ///< partition for time steps
   std::unique_ptr<PointBody<dim>> of_statics;        ///< see make_elastic()
 };
 } // namespace mesoslip

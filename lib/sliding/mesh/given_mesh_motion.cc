@@ -6,7 +6,7 @@
 
 namespace mesoslip
 {
-/** With the materials and what the supports of this body stand for. */
+/** Adds the materials and the nodes of the supports of this body. */
 template <int dim>
 SlidingSetup GivenMesh<dim>::with_sides(SlidingSetup setup) const
 {
@@ -53,7 +53,7 @@ CounterMotion<dim> GivenMesh<dim>::start_below(const SlidingSetup &given,
   return below;
 }
 
-/** Null without any; @p in_contact, they have tractions. */
+/** Probes of the body, null without any; with @p in_contact they have tractions. */
 template <int dim>
 std::unique_ptr<ProbeRecorder>
 GivenMesh<dim>::probes_of(const SlidingMesh<dim> &moving,
@@ -75,7 +75,7 @@ template <int dim>
 std::function<FieldRows()>
 GivenMesh<dim>::displacement_rows(const SlidingMesh<dim> &moving) const
 {
-  // Made when there is something to write. Planes of a box are written as wholes.
+  // Made when fields are written. Planes of a box are not split.
   std::size_t n_together = 0;
   std::shared_ptr<const PointBlocks<dim>> blocks;
   return [this, &u = moving.u, n_together, blocks]() mutable {

@@ -51,7 +51,7 @@ std::vector<double> friction_of_points(const BodyMesh<dim> &morphology,
   return mean_of_phases(morphology.mesh, faces, contact, coefficient, weight);
 }
 
-/** Of each phase its share of the area of the faces around each point of @p contact. */
+/** For each phase its share in the area of the faces around each point of @p contact. */
 template <int dim>
 std::vector<std::vector<double>>
 shares_of_phases(const BodyMesh<dim> &morphology,
@@ -71,17 +71,18 @@ shares_of_phases(const BodyMesh<dim> &morphology,
   return shares;
 }
 
-/** Whether anything happens at the contact: not to modes with a free bottom. */
+/** Whether the analysis needs the contact: modes with a free bottom do not. */
 bool needs_contact(const ContactParameters &parameters)
 {
   return parameters.analysis != ContactAnalysis::modal ||
          parameters.modal_bottom != "free";
 }
 
-/** Whether anything happens at the top: not to modes that leave it free, nor to a counter body. */
+/** Whether the analysis needs the top: modes with a free top and counter bodies do
+ * not. */
 bool needs_top(const ContactParameters &parameters)
 {
-  if (parameters.is_counter) // its bottom is one of the other sides
+  if (parameters.is_counter) // its bottom is an ordinary side
     return false;
   const TopSetup &top = parameters.top;
   return parameters.analysis != ContactAnalysis::modal || top.holds(0) ||
@@ -89,7 +90,7 @@ bool needs_top(const ContactParameters &parameters)
          !(top.hold_from > 0.);
 }
 
-/** What platen and contact ask of each other and of held boundaries. */
+/** Checks the compatibility of platen, contact and constrained boundaries. */
 void check_supports(const MeshBodyDescription &body,
                     const unsigned int normal,
                     const ContactParameters &given)
@@ -125,9 +126,9 @@ void check_supports(const MeshBodyDescription &body,
                       (top.suspension.is_there() ? "springs" : "pressure or held"));
 }
 
-/** The contact node nearest to Reference x, or to the middle of the contact, in 3D halfway
- * along y; of two that are equally near the last, as on grids. Points that move together are one node
- * in several places. */
+/** The contact node nearest to Reference x, or to the middle of the contact, in 3D
+ * halfway along y; with two equally near nodes the last, as on grids. Periodic points
+ * are one node in several places. */
 template <int dim>
 ReferenceNode reference_node(const BodyMesh<dim> &morphology,
                              const MeshBoundary &contact,
@@ -174,7 +175,8 @@ ReferenceNode reference_node(const BodyMesh<dim> &morphology,
   return node;
 }
 
-/** Stiffness, impedance, size and mass; the area is that of @p top or, without one, of the bounding box. */
+/** Stiffness, impedance, size and mass; the area is taken from @p top or, without a top,
+ * from the bounding box. */
 template <int dim>
 BodyScales scales_of(const BodyMesh<dim> &morphology,
                      const dealii::Tensor<1, dim> &sides,
@@ -209,7 +211,7 @@ BodyScales scales_of(const BodyMesh<dim> &morphology,
   return scales;
 }
 
-/** From numbers in the mesh, which may be that of some cells, to those in the body. */
+/** Renumbers points and cells of the partial mesh to numbers in the whole body. */
 template <int dim>
 void number_in_whole_body(MeshBodyDescription &body, const BodyMesh<dim> &morphology)
 {

@@ -17,16 +17,17 @@ struct ContactParameters;
 template <int dim>
 class BodyMesh;
 
-/** Key Dimension and sections Mesh and Phases of contact_dynamics, and what Supports holds. */
+/** Key Dimension, sections Mesh and Phases of contact_dynamics, and the constraints of
+ * section Supports. */
 struct MeshBodyParameters
 {
-  std::string section;                          ///< what is before the names of its keys
-  MeshParameters mesh;                          ///< the file
+  std::string section;                          ///< prefix of its key names
+  MeshParameters mesh;                          ///< mesh file
   std::string contact_boundary = "Contact";     ///< name of a physical group
   std::string top_boundary     = "Top";         ///< name of a physical group
-  std::array<std::vector<std::string>, 3> held; ///< groups, for each component
+  std::array<std::vector<std::string>, 3> held; ///< constrained groups per component
 
-  /** For x and y: none, or two groups that are joined. */
+  /** For x and y: empty, or the two groups that are joined periodically. */
   std::array<std::vector<std::string>, 2> periodic;
   std::vector<PhaseParameters> phases; ///< empty without a mesh
 
@@ -36,7 +37,7 @@ struct MeshBodyParameters
     return !mesh.files.empty();
   }
 
-  /** The key that the size of the body comes from. */
+  /** Key that determines the size of the body. */
   const char *size_key() const
   {
     return is_given() ? "Mesh/Scale" : "Body/Size";
@@ -48,22 +49,24 @@ struct MeshBodyParameters
     return mesh.dim == 2 && !is_given();
   }
 
-  /** Of the RVE file whose effective stiffness the whole body has; empty without one. */
+  /** Digest of the RVE file whose effective stiffness the whole body has; empty without
+   * one. */
   std::string rve_digest;
 
   /** RveFile::content() of the RVE file that the phases come from. */
   std::string rve_content;
 
-  /** RveFile::change_note() of the RVE file that the phases come from; empty: as it was written. */
+  /** RveFile::change_note() of the RVE file that the phases come from; empty:
+   * unchanged. */
   std::string rve_note;
 
   /** Binds the keys. @throws UserError for several meshes */
   void bind(Keys &keys);
 
-  /** The same of those of a counter body, in the current section. */
+  /** Binds the keys of a counter body, in the current section. */
   void bind_below(Keys &keys);
 
-  /** @throws UserError naming the key of a phase that makes no sense */
+  /** @throws UserError naming the invalid key of a phase */
   void check() const;
 
 private:
@@ -72,37 +75,38 @@ private:
 };
 
 /**
- * The parameters with the phases of the body, where these are not those of section Phases:
- * the effective stiffness and the mean density of the RVE file, its phases, or Body/Stiffness.
- * Collective. @throws UserError
+ * The parameters with the phases of the body. If they do not come from section Phases,
+ * they are the effective stiffness and mean density of the RVE file, its phases, or
+ * Body/Stiffness. Collective.
+ * @throws UserError
  */
 template <int dim>
 ContactParameters with_phases(ContactParameters parameters);
 
-/** What all ranks know of a body on a mesh. */
+/** Description of a body on a mesh, replicated on all ranks. */
 struct MeshBodyDescription
 {
-  MeshBoundary contact;         ///< on the flat
-  MeshBoundary top;             ///< loaded
-  std::vector<double> friction; ///< Coulomb's coefficient of the contact nodes
+  MeshBoundary contact;         ///< boundary on the flat
+  MeshBoundary top;             ///< loaded boundary
+  std::vector<double> friction; ///< Coulomb coefficient per contact node
 
-  /** Of each phase its share of the tributary area of the contact nodes. */
+  /** For each phase its share of the tributary area of each contact node. */
   std::vector<std::vector<double>> shares;
 
   SideNodes top_nodes;         ///< impedance and position of TopSetup
-  std::vector<MeshSide> sides; ///< of ContactParameters::loaded_sides()
+  std::vector<MeshSide> sides; ///< per side of ContactParameters::loaded_sides()
 
-  std::vector<HeldComponent> held; ///< never moved
-  std::uint64_t n_points = 0;      ///< of the mesh
-  std::uint64_t n_cells  = 0;      ///< of the mesh
-  std::string digest;              ///< of the file
-  std::vector<MeshPlace> probes;   ///< where they are in the mesh
-  ReferenceNode reference;         ///< of the contact
+  std::vector<HeldComponent> held; ///< constrained dofs
+  std::uint64_t n_points = 0;      ///< points of the mesh
+  std::uint64_t n_cells  = 0;      ///< cells of the mesh
+  std::string digest;              ///< digest of the file
+  std::vector<MeshPlace> probes;   ///< positions in the mesh
+  ReferenceNode reference;         ///< a contact node
 
   BodyScales scales;         ///< without the highest frequency
-  double shortest_side = 0.; ///< of the bounding box (m)
+  double shortest_side = 0.; ///< shortest side of the bounding box (m)
 
-  /** Of boost::serialization. */
+  /** For boost::serialization. */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
@@ -111,12 +115,12 @@ struct MeshBodyDescription
 };
 
 /**
- * Contact, top, friction and held points of the mesh that was read; no contact and no top
- * where modes under these supports ask for none. The coefficient of a
- * contact node is that of FrictionParameters, or the mean over the phases behind it (see
- * mean_of_phases()), weighted with their stiffness along the normal if so wanted.
- * @throws UserError for a boundary that is not there or faces the wrong way, points that
- * are in contact and top, a platen that is held, phases without density, a probe outside
+ * Contact, top, friction and constrained points of the mesh; without contact and top if
+ * the modes need none. The coefficient of a contact node is
+ * FrictionParameters::coefficient, or the mean over the phases behind it (see
+ * mean_of_phases()), weighted with their stiffness along the normal if requested.
+ * @throws UserError for a boundary that is missing or faces the wrong way, points in
+ * both contact and top, a held platen, phases without density, a probe outside
  */
 template <int dim>
 MeshBodyDescription describe_body(const BodyMesh<dim> &morphology,

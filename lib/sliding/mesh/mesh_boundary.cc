@@ -14,7 +14,7 @@ MeshBoundary mesh_boundary(const Mesh<dim> &mesh,
                            const std::vector<BoundaryFace<dim>> &faces)
 {
   const BoundaryPoints<dim> found = boundary_points(mesh, faces);
-  std::map<unsigned int, double> area; // of originals
+  std::map<unsigned int, double> area; // by periodic master
   for (std::size_t k = 0; k < found.points.size(); ++k)
     area[mesh.original(found.points[k])] += found.normal_area[k][dim - 1];
   MeshBoundary boundary;
@@ -51,7 +51,8 @@ std::vector<double> mean_of_phases(const Mesh<dim> &mesh,
                                    const std::vector<double> &property,
                                    const std::vector<double> &weight)
 {
-  // Faces that stand on the flat count where there is nothing else.
+  // Faces that stand on the flat have a tiny weight, so they matter only if there are no
+  // other faces.
   constexpr double standing = 1e-9;
   std::unordered_map<unsigned int, std::array<double, 2>> sums;
   for (const BoundaryFace<dim> &face : faces)

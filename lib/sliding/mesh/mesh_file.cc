@@ -32,8 +32,8 @@ void write_divided_fields(std::optional<Hdf5File> &file,
                           const PointBody<dim> &elastic)
 {
   const MPI_Comm communicator = elastic.communicator();
-  // Planes of a box are written as wholes.
-  std::array<std::size_t, 2> extent = {}; // of the points, of one row of the dataset
+  // Planes of a box are not split.
+  std::array<std::size_t, 2> extent = {}; // points in a row of the dataset
   on_root(communicator, [&]() {
     Shape shape = body.vectors_shape();
     extent      = {{body.n_points(), body.n_points() / shape[0]}};

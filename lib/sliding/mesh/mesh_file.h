@@ -12,8 +12,9 @@
 
 namespace mesoslip
 {
-/** Begins a file of contact_dynamics on a box or a mesh: header, cells and materials. The name of its
- * format is @p format, of a mesh with "-mesh" behind; digests are that of its content and of its RVE file. */
+/** Creates a file of contact_dynamics on a box or a mesh with header, cells and
+ * materials. The format name is @p format plus, for a mesh, "-mesh"; the digests
+ * identify its content and its RVE file. */
 template <int dim>
 Hdf5File create_mesh_file(const std::string &path,
                           const std::string &format,
@@ -22,8 +23,9 @@ Hdf5File create_mesh_file(const std::string &path,
                           const std::string &rve_digest);
 
 /**
- * Writes @p fields of @p elastic as the rows of dataset @p name: all ranks, each a block of the
- * points, while rank 0, which has the @p file and its @p body, has left it. Collective.
+ * Writes @p fields of @p elastic as the rows of dataset @p name. All ranks write a block
+ * of points each; rank 0, which has the @p file and its @p body, closes the file
+ * meanwhile. Collective.
  */
 template <int dim>
 void write_divided_fields(std::optional<Hdf5File> &file,

@@ -12,7 +12,7 @@ namespace mesoslip
 {
 namespace
 {
-/** Originals of the points of a group; none if there is no such group. */
+/** Periodic masters of the points of a group; empty if there is no such group. */
 template <int dim>
 std::vector<unsigned int> points_of_group(const BodyMesh<dim> &morphology,
                                           const std::vector<BoundaryFace<dim>> &faces,
@@ -25,7 +25,7 @@ std::vector<unsigned int> points_of_group(const BodyMesh<dim> &morphology,
     .points;
 }
 
-/** All points of them. */
+/** Loaded sides with all their points. */
 template <int dim>
 std::vector<MeshSide> loaded_sides_of(const BodyMesh<dim> &morphology,
                                       const std::vector<BoundaryFace<dim>> &faces,

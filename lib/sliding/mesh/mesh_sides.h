@@ -9,7 +9,8 @@ namespace mesoslip
 {
 struct ContactParameters;
 
-/** SideNodes::impedance of the points of a @p top that absorbs: for the area seen from above that of the true one. */
+/** SideNodes::impedance of the points of an absorbing @p top, scaled by true area over
+ * projected area. */
 template <int dim>
 std::vector<std::vector<double>>
 impedance_of_points(const BodyMesh<dim> &morphology,
@@ -17,9 +18,11 @@ impedance_of_points(const BodyMesh<dim> &morphology,
                     const MeshBoundary &top);
 
 /**
- * Describes ContactParameters::loaded_sides() of a body whose held points are known. Platens have the points that they
- * move: not those of contact and top, of a platen before, and those that other supports hold where it moves. Components
- * in which they do not move are held. @throws UserError
+ * Describes ContactParameters::loaded_sides() of a body whose constrained points are
+ * known. A platen moves the points of its side except points of contact, top and earlier
+ * platens, and points that other supports constrain in its direction. Components in
+ * which platens do not move are constrained.
+ * @throws UserError
  */
 template <int dim>
 void describe_sides(MeshBodyDescription &body,

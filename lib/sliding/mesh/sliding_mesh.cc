@@ -10,7 +10,7 @@ namespace mesoslip
 {
 namespace
 {
-/** Of the whole surfaces what concerns the nodes of this rank. */
+/** Restricts the setup of whole surfaces to the nodes of this rank. */
 SlidingSetup restricted(SlidingSetup setup,
                         const MeshBoundary &contact,
                         const MeshBoundary &top,
@@ -52,7 +52,7 @@ SlidingSetup restricted(SlidingSetup setup,
   return setup;
 }
 
-/** Calls what (i, point) for the nodes that have a point on this rank. */
+/** Calls what(i, point) for the nodes with a point on this rank. */
 template <typename Function>
 void for_each_point(const SharedNodes &nodes, const Function &what)
 {
@@ -240,7 +240,7 @@ std::vector<std::array<double, dim>> SlidingMesh<dim>::start_acceleration(
   for (std::size_t i = 0; i < n; ++i)
     for (unsigned int c = 0; c < dim; ++c)
       a[i][c] -= drag[i] / mass[i] * velocity[c];
-  // What platens move, once all that acts on their nodes is known.
+  // Nodes of platens move together, after all loads on them are known.
   const auto together = [&](const RigidPlaten<dim> &platen, const SharedNodes &nodes) {
     std::vector<typename RigidPlaten<dim>::NodeAtStart> at_start(nodes.size());
     for_each_point(nodes, [&](const unsigned int i, const unsigned int point) {

@@ -10,7 +10,7 @@ namespace
 {
 using Triplet = Eigen::Triplet<double, std::int64_t>;
 
-/** Number of each degree of freedom in a list, or -1. */
+/** Index of each degree of freedom in a list, or -1. */
 std::vector<std::int64_t> numbers_in(const std::vector<std::int64_t> &list,
                                      const std::size_t n)
 {
@@ -20,7 +20,7 @@ std::vector<std::int64_t> numbers_in(const std::vector<std::int64_t> &list,
   return numbers;
 }
 
-/** The entries of these rows and columns. */
+/** Extracts the block of these rows and columns. */
 template <typename Matrix>
 Matrix block_of(const Matrix &whole,
                 const std::vector<std::int64_t> &rows,
@@ -97,7 +97,7 @@ void CondensedStiffness<dim>::condense()
   if (factors.info() != Eigen::Success)
     throw NotConverged("the stiffness of the bodies could not be factorized",
                        NotConverged::Reason::broke_down);
-  // Some columns at once, which take as much memory as some fields.
+  // Columns solved at once; they take as much memory as some fields.
   constexpr Eigen::Index at_once = 64;
   for (Eigen::Index first = 0; first < coupling.cols(); first += at_once)
     {
@@ -154,7 +154,7 @@ void CondensedSolver<dim>::set_constrained_on_springs(const DofMask &mask,
       number[static_cast<std::size_t>(dof_of<dim>(spring.node.i, spring.d))]) +=
       spring.stiffness;
   factors.compute(S(free, free));
-  // Of a motion as a whole a pivot is left by round-off.
+  // A rigid motion leaves a pivot of the size of round-off.
   const double largest = S.diagonal().maxCoeff();
   moves = !free.empty() && !(factors.vectorD().minCoeff() > 1e-12 * largest);
 }
@@ -171,7 +171,8 @@ SolverReport CondensedSolver<dim>::solve(NodalField<double> &u,
   for (const SpringEntry &spring : springs)
     left[dof_of<dim>(spring.node.i, spring.c)] -=
       spring.stiffness * x[dof_of<dim>(spring.node.i, spring.d)];
-  // What is missing of inner degrees of freedom as if the contact was held, then of the contact.
+  // Solves first for the inner degrees of freedom as if the contact was held, then for
+  // the contact.
   const Eigen::VectorXd of_inner   = stiffness->solve(entries_of(left, stiffness->inner)),
                         of_contact = entries_of(left, stiffness->at_contact) -
                                      stiffness->coupling.transpose() * of_inner;

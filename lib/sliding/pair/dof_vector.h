@@ -16,7 +16,8 @@ std::int64_t dof_of(const unsigned int node, const unsigned int c)
   return static_cast<std::int64_t>(dim) * node + c;
 }
 
-/** The components of each node one after the other, as degrees of freedom are numbered. */
+/** The field as a vector: the components of each node are adjacent, as degrees of freedom
+ * are numbered. */
 template <int dim>
 Eigen::VectorXd vector_of(const NodalField<double> &field)
 {

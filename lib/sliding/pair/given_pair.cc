@@ -20,7 +20,7 @@ namespace mesoslip
 {
 namespace
 {
-/** Grids are bodies on meshes here, too. */
+/** In pairs, grids are treated as meshes. */
 template <int dim>
 std::unique_ptr<GivenMesh<dim>> mesh_of(const ContactParameters &parameters)
 {
@@ -34,7 +34,7 @@ std::unique_ptr<GivenMesh<dim>> mesh_of(const ContactParameters &parameters)
   return std::make_unique<GivenMesh<dim>>(parameters, std::move(mesh));
 }
 
-/** The nodes of a mask one after the other. */
+/** Appends the nodes of a mask. */
 void append(DofMask &all, const DofMask &part, const unsigned int first)
 {
   for (unsigned int i = 0; i < part.n_columns(); ++i)
@@ -43,7 +43,7 @@ void append(DofMask &all, const DofMask &part, const unsigned int first)
         all.constrain(c, {first + i, 0});
 }
 
-/** The constants of damping of the phases of both bodies, unless all are alike. */
+/** Damping constants of the phases of both bodies, unless all are equal. */
 template <int dim>
 ContactParameters with_damping_of(ContactParameters parameters,
                                   const GivenBody<dim> &above,
@@ -75,7 +75,7 @@ ContactParameters with_damping_of(ContactParameters parameters,
   return parameters;
 }
 
-/** Of sparse factors, of the stiffness about half as many as of complex modes. */
+/** Bytes of sparse factors; static contact needs about half as many as complex modes. */
 template <int dim>
 double bytes_of_factors(const ContactAnalysis analysis, const std::uint64_t n_points)
 {
@@ -202,7 +202,7 @@ VibrationModes<dim> GivenPair<dim>::modes(const TopSetup &top,
 
 namespace
 {
-/** A common alpha acts on masses of supports as well. */
+/** A common alpha also acts on masses of supports. */
 template <int dim>
 DampingByPhase damping_of(const GivenMesh<dim> &body,
                           const StepParameters &step,
@@ -260,7 +260,7 @@ SupportNodes GivenPair<dim>::top_nodes() const
   return above->top_nodes();
 }
 
-/** Platens, which only the upper body has, are the first ones. */
+/** Platens come first; only the upper body has any. */
 template <int dim>
 std::vector<SideSupport> GivenPair<dim>::loaded_sides() const
 {

@@ -10,13 +10,14 @@
 
 namespace mesoslip
 {
-/** A body and the counter body below it, in static contact and complex modes: what is told and asked of it is that of the upper
- * body, equations are those of both. Each rank has whole fields. */
+/** A body and the counter body below it, in static contact and complex modes. Facts and
+ * nodes refer to the upper body, equations contain both bodies. Fields are replicated on
+ * all ranks. */
 template <int dim>
 class GivenPair : public GivenBody<dim>
 {
 public:
-  /** @throws UserError for input that no analysis can work with */
+  /** @throws UserError for input that no analysis supports */
   explicit GivenPair(const ContactParameters &given);
 
   BodyInMotion<dim> start(const SlidingSetup &given,
@@ -26,7 +27,8 @@ public:
                                  RunContext &context) const override;
   void write_contact(Hdf5File &file) const override;
 
-  /** Whole, whatever is wanted. @throws UserError if the supports of the counter body do not hold it */
+  /** Always replicated.
+   * @throws UserError if the supports of the counter body do not hold it */
   void make_elastic(const MPI_Comm communicator, const bool whole) override;
   const ElasticBody<dim> &elastic() const override;
   const ElasticBody<dim> &vibrating() const override;

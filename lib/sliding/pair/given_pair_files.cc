@@ -1,4 +1,4 @@
-// Files of a body and its counter body.
+// Files of a body with a counter body.
 #include "exchange/datasets.h"
 #include "exchange/run_description.h"
 #include "sliding/pair/given_pair.h"
@@ -18,7 +18,7 @@ Shape GivenPair<dim>::vectors_shape() const
   return above->vectors_shape();
 }
 
-/** What a body, 0 or 1, has of fields of elastic(), or of vibrating() where there is one. */
+/** The part of body 0 or 1 in fields of elastic(), or of vibrating() if it exists. */
 template <int dim>
 std::vector<NodalField<double>>
 GivenPair<dim>::fields_of(const std::size_t body,

@@ -17,7 +17,7 @@ BodyMemory GridMesh::read(const ContactParameters &parameters,
 {
   body = make_body(parameters, 1);
   if (parameters.is_counter)
-    body.grid.origin[1] = -body.grid.extent(1); // as files show it
+    body.grid.origin[1] = -body.grid.extent(1); // position as in files
   file            = parameters.body.rve_file;
   mesh.boundaries = {"Left", "Right"};
   mesh.boundaries.emplace_back(parameters.is_counter ? "Bottom" : "Contact");
@@ -56,7 +56,7 @@ void GridMesh::make_mesh()
     }
 }
 
-/** Makes groups of the edges at the sides. */
+/** Groups the edges of the sides. */
 void GridMesh::name_sides()
 {
   const UniformGrid<2> &grid = body.grid;

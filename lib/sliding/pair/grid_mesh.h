@@ -9,8 +9,8 @@
 
 namespace mesoslip
 {
-/** A plane grid as the mesh of its cells, with the groups Left, Right, Contact and Top, or Bottom and Contact of a counter body;
- * its files are those of a grid. */
+/** A plane grid as a mesh, with the groups Left, Right, Contact and Top (a counter body:
+ * Bottom and Contact); its files have the format of a grid. */
 class GridMesh : public BodyMesh<2>
 {
 public:

@@ -91,7 +91,7 @@ PairBody<dim>::PairBody(const PointBody<dim> &above,
   take_foundations();
 }
 
-/** Rows of duplicates are those of their originals. */
+/** Rows of periodic copies equal the rows of their masters. */
 template <int dim>
 RealMatrix PairBody<dim>::transformation() const
 {
@@ -119,7 +119,8 @@ RealMatrix PairBody<dim>::transformation() const
   return matrix;
 }
 
-/** Of supports of the upper body those at nodes with relative displacements, or all others. */
+/** Springs of the upper body at nodes with relative displacements, or at all other
+ * nodes. */
 template <int dim>
 std::vector<SpringEntry> PairBody<dim>::springs_of_above(const bool at_relative) const
 {
@@ -134,7 +135,7 @@ std::vector<SpringEntry> PairBody<dim>::springs_of_above(const bool at_relative)
   return found;
 }
 
-/** Those of both bodies, but for springs that are in K and for masses, which are in theirs. */
+/** Takes the foundations of both bodies, except springs that are in K and masses. */
 template <int dim>
 void PairBody<dim>::take_foundations()
 {

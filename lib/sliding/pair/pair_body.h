@@ -11,22 +11,25 @@
 
 namespace mesoslip
 {
-/** Both matrices as blocks. */
+/** Block diagonal matrix of both matrices. */
 RealMatrix blocks_of(const std::array<RealMatrix, 2> &matrices);
 
-/** The nodes of the contact of a lower body, and what those of the upper one meet of them. */
+/** Contact nodes of a lower body and the weights with which nodes of the upper body meet
+ * them. */
 struct MeetingNodes
 {
-  std::vector<NodeIndex> below; ///< in the order of the weights' columns
+  std::vector<NodeIndex> below; ///< in the order of the columns of weights
   SurfaceWeights weights;       ///< W
 };
 
 /**
- * Two bodies that meet, as one for statics and modes, with whole fields: in one row the nodes of the upper body,
- * behind them those of the lower one. Its contact is that of the upper body. The displacements u are absolute, or those of the
- * nodes of its contact are relative to what they meet: u_1 = u + W u_2. Then the conditions of the contact are those on a rigid
- * flat, forces on these displacements act on both bodies, and the stiffness is T^T K T with the matrix T that makes them
- * absolute; nodes of the lower body, which has to be held by itself, do not count in sums.
+ * Two bodies in contact as one body for statics and modes, with replicated fields in one
+ * row: nodes of the upper body, then nodes of the lower body. Its contact is the contact
+ * of the upper body. Displacements u are absolute (Motion::absolute), or relative at the
+ * contact nodes: u_1 = u + W u_2. With relative displacements the contact conditions are
+ * those of a rigid flat, forces on them act on both bodies, and the stiffness is T^T K T
+ * with the matrix T that makes displacements absolute. The lower body has to be held by
+ * its own supports; sums skip its nodes.
  */
 template <int dim>
 class PairBody final : public ElasticBody<dim>
@@ -41,7 +44,8 @@ public:
     relative
   };
 
-  /** @p stiffness of the cells of both bodies, whose contacts are the meeting @p given. The bodies must outlive it. Collective. */
+  /** @p stiffness are the matrices of both bodies, whose contacts meet as in @p given.
+   * The bodies must outlive it. Collective. */
   PairBody(const PointBody<dim> &above,
            const PointBody<dim> &below,
            const MeetingNodes &given,
@@ -51,7 +55,7 @@ public:
   /** The absolute displacements of both bodies. */
   std::array<NodalField<double>, 2> parts(const NodalField<double> &u) const;
 
-  /** A node of the lower body. */
+  /** Index of a node of the lower body in this body. */
   NodeIndex below_node(const NodeIndex &node) const
   {
     return {n_above + node.i, 0};
@@ -68,7 +72,8 @@ public:
   std::vector<MatrixEntry> stiffness_entries() const override;
   std::unique_ptr<StaticSolver> make_solver() const override;
 
-  /** Of a pair there is none. @throws std::invalid_argument */
+  /** Not available for a pair.
+   * @throws std::invalid_argument */
   std::unique_ptr<ElasticBody<dim>> make_periodic() const override;
 
 private:
@@ -86,14 +91,14 @@ private:
   const PointBody<dim> &below;
   const unsigned int n_above; ///< nodes of the upper body
   const Motion motion;
-  MeetingNodes meeting; ///< with the numbers that nodes below have here
+  MeetingNodes meeting; ///< with lower nodes renumbered as in this body
   std::vector<unsigned int>
-    follows; ///< of each node the one that it duplicates, or itself
+    follows; ///< periodic master of each node; a master is its own
   mutable std::unique_ptr<CondensedStiffness<dim>>
-    condensed; ///< stiffness that its solvers share; empty before the first solve
-  std::vector<double> masses; ///< of the nodes (kg, in 2D kg/m)
+    condensed; ///< stiffness shared by its solvers; empty before the first solve
+  std::vector<double> masses; ///< nodal masses (kg, in 2D kg/m)
   RealMatrix T;               ///< makes displacements absolute
-  RealMatrix K;               ///< of cells, and of springs that hold the contact
+  RealMatrix K;               ///< stiffness of cells and of springs at the contact
 };
 } // namespace mesoslip
 

@@ -7,10 +7,13 @@
 namespace mesoslip
 {
 /**
- * The lowest modes of two bodies with absolute displacements, whose constraints @p held are those of their supports. They vibrate
- * apart, or @p touching: contact nodes that no support holds follow what they meet along the normal, and slide without friction.
- * Other options as for vibration_modes(). A vibration with omega^2 below 1e-9 (wave_speed / height)^2, or below what round-off
- * of the highest one leaves, is a rigid motion. @throws std::invalid_argument if there are not as many modes; NotConverged
+ * The lowest modes of two bodies with absolute displacements, under the constraints
+ * @p held of their supports. The bodies vibrate separately or, if @p touching, contact
+ * nodes that no support holds follow the opposite surface along the normal and slide
+ * without friction. Options as for vibration_modes(). A mode with omega^2 below 1e-9
+ * (wave_speed / height)^2, or below the round-off of the highest mode, is a rigid
+ * motion.
+ * @throws std::invalid_argument if there are fewer modes; NotConverged
  */
 template <int dim>
 VibrationModes<dim> pair_modes(const PairBody<dim> &pair,

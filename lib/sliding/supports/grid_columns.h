@@ -7,10 +7,11 @@
 
 namespace mesoslip
 {
-/** Of a whole column what concerns the rows of this rank, of sides that no platen moves ghost rows as well. */
+/** Restricts a column of nodes to the rows of this rank; without a platen including ghost
+ * rows. */
 void restrict_side(LoadedSide &side, const NodeRows &rows);
 
-/** The columns of the loaded @p sides; arguments as of SideColumn. */
+/** The columns of the loaded @p sides; arguments as for SideColumn. */
 std::deque<SideColumn> make_columns(std::deque<SideSurface<2>> &sides,
                                     const SlidingSetup &setup,
                                     const UniformMaterial &material,
@@ -19,7 +20,7 @@ std::deque<SideColumn> make_columns(std::deque<SideSurface<2>> &sides,
                                     NodalField<double> &u,
                                     NodalField<double> &w);
 
-/** The columns that @p platens move; arguments as of PlatenColumn. */
+/** The columns that @p platens move; arguments as for PlatenColumn. */
 std::deque<PlatenColumn> make_platen_columns(std::deque<RigidPlaten<2>> &platens,
                                              const SlidingSetup &setup,
                                              const UniformMaterial &material,

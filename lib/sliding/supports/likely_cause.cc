@@ -10,11 +10,11 @@ namespace mesoslip
 {
 namespace
 {
-/** A load, and the strain that it alone causes in a body of that stiffness. */
+/** A load, and the strain that it causes on its own in the body. */
 struct LoadEstimate
 {
-  std::string key;  ///< that gives it
-  double value;     ///< its largest size, in its unit
+  std::string key;  ///< key of the load
+  double value;     ///< largest magnitude, in its unit
   const char *unit; ///< Pa, m/s or m/s^2
   double strain;    ///< P / D22, v / c, or rho a H / D22 [-]
 };

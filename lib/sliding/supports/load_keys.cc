@@ -13,8 +13,8 @@ namespace mesoslip
 {
 namespace
 {
-/** Expressions for the components of a vector, separated by semicolons: calls @p use (c, expression) for those that are
- * there. @p example is advice. */
+/** Binds expressions for the components of a vector, separated by semicolons, and calls
+ * @p use (c, expression) for each of them. @p example is advice in messages. */
 template <typename Use>
 void bind_components(Keys &keys,
                      const std::string &key,
@@ -33,7 +33,7 @@ void bind_components(Keys &keys,
                    "it has more than " + std::to_string(dim) +
                      " expressions; give one for each component");
       if (expression.find_first_not_of(" \t0") == std::string::npos)
-        continue; // none, or 0
+        continue; // zero or empty
       double at_start = 0.;
       try
         {

@@ -14,18 +14,19 @@ namespace mesoslip
 template <int dim>
 class BodyMesh;
 
-/** The points of a mesh that a side loads, of a platen those that it moves. */
+/** Points of a mesh on a loaded side; for a platen the points that it moves. */
 struct MeshSide
 {
-  std::vector<unsigned int> points; ///< of the whole mesh, originals
-  SideNodes nodes;                  ///< what they stand for
-  std::array<bool, 3> moves = {};   ///< of a platen the components in which it moves
+  std::vector<unsigned int> points; ///< in the whole mesh, periodic masters only
+  SideNodes nodes;                  ///< area, push and impedance of the points
+  std::array<bool, 3> moves = {};   ///< for a platen: components in which it moves
 
-  /** Leaves those that the platen of @p support moves, and gives them the area of all: not the @p others.
-   * @throws UserError if there are none */
+  /** Keeps only points that the platen of @p support moves (not the @p others) and gives
+   * them the area of all points.
+   * @throws UserError if none is left */
   void keep_for_platen(const std::set<unsigned int> &others, const SideSupport &support);
 
-  /** Of boost::serialization. */
+  /** For boost::serialization. */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
@@ -34,8 +35,8 @@ struct MeshSide
 };
 
 /**
- * The side of these @p faces. With @p absorbing the impedance of a point is the mean over the faces around
- * it, each with its normal and the phase behind it.
+ * The side of these @p faces. With @p absorbing, the impedance of a point is the mean
+ * over the faces around it, each with its normal and the phase behind it.
  */
 template <int dim>
 MeshSide mesh_side(const BodyMesh<dim> &morphology,

@@ -9,14 +9,16 @@
 
 namespace mesoslip
 {
-/** Springs between body and flat, called @p key, that the pressure moves by a hundredth of the height at most. */
+/** Range for contact springs with key @p key: the pressure compresses them by at most a
+ * hundredth of the height. */
 PlausibleRange plausible_springs(const std::string &key,
                                  const double stiffness,
                                  const ContactParameters &parameters,
                                  const double height);
 
-/** Springs that the pressure on the top does not stretch by a thousand heights, and that are not a million times as stiff
- * as the body; dashpots of a thousand times its impedance, and a platen of ten thousand times its mass at most. */
+/** Ranges of supports: springs stretch by less than a thousand heights under the pressure
+ * on the top and are less than a million times as stiff as the body; dashpots have at
+ * most a thousand times its impedance, a platen at most ten thousand times its mass. */
 std::vector<PlausibleRange> plausible_suspension(const ContactParameters &parameters,
                                                  const SideSupport &side,
                                                  const BodyScales &scales);

@@ -8,10 +8,10 @@ namespace mesoslip
 {
 namespace
 {
-/** Which surface moves a point, and its number there. */
+/** For each point: surface that moves it, and its index there. */
 using Movers = std::map<unsigned int, std::array<unsigned int, 2>>;
 
-/** Makes surface @p host move those of the points that no other moves. */
+/** Makes surface @p host move the @p points that no earlier surface moves. */
 void take(Movers &movers,
           const std::vector<unsigned int> &points,
           const unsigned int host)
@@ -20,7 +20,8 @@ void take(Movers &movers,
     movers.insert({points[k], {{host, k}}});
 }
 
-/** Puts the nodes that the side itself moves into @p side; returns their numbers in the whole side. */
+/** Puts the nodes that the side itself moves into @p side.
+ * @return their numbers in the whole side */
 std::vector<unsigned int> own_nodes(SharedSide &side,
                                     const std::vector<unsigned int> &of_own)
 {

@@ -11,52 +11,52 @@
 
 namespace mesoslip
 {
-/** A side that feels anything besides the forces of the body. */
+/** A side with loads, springs, dashpots or masses. */
 struct LoadedSide
 {
   SideSupport support;              ///< its load
-  SideNodes nodes;                  ///< of a grid one for each row
-  std::vector<unsigned int> points; ///< of the whole mesh; empty on grids
+  SideNodes nodes;                  ///< on a grid one node per row
+  std::vector<unsigned int> points; ///< in the whole mesh; empty on grids
   std::vector<bool> counted;        ///< see SideSurface; empty: all
-  std::array<bool, 3> moves = {};   ///< of a platen the components in which it moves
+  std::array<bool, 3> moves = {};   ///< for a platen: components in which it moves
 };
 
 /** A node of a loaded side that another surface moves. */
 struct SideGuest
 {
   unsigned int host = 0; ///< 0: the contact, 1: the top, then the sides in their order
-  unsigned int i    = 0; ///< its place in the surface that moves it
-  unsigned int k    = 0; ///< its number in the side
+  unsigned int i    = 0; ///< index in the surface that moves it
+  unsigned int k    = 0; ///< index in the side
 };
 
-/** A loaded side of a mesh as one rank has it. */
+/** The local part of a loaded side of a mesh. */
 struct SharedSide
 {
-  SharedNodes own;               ///< those that it moves
-  LoadedSide here;               ///< these, and its guests behind them
-  std::vector<SideGuest> guests; ///< nodes of the rank that others move
+  SharedNodes own;               ///< nodes that the side moves
+  LoadedSide here;               ///< own nodes, then its guests
+  std::vector<SideGuest> guests; ///< local nodes that another surface moves
 };
 
-/** Nodes of a mesh on one rank that anything besides the body acts on. Of contact, top and loaded sides in their
- * order the first to have a node moves it. */
+/** Locally stored nodes of a mesh with contact, loads or supports. The first surface that
+ * has a node moves it, in the order contact, top, loaded sides. */
 struct SharedSurfaces
 {
-  /** For these points of the whole mesh and these loaded sides. */
+  /** Surfaces with these points of the whole mesh and these loaded sides. */
   template <int dim>
   SharedSurfaces(const std::vector<unsigned int> &contact_points,
                  const std::vector<unsigned int> &top_points,
                  const std::vector<LoadedSide> &loaded,
                  const MeshPart<dim> &part);
 
-  /** The nodes of host @p h of a guest. */
+  /** Nodes of surface @p h, a SideGuest::host. */
   const SharedNodes &host(const unsigned int h) const
   {
     return h == 0 ? contact : h == 1 ? top : sides[h - 2].own;
   }
 
-  const SharedNodes contact;     ///< all of it
-  const SharedNodes top;         ///< all of it
-  std::vector<SharedSide> sides; ///< that are loaded
+  const SharedNodes contact;     ///< all contact nodes
+  const SharedNodes top;         ///< all top nodes
+  std::vector<SharedSide> sides; ///< the loaded sides
 };
 } // namespace mesoslip
 

@@ -28,7 +28,7 @@ std::string text_of(const std::string &name)
          (name == "Left" || name == "Right" ? "x)" : "y)");
 }
 
-/** Binds the components that a side holds, of which Kind = @p kind may hold all. */
+/** Binds the constrained components of a side; Kind = @p kind may constrain all. */
 void bind_held(Keys &keys,
                SideSupport &side,
                const std::string &kind,

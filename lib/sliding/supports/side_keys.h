@@ -13,10 +13,11 @@ class Keys;
 /** The sides of a grid besides contact and top; along x, then y. */
 extern const std::vector<std::string> sides_of_grid;
 
-/** Whether it is one of them. */
+/** Whether @p name is in sides_of_grid. */
 bool is_side_of_grid(const std::string &name);
 
-/** The support in section @p name, without a typed Kind of this @p kind. @throws UserError */
+/** Binds the support in section @p name; @p kind is the default of its Kind.
+ * @throws UserError */
 SideSupport bind_side(Keys &keys,
                       const std::string &name,
                       const unsigned int dim,

@@ -9,17 +9,20 @@
 
 namespace mesoslip
 {
-/** Along which axis the normal of a plane side of these nodes is. @throws UserError if the side is not plane, or inclined */
+/** Axis of the normal of a plane side with these nodes.
+ * @throws UserError if the side is not plane, or inclined */
 unsigned int
 normal_of(const SideSupport &side, const SideNodes &nodes, const unsigned int dim);
 
-/** The components in which the platen of a side moves: along its @p normal, and across it where there are springs.
+/** Components in which the platen of a side moves: along its @p normal, and across it
+ * where there are springs.
  * @throws UserError for a dashpot without a spring across the normal */
 std::array<bool, 3> moves_of_platen(const SideSupport &side,
                                     const unsigned int normal,
                                     const unsigned int dim);
 
-/** Gives the area and the push of all @p nodes of a side to those of them that its platen moves, @p own.
+/** Gives area and push of all @p nodes of a side to the nodes that its platen moves
+ * (@p own).
  * @throws UserError if there are none */
 void carry_whole_side(SideNodes &nodes,
                       const std::vector<bool> &own,

@@ -52,7 +52,7 @@ void ContactParameters::bind_top(Keys &keys)
     keys.require(!top.held[c] || !top.suspension.traction.acts(c), "Traction",
                  std::string("along ") + "xy"[c] + " it has no effect, as u_" + "xy"[c] +
                    " is held; leave one of the two out");
-  // Steady sliding under complex modes takes its pressure from there.
+  // Complex modes take the pressure in steady sliding from it.
   if (analysis == ContactAnalysis::transient)
     keys.only_with("Kind", {"pressure", "platen", "springs", "absorbing"}, {"Pressure"});
   set_top(keys, kind);
@@ -98,7 +98,7 @@ void ContactParameters::set_top(const Keys &keys, const std::string &kind)
                    " the platen moves on springs only; give a Spring stiffness there");
 }
 
-/** Sections of the sides, of a mesh those of its groups that the .prm names. */
+/** Binds the sections of sides; on a mesh, of the groups named in the .prm. */
 void ContactParameters::bind_sides(Keys &keys)
 {
   const auto section             = keys.section("Supports");
@@ -188,7 +188,7 @@ bool ContactParameters::friction_is_at_top() const
   return top.takes_friction();
 }
 
-/** Puts what sides hold where plane grids and meshes look for it. */
+/** Stores the constraints of the sides in the forms for plane grids and for meshes. */
 void ContactParameters::hold_sides()
 {
   for (const SideSupport &side : supports)
@@ -231,7 +231,7 @@ void ContactParameters::bind_periodicity(Keys &keys)
     }
 }
 
-/** The platen moves the corners of a grid. */
+/** Checks that no side constrains corners that the platen of the top moves. */
 void ContactParameters::check_platen(const Keys &keys) const
 {
   const unsigned int normal = mesh.mesh.dim - 1;

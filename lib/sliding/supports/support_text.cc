@@ -8,7 +8,7 @@ namespace mesoslip
 {
 namespace
 {
-/** "springs of 1e+12, 0 Pa/m", or nothing if all are 0. */
+/** "springs of 1e+12, 0 Pa/m", or empty if all are 0. */
 std::string components_text(const char *what,
                             const std::array<double, 3> &values,
                             const unsigned int dim,

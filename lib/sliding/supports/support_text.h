@@ -7,11 +7,11 @@
 
 namespace mesoslip
 {
-/** "Left: springs of 1e+12, 0 Pa/m; a pressure of 2e+06 Pa" with all digits; of the top without its
- * pressure. Empty where there is nothing. */
+/** "Left: springs of 1e+12, 0 Pa/m; a pressure of 2e+06 Pa" with all digits; for the top
+ * without its pressure. Empty for a side without supports and loads. */
 std::string support_text(const SideSupport &side, const unsigned int dim);
 
-/** The same of top and sides, one after the other. */
+/** support_text() of top and sides, joined. */
 std::string support_texts(const ContactParameters &parameters);
 } // namespace mesoslip
 

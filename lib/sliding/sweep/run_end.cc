@@ -11,7 +11,7 @@ namespace
 {
 const char kind[] = "end of contact_dynamics, layout 1";
 
-/** The content of the file. */
+/** Content of the file. */
 struct EndRecord
 {
   LoadsAtEnd loads;
@@ -34,7 +34,7 @@ EndRecord read_record(const std::string &folder)
   return record;
 }
 
-/** What a run leaves for another one that starts from its end. */
+/** Final state of a run from which another run may start. */
 template <int dim>
 struct RunEnd
 {
@@ -76,7 +76,7 @@ LoadsAtEnd loads_at_end(const std::string &folder, const MPI_Comm communicator)
 
 namespace
 {
-/** The part of this rank. */
+/** Reads the part of this rank. */
 std::string read_run_end(const std::string &folder, const MPI_Comm communicator)
 {
   std::vector<std::string> of_ranks;

@@ -8,7 +8,8 @@
 
 namespace mesoslip
 {
-/** The file in the folder of a run with its motion at the end (Checkpoints/Write end). */
+/** Path of the file with the final motion of a run in @p folder (Checkpoints/Write
+ * end). */
 std::string run_end_file(const std::string &folder);
 
 /** Loads at the end of a run. */
@@ -18,18 +19,21 @@ struct LoadsAtEnd
   double pressure      = 0.; ///< on the top (Pa)
 };
 
-/** Those of the run in @p folder. Collective. @throws UserError */
+/** Final loads of the run in @p folder. Collective.
+ * @throws UserError */
 LoadsAtEnd loads_at_end(const std::string &folder, const MPI_Comm communicator);
 
-/** Writes this file, from which a run of the same body may start, at @p time (s). Collective. @throws UserError */
+/** Writes run_end_file(), from which a run of the same body may start, at @p time (s).
+ * Collective.
+ * @throws UserError */
 template <int dim>
 void write_run_end(SlidingBody<dim> &body,
                    const double time,
                    const std::string &folder,
                    const MPI_Comm communicator);
 
-/** Gives @p body the motion at the end of the run in @p folder. Collective. @throws UserError if that is of another
- * body, or of another number of ranks */
+/** Gives @p body the motion at the end of the run in @p folder. Collective.
+ * @throws UserError if the file is from another body, or from another number of ranks */
 template <int dim>
 void start_from_end(SlidingBody<dim> &body,
                     const std::string &folder,

@@ -21,7 +21,7 @@ namespace mesoslip
 {
 namespace
 {
-/** The unit of a key: what its meaning has in brackets. */
+/** The unit of a key, given in brackets at the end of its meaning. */
 std::string unit_of(const Keys &keys, const std::string &path)
 {
   for (const Key &key : keys.all())
@@ -66,7 +66,8 @@ SweepAnalysis::SweepAnalysis(const SweepParameters &wanted,
   check(points.front(), true);
 }
 
-/** That the keys of @p point go together; @p builds: and what they are of. */
+/** Checks that the keys of @p point are compatible; with @p builds it also builds the
+ * analysis, which reads the input files. */
 void SweepAnalysis::check(const SweepPoint &point, const bool builds)
 {
   try
@@ -74,7 +75,7 @@ void SweepAnalysis::check(const SweepPoint &point, const bool builds)
       RawParameters raw = RawParameters::parse(base, base_file);
       for (const std::string &assignment : assignments_of(parameters, point))
         raw.override_with(assignment);
-      raw.ignore_unused(); // the whole map was checked for them
+      raw.ignore_unused(); // unused keys were checked for the whole map
       Keys keys(raw);
       single.declare(keys);
       keys.apply();
@@ -124,12 +125,12 @@ void SweepAnalysis::describe(std::ostream &out) const
   first->describe(out);
 }
 
-/** On rank 0. */
+/** Called on rank 0. */
 void SweepAnalysis::finish(const Task &task, const Outcome &outcome, RunContext &context)
 {
   const std::string folder = context.file(task.folder);
   const bool failed        = outcome.status != ExitStatus::done;
-  // What is wrong with machine or program may be mended.
+  // Unexpected failures of machine or program may not recur: such points are tried again.
   mark_point(folder, failed ? outcome.message + "." : "",
              outcome.status == ExitStatus::unexpected);
   if (failed)
@@ -140,7 +141,8 @@ void SweepAnalysis::finish(const Task &task, const Outcome &outcome, RunContext 
   context.progress().update(++n_ended);
 }
 
-/** @return false if it was stopped. Collective. */
+/** Computes tasks.
+ * @return false if it was stopped. Collective. */
 bool SweepAnalysis::compute(const std::vector<Task> &tasks, RunContext &context)
 {
   const unsigned int n_processes =
@@ -219,7 +221,8 @@ void SweepAnalysis::write_results(RunContext &context) const
                  "log.txt of their folders");
 }
 
-/** The runs of @p kinds that are missing. @return false if it was stopped. Collective. */
+/** Computes the missing runs of @p kinds.
+ * @return false if it was stopped. Collective. */
 bool SweepAnalysis::compute_missing(const Kinds &kinds, RunContext &context)
 {
   std::vector<Task> tasks;
@@ -250,7 +253,7 @@ void SweepAnalysis::run(RunContext &context)
   is_trial = context.options().trial;
   on_root(context.communicator(), [&]() { write_file(context.file(base_file), base); });
   context.log(size_text());
-  // Where modes say which points need not be run they come first.
+  // With skip_stable, modes come first: they decide which points need not be run.
   const bool is_complete =
     parameters.skip_stable
       ? compute_missing({true}, context) && compute_missing({false}, context)

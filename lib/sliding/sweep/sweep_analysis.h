@@ -12,15 +12,18 @@
 namespace mesoslip
 {
 /**
- * A map: many runs of contact_dynamics that differ in some keys, each in a folder of its own, as if it had been
- * started alone. Processes compute points side by side, or all ranks one point after the other. Folders are named by all that
- * decides their results, so that a map that is stopped, changed or extended computes only what is not there.
+ * A map: many runs of contact_dynamics that differ in some keys, each in a folder of its
+ * own, as if started alone. Points are computed by processes side by side, or one after
+ * the other by all ranks. A folder name contains a digest of all input that decides the
+ * results, so a stopped, changed or extended map computes only the missing points.
  */
 class SweepAnalysis : public Analysis
 {
 public:
-  /** All ranks have the same @p keys, of the whole map; @p program computes single points. @throws UserError naming the
-   * point, where the first one or one at the ends of the axes is none */
+  /** All ranks have the same @p keys, of the whole map; @p program computes single
+   * points.
+   * @throws UserError naming the point, if the first point or a point at an end of an
+   * axis is invalid */
   SweepAnalysis(const SweepParameters &wanted,
                 const Keys &keys,
                 const Application &program);
@@ -30,12 +33,12 @@ public:
   void run(RunContext &context) override;
 
 private:
-  /** A run of a point. */
+  /** A run for a point. */
   struct Task
   {
     std::size_t point  = 0;
-    bool is_of_modes   = false; ///< else what the .prm says
-    std::string folder = {};    ///< in that of the map
+    bool is_of_modes   = false; ///< complex modes; else the analysis of the .prm
+    std::string folder = {};    ///< name in the folder of the map
 
     template <class Archive>
     void serialize(Archive &archive, const unsigned int)
@@ -47,7 +50,7 @@ private:
   /** Kinds of runs of a point, each by Task::is_of_modes. */
   using Kinds = std::vector<bool>;
 
-  /** The .prm of a point, in the folder of the map. */
+  /** Name of the .prm file of a point, in the folder of the map. */
   static constexpr char base_file[] = "point.prm";
 
   void check(const SweepPoint &point, const bool builds);
@@ -66,12 +69,12 @@ private:
   const SweepParameters parameters;
   const Application single;
   std::string base;               ///< a .prm with all keys of a point
-  std::vector<std::string> units; ///< of each axis, as Pa; - of pure numbers
+  std::vector<std::string> units; ///< per axis, such as Pa; "-" for pure numbers
   std::vector<SweepPoint> points;
   std::unique_ptr<Analysis> first; ///< checks and describes the first point
   bool is_trial       = false;     ///< --try
-  std::size_t n_tasks = 0;         ///< runs that compute_missing() has to do
-  std::size_t n_ended = 0;         ///< runs that it has done, or that failed
+  std::size_t n_tasks = 0;         ///< runs of compute_missing()
+  std::size_t n_ended = 0;         ///< runs completed or failed so far
 };
 } // namespace mesoslip
 

@@ -10,7 +10,8 @@ namespace mesoslip
 {
 namespace
 {
-/** SI symbols of the numbers in summary.json, which have none there; others are pure numbers. */
+/** SI symbols of the numbers in summary.json, which stores none; numbers not listed are
+ * pure. */
 std::string unit_of_number(const std::string &name)
 {
   static const std::map<std::string, std::string> units = {
@@ -33,7 +34,7 @@ std::string unit_of_number(const std::string &name)
   return found != units.end() ? found->second : "-";
 }
 
-/** Texts that differ between points, by name, for which numbers say less. */
+/** Names of texts that differ between points and are not redundant with numbers. */
 std::vector<std::string> names_of_texts(const SweepMap &map)
 {
   std::map<std::string, std::set<std::string>> values;
@@ -58,7 +59,7 @@ std::string text_of(const SweepStatus status)
                                           : "not computed";
 }
 
-/** The number @p name of a point; NaN where it has none. */
+/** The number @p name of a point; NaN if it has none. */
 double number_of(const SweepResult &result, const std::string &name)
 {
   const auto found = result.numbers.find(name);

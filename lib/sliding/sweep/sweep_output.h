@@ -13,15 +13,16 @@ namespace mesoslip
 struct SweepMap
 {
   const SweepParameters &parameters; ///< axes
-  std::vector<std::string> units;    ///< of each axis, as Pa; - of pure numbers
+  std::vector<std::string> units;    ///< per axis, such as Pa; "-" for pure numbers
   std::vector<SweepPoint> points;    ///< in the order of the map
-  std::vector<SweepResult> results;  ///< what is known of each point, in the same order
+  std::vector<SweepResult> results;  ///< in the order of points
 };
 
-/** Names of the numbers that some point has. */
+/** Names of all numbers that occur in a result. */
 std::vector<std::string> names_of_numbers(const SweepMap &map);
 
-/** Writes map.h5 (a group for the axes, one for the numbers, where each is known, status, messages and folders). */
+/** Writes map.h5 (a group for the axes, one for the numbers, where each is known, status,
+ * messages and folders). */
 void write_map_file(const std::string &path, const SweepMap &map);
 
 /** Writes map.csv: a row for each point, empty where a number is not known. */

@@ -13,7 +13,7 @@ namespace mesoslip
 {
 namespace
 {
-/** Without the round-off of a division: 0.3, not 0.30000000000000004. */
+/** Removes the round-off of a division: 0.3, not 0.30000000000000004. */
 double rounded(const double value)
 {
   char text[32];
@@ -21,14 +21,14 @@ double rounded(const double value)
   return std::strtod(text, nullptr);
 }
 
-/** At @p share of the way from one end to the other. */
+/** The value at @p share of the way from one end to the other. */
 double between(const SweepAxis &axis, const double share)
 {
   return rounded(axis.logarithmic ? axis.from * std::pow(axis.to / axis.from, share)
                                   : axis.from + share * (axis.to - axis.from));
 }
 
-/** That each of the keys takes all @p values. */
+/** Checks that every key accepts all @p values. */
 void check_keys(const Keys &keys,
                 const SweepAxis &axis,
                 const std::vector<double> &values)
@@ -92,7 +92,8 @@ void bind_axis(Keys &keys, SweepAxis &axis, const SweepPoints points)
              axis.values.empty() ? std::vector<double>{axis.from, axis.to} : axis.values);
 }
 
-/** Axes with a subsection that are not among @p names, as those of a map that is switched off by --set. */
+/** Binds axes with a subsection that are not among @p names, such as axes of a map
+ * switched off by --set. */
 void bind_other_axes(Keys &keys, const std::vector<std::string> &names)
 {
   for (const std::string &name : keys.typed_sections())
@@ -222,7 +223,7 @@ std::vector<std::vector<double>> SweepParameters::all_points() const
       {
         const std::vector<double> &values = axes[a].values;
         if (points == SweepPoints::random)
-          // The upper 53 bits, as standard distributions differ between libraries.
+          // Uses the upper 53 bits, as standard distributions differ between libraries.
           result[k][a] =
             between(axes[a], static_cast<double>(generator() >> 11U) * 0x1p-53);
         else if (points == SweepPoints::pairs)
@@ -242,7 +243,7 @@ std::optional<std::size_t> SweepParameters::point_before(const std::size_t k) co
     return std::nullopt;
   const bool has_branches                = continuation == Continuation::both;
   const std::vector<std::size_t> extents = shape();
-  std::size_t stride = 1; // from a point to its neighbour along the first axis
+  std::size_t stride = 1; // index distance to the neighbour along the first axis
   for (std::size_t a = has_branches ? 2 : 1; a < extents.size(); ++a)
     stride *= extents[a];
   const std::size_t n = extents[has_branches ? 1 : 0], of_branch = n * stride;

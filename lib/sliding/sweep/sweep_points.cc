@@ -18,15 +18,16 @@ namespace
 {
 namespace fs = std::filesystem;
 
-/** In the folder of a point that has ended. */
+/** File in the folder of a point that has ended. */
 constexpr char mark[] = "point.json";
 
-/** Of the run, not of what it found: they differ from run to run, or are those of the body. */
+/** Names in the summary that describe the run or the body instead of results of the
+ * point. */
 const std::set<std::string> not_of_the_point = {
   "cell_updates_per_second", "cells",   "dim",   "dofs",    "draft",  "kernel",
   "peak_memory_bytes",       "program", "ranks", "seconds", "version"};
 
-/** Numbers and texts of @p node; those of members are named by both. */
+/** Takes numbers and texts of @p node; names of members are joined with a dot. */
 void take(const nlohmann::json &node, const std::string &name, SweepResult &result)
 {
   if (node.is_number())
@@ -40,7 +41,8 @@ void take(const nlohmann::json &node, const std::string &name, SweepResult &resu
       take(child, name + "." + key, result);
 }
 
-/** Everything in summary.json of @p folder that is a single number or text, with @p prefix before its name. */
+/** Takes all single numbers and texts of summary.json in @p folder, with @p prefix before
+ * their names. */
 void take_summary(const std::string &folder,
                   const std::string &prefix,
                   SweepResult &result)
@@ -58,7 +60,7 @@ void take_summary(const std::string &folder,
     static_cast<double>(summary.value("warnings", nlohmann::json::array()).size());
 }
 
-/** Content of the files that @p keys name. */
+/** Adds the content of the files that @p keys name. */
 void add_inputs(const Keys &keys, Digest &digest)
 {
   for (const Key &key : keys.all())
@@ -71,7 +73,7 @@ void add_inputs(const Keys &keys, Digest &digest)
       }
 }
 
-/** What mark_point() has written; null: nothing. */
+/** Content written by mark_point(); null: none. */
 nlohmann::json marked(const std::string &folder)
 {
   std::error_code ignored;
@@ -80,7 +82,7 @@ nlohmann::json marked(const std::string &folder)
            : nlohmann::json();
 }
 
-/** Adds to @p result what @p folder holds of a run that was marked. */
+/** Adds the result of a marked run in @p folder to @p result. */
 void add_run(const std::string &folder, const std::string &prefix, SweepResult &result)
 {
   const nlohmann::json json = marked(folder);
@@ -93,7 +95,7 @@ void add_run(const std::string &folder, const std::string &prefix, SweepResult &
   result.message += (result.message.empty() ? "" : " ") + message;
 }
 
-/** The points that have to be done before point @p k and it, the first one first. */
+/** Point @p k after the points on which it depends, in order of computation. */
 std::vector<std::size_t> chain_to(const SweepParameters &parameters, const std::size_t k)
 {
   std::vector<std::size_t> chain = {k};
@@ -115,13 +117,13 @@ std::vector<SweepPoint> points_of(const SweepParameters &parameters, const Keys 
   std::vector<SweepPoint> points;
   for (const std::vector<double> &values : parameters.all_points())
     points.push_back({values, ""});
-  // Neighbours from whose end a point starts come first.
+  // Points from whose end others start come first.
   for (std::size_t k = 0; k < points.size(); ++k)
     for (const std::size_t p : chain_to(parameters, k))
       if (points[p].folder.empty())
         {
           Digest digest = common;
-          // In the order of their names, so that the order of the axes does not matter.
+          // Sorted by name, so that the order of the axes does not matter.
           const auto assignments = assignments_of(parameters, points[p]);
           for (const std::string &assignment :
                std::set<std::string>(assignments.begin(), assignments.end()))

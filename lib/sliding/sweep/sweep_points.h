@@ -14,53 +14,55 @@ struct SweepPoint
 {
   std::vector<double> values; ///< along each axis
   std::string
-    folder; ///< of its results in the output folder, named by all that decides them
+    folder; ///< folder of its results in the output folder; the name contains a digest of
+            ///< its input
 };
 
-/** How a point ended. */
+/** Outcome of a point. */
 enum class SweepStatus
 {
   not_computed, ///< the map was stopped before
-  skipped,      ///< its complex modes decay, so that it was not run
+  skipped,      ///< not run, because its complex modes decay
   done,
   failed
 };
 
-/** What is known of a point. */
+/** Result of a point. */
 struct SweepResult
 {
-  SweepStatus status                       = SweepStatus::not_computed; ///< how it ended
+  SweepStatus status                       = SweepStatus::not_computed; ///< outcome
   std::string message                      = {};                        ///< why it failed
-  std::map<std::string, double> numbers    = {}; ///< of its summary, by name
-  std::map<std::string, std::string> texts = {}; ///< of its summary, by name
+  std::map<std::string, double> numbers    = {}; ///< numbers of its summary, by name
+  std::map<std::string, std::string> texts = {}; ///< texts of its summary, by name
 };
 
-/** The points of the map that @p keys describe, of which the input files are read once. @throws UserError */
+/** The points of the map that @p keys describe; input files are read once.
+ * @throws UserError */
 std::vector<SweepPoint> points_of(const SweepParameters &parameters, const Keys &keys);
 
 /** "pressure = 2e6, friction = 0.3". */
 std::string text_of(const SweepParameters &parameters, const SweepPoint &point);
 
-/** Each key of a point as --set takes it. */
+/** Assignments of a point in the form of --set. */
 std::vector<std::string> assignments_of(const SweepParameters &parameters,
                                         const SweepPoint &point);
 
-/** Where the complex modes of a point are, in its folder. */
+/** Subfolder of a point with its complex modes. */
 constexpr char complex_modes_folder[] = "/complex_modes";
 
-/** Whether mark_point() has marked a folder, and not for the run to be tried again. */
+/** Whether mark_point() has marked the folder as ended, and not for another try. */
 bool has_ended(const std::string &folder);
 
-/** Whether the complex modes in the folder of a point were computed, and none up to their highest frequency grows; not
- * where it is not certain that all that grow were found. */
+/** Whether the complex modes in the folder of a point were computed and none up to their
+ * highest frequency grows; false if the search may have missed growing modes. */
 bool is_stable(const std::string &folder);
 
-/** The result that the folder of a point (its path) holds, with complex modes also that of the folder in it; of
- * one that was not computed the default. */
+/** The result in the folder (a path) of a point, including complex modes in its
+ * subfolder; a default result if it was not computed. */
 SweepResult read_point(const std::string &folder, const SweepParameters &parameters);
 
-/** Notes in the folder of a run how it ended: with an empty @p message as wanted; and whether a map that is started again
- * tries it @p again. */
+/** Marks the folder of a run as ended: with an empty @p message as done, else as failed;
+ * @p again: whether a restarted map tries it again. */
 void mark_point(const std::string &folder, const std::string &message, const bool again);
 } // namespace mesoslip
 

@@ -26,7 +26,7 @@ std::vector<std::filesystem::path> results_in(const std::string &folder)
 }
 } // namespace
 
-/** What a point leaves besides its summary. */
+/** Removes the files of a point except its summary. */
 void SweepAnalysis::remove_results(const std::string &folder) const
 {
   std::error_code ignored;
@@ -35,7 +35,7 @@ void SweepAnalysis::remove_results(const std::string &folder) const
   std::filesystem::remove(folder + "/" + single.name + ".checkpoint", ignored);
 }
 
-/** Whether the run in @p folder has ended, and its results were kept if they are wanted. */
+/** Whether the run in @p folder has ended, with its results if they have to be kept. */
 bool SweepAnalysis::is_there(const std::string &folder, const bool is_of_modes) const
 {
   std::error_code ignored;
@@ -52,7 +52,7 @@ std::vector<SweepAnalysis::Task> SweepAnalysis::missing_tasks(const std::string 
                                                               const Kinds &kinds) const
 {
   std::vector<Task> tasks;
-  std::set<std::string> wanted; // points may be there twice
+  std::set<std::string> wanted; // points may be repeated
   for (std::size_t k = 0; k < points.size(); ++k)
     for (const bool is_of_modes : kinds)
       {
@@ -64,7 +64,7 @@ std::vector<SweepAnalysis::Task> SweepAnalysis::missing_tasks(const std::string 
         if (!is_skipped && !is_there(of_run, is_of_modes) && wanted.insert(place).second)
           tasks.push_back({k, is_of_modes, place});
       }
-  // Points from whose end others start come before these.
+  // Points come after the points from whose end they start.
   const auto n_before = [this](std::size_t k) {
     std::size_t n = 0;
     for (auto before = parameters.point_before(k); before; ++n)
@@ -106,7 +106,8 @@ std::vector<std::string> SweepAnalysis::words(const Task &task,
   return result;
 }
 
-/** Of each task the one from whose end it starts, if that is not there already. */
+/** For each task the task from whose end it starts, if that end has still to be
+ * computed. */
 std::vector<std::optional<std::size_t>>
 SweepAnalysis::tasks_before(const std::vector<Task> &tasks) const
 {

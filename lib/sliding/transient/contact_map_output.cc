@@ -15,7 +15,7 @@ const char contact_map_group[] = "/contact_map";
 
 namespace
 {
-/** Of one field in the buffer, all ranks together. */
+/** Numbers of one field in the buffer, all ranks together. */
 constexpr std::uint64_t numbers_together = 1U << 17;
 
 std::string map_dataset(const MapField &field)
@@ -23,7 +23,7 @@ std::string map_dataset(const MapField &field)
   return std::string(contact_map_group) + "/" + field.name;
 }
 
-/** Those of all ranks on rank 0, elsewhere empty; as they are in memory, not compressed. */
+/** Arrays of all ranks on rank 0, elsewhere empty; raw bytes, not compressed. */
 std::vector<std::vector<double>> gather_numbers(const std::vector<double> &own,
                                                 const MPI_Comm communicator)
 {
@@ -87,7 +87,7 @@ std::vector<std::string> ContactMapOutput<dim>::datasets() const
   return names;
 }
 
-// Behind every sample that fills the buffer.
+// Due after each sample that fills the buffer.
 template <int dim>
 std::uint64_t ContactMapOutput<dim>::next_step(const std::uint64_t n) const
 {
@@ -139,7 +139,7 @@ ContactMapOutput<dim>::whole_rows(const MapField &field,
           for (std::size_t c = 0; c < n_components; ++c)
             at(row, node)[c] = *value++ / (field.over_area ? size.area[node] : 1.);
     }
-  // With periodic sides the last node is the first one again.
+  // On a periodic grid the last node is a copy of the first.
   for (std::size_t row = 0; row < n_rows; ++row)
     for (std::size_t node = size.n_contact_nodes; node < n; ++node)
       std::copy_n(at(row, node - size.n_contact_nodes), n_components, at(row, node));

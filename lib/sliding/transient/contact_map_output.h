@@ -18,24 +18,24 @@ namespace mesoslip
 extern const char contact_map_group[];
 
 /**
- * The map of the contact over time in dynamics.h5: as an observer it takes what the nodes
- * of all ranks sampled every so many steps, so that they keep a few megabytes at most, and
- * hands rank 0 whole rows in the order of the contact. Its state between two steps follows
- * from the number of the step once drain() was called.
+ * The contact map over time in dynamics.h5. As an observer it collects the samples of
+ * the nodes of all ranks every so many steps, so buffers stay below a few megabytes, and
+ * hands rank 0 whole rows in the order of the contact. After drain() its state follows
+ * from the step number.
  */
 template <int dim>
 class ContactMapOutput : public StepObserver
 {
 public:
   /**
-   * Takes rows of numbers for dataset @p name from row @p first on; @p values are on rank
-   * 0, elsewhere empty. All ranks call it.
+   * Receives rows of numbers for dataset @p name from row @p first on; @p values are on
+   * rank 0, elsewhere empty. Collective.
    */
   using Sink = std::function<void(
     const std::string &name, const std::size_t first, const std::vector<double> &values)>;
 
   /**
-   * Of the samples of @p sampler, that of this rank, whose nodes are number @p places of
+   * @p sampler has the samples of this rank's nodes, which have the numbers @p places in
    * the contact; empty on a rank without any. All arguments must outlive it.
    */
   ContactMapOutput(const ContactMapSetup &setup,
@@ -44,13 +44,13 @@ public:
                    const BodySize &size,
                    const MPI_Comm communicator);
 
-  /** On rank 0: makes place in @p file for all samples of a run of @p n_steps. */
+  /** On rank 0: reserves space in @p file for all samples of a run of @p n_steps. */
   void reserve(Hdf5File &file, const std::uint64_t n_steps) const;
 
   /** The names of the datasets. */
   std::vector<std::string> datasets() const;
 
-  /** Goes on before step @p n, where all samples before it are in the file already. */
+  /** Continues before step @p n; all earlier samples are in the file. */
   void begin(const std::uint64_t n, const Sink &rows)
   {
     n_written = setup.count(n);
@@ -66,7 +66,7 @@ public:
   /** Hands on all samples of the steps before @p n. Collective. */
   void drain(const std::uint64_t n);
 
-  /** On rank 0, after drain(): @p file is complete with the samples before step @p n of
+  /** On rank 0, after drain(): completes @p file with the samples before step @p n, of
    * @p dt seconds. */
   void complete(Hdf5File &file, const std::uint64_t n, const double dt) const;
 
@@ -80,8 +80,8 @@ private:
   ContactMapSampler<dim> &sampler;
   const BodySize &size;
   const MPI_Comm communicator;
-  const std::uint64_t rows_together; ///< in the buffer and in a chunk of the file
-  std::vector<std::vector<unsigned int>> places; ///< of all ranks, on rank 0
+  const std::uint64_t rows_together; ///< samples per buffer and chunk of the file
+  std::vector<std::vector<unsigned int>> places; ///< places of all ranks, on rank 0
   std::uint64_t n_written = 0;
   Sink write;
 };

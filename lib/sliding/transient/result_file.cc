@@ -25,7 +25,7 @@ void write_history(Hdf5File &file, const TransientResult &run, const RunContext 
     {"top_tangential_force", force, &run.top.tangential_force},
     {"top_displacement", "m", &run.top.displacement}};
   write_series(file, "/history", columns);
-  // A spreadsheet has no use for a million rows.
+  // A spreadsheet cannot use a million rows.
   write_table(context.file("history.csv"), columns, 5000);
 }
 
@@ -75,8 +75,8 @@ void write_probe(Hdf5File &file,
   file.write_attribute(group, "phase", probe.phase);
 }
 
-/** Along and across (in 3D) the motion of the flat and along its normal by turns, over
- * @p divisor. */
+/** Interleaves components along, across (in 3D) the motion of the flat and along its
+ * normal, divided by @p divisor. */
 std::vector<double> vectors(const std::vector<double> &along,
                             const std::vector<double> &across,
                             const std::vector<double> &normal,
@@ -93,7 +93,7 @@ std::vector<double> vectors(const std::vector<double> &along,
   return values;
 }
 
-/** It comes with the histories of the contact. */
+/** Written from the contact histories, which contain the reference node. */
 void write_reference_node(Hdf5File &file, const TransientResult &run)
 {
   const MonitoredNode &node      = run.history.nodes[0];
@@ -109,7 +109,7 @@ void write_reference_node(Hdf5File &file, const TransientResult &run)
   write_probe(file, "/reference", probe, run.body.dim);
 }
 
-/** Shares of time; with periodic sides the last node is the first one again. */
+/** Writes shares of time; on a periodic grid the last node is a copy of the first. */
 void write_states(Hdf5File &file, const TransientResult &run)
 {
   const std::size_t n_nodes = run.body.friction.size(),
@@ -154,7 +154,8 @@ void write_blocks(Hdf5File &file, const TransientResult &run)
   write_dataset(file, "/contact/blocks/separated", shape, separated);
 }
 
-/** A value a node of @p of_distinct, of which with periodic sides the last is the first. */
+/** Expands values of @p of_distinct nodes to all nodes; on a periodic grid the last is a
+ * copy of the first. */
 std::vector<double> of_all_nodes(const TransientResult &run,
                                  std::vector<double> of_distinct)
 {
@@ -163,7 +164,8 @@ std::vector<double> of_all_nodes(const TransientResult &run,
   return of_distinct;
 }
 
-/** Mean loads in the steady part and in the blocks, and the friction work of the run. */
+/** Writes mean loads in the steady part and in the blocks, and the friction work of the
+ * run. */
 void write_loads(Hdf5File &file, const TransientResult &run)
 {
   const double dt                     = run.time.step.dt;

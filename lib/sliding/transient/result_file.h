@@ -7,21 +7,22 @@
 namespace mesoslip
 {
 /**
- * Writes all of dynamics.h5 that grids and meshes have in common: /run, /history, /energy,
+ * Writes the part of dynamics.h5 common to grids and meshes: /run, /history, /energy,
  * /probes, /reference, the states in /contact, /spectrum and /phase_diagram; history.csv
  * and energy.csv beside it. On rank 0.
  */
 void write_result(Hdf5File &file, const TransientResult &run, const RunContext &context);
 
-/** Writes /probes of a body in @p dim dimensions. */
+/** Writes /probes for a body in @p dim dimensions. */
 void write_probes(Hdf5File &file,
                   const std::vector<ProbeHistory> &probes,
                   const unsigned int dim);
 
-/** What /run tells of a transient run. */
+/** Content of /run of a transient run. */
 RunConditions conditions_of_result(const TransientResult &run);
 
-/** The same of one with the time step @p dt and its steady part from @p steady_from to @p steady_to (s). */
+/** Content of /run of a transient run with the time step @p dt and its steady part from
+ * @p steady_from to @p steady_to (s). */
 RunConditions conditions_of_result(const ContactParameters &parameters,
                                    const double dt,
                                    const double steady_from,

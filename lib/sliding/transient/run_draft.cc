@@ -22,8 +22,9 @@ void write_snapshots(Hdf5File &file,
   write_dataset(file, "/snapshots/time", {times.size()}, times, "s");
 }
 
-/** When the steady part begins: the middle of the run, as without a limit cycle. With one it may
- * begin earlier, and snapshots that end before the middle ask for that. */
+/** Guess of the start of the steady part: the middle of the run, as without a limit
+ * cycle. With a limit cycle it may be earlier, which snapshots that end before the
+ * middle require. */
 double guessed_steady_from(const ContactParameters &parameters,
                            const std::vector<double> &snapshots)
 {

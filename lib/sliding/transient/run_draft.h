@@ -10,27 +10,27 @@
 namespace mesoslip
 {
 /**
- * @name Drafts of dynamics.h5
- * What stress_localization checks itself with is in the draft, under a DraftMark of empty
- * files: after the body, which is that of the run, its conditions, and times and places of
- * snapshots and probes, whose values are missing.
- * @{
+ * @name Drafts of dynamics.h5 A draft contains the data that stress_localization needs
+ * for --validate, under a DraftMark of empty files: the body of the run, its conditions,
+ * and times and places of snapshots and probes, without their values. @{
  */
 
-/** Of a run with one snapshot, whose displacement has the extents @p points, or of its counter body. */
+/** Draft of a run with one snapshot, or of its counter body; @p points is the shape of
+ * the displacement. */
 void write_static_draft(Hdf5File &file,
                         const ContactParameters &parameters,
                         const Shape &points,
                         const bool is_below = false);
 
-/** Of a transient run, or of its counter body; the steady part is that of a run without a limit cycle. */
+/** Draft of a transient run, or of its counter body; steady part as without a limit
+ * cycle. */
 void write_transient_draft(Hdf5File &file,
                            const ContactParameters &parameters,
                            const TimeStepChoice &time,
                            const Shape &points,
                            const bool is_below = false);
 
-/** Adds a probe, at @p position, of a transient run. */
+/** Adds a probe at @p position to a draft of a transient run. */
 void add_draft_probe(Hdf5File &file,
                      const std::string &name,
                      const std::vector<double> &position,

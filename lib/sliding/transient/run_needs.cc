@@ -50,10 +50,10 @@ double node_load_bytes(const ContactParameters &parameters, const double n_conta
            : 0.;
 }
 
-/** Bytes of all that is recorded every few steps. */
+/** Bytes of all records taken every few steps. */
 double history_bytes(const ContactParameters &parameters, const TimeStepChoice &time)
 {
-  // Of a sample of the histories with the reference node; of a probe; of the energies.
+  // Numbers per sample: histories with the reference node, a probe, the energies.
   constexpr double history_numbers = 18., probe_numbers = 11., energy_numbers = 10.;
   const ObservationParameters &o = parameters.observation;
   const std::size_t below =
@@ -68,7 +68,7 @@ double history_bytes(const ContactParameters &parameters, const TimeStepChoice &
   return sizeof(double) * numbers;
 }
 
-/** What to do about too many samples. */
+/** Advice against too many samples. */
 std::string fewer_samples(const ContactParameters &parameters,
                           const BodyScales &scales,
                           const double n_steps)
@@ -101,7 +101,7 @@ std::vector<std::uint64_t> snapshot_steps(const ContactParameters &parameters,
   const ObservationParameters &o = parameters.observation;
   if (!(o.snapshots_interval > 0.))
     return steps;
-  // Beyond the last step there is none to be seen, nor between two steps.
+  // There are no snapshots after the last step or between steps.
   const double dt = time.step.dt, from = o.snapshots_from,
                spacing = std::max(o.snapshots_interval, dt),
                to =
@@ -130,7 +130,7 @@ RunNeeds run_needs(const ContactParameters &parameters,
   const double n_steps = static_cast<double>(time.n_steps);
   RunNeeds needs;
   needs.n_snapshots = number_of_snapshots(parameters, n_steps);
-  // With the samples for the statistics, which are not written.
+  // Includes the samples for statistics, which are not written.
   const double histories = history_bytes(parameters, time);
   needs.n_map_samples    = number_of_map_samples(parameters, n_steps);
   needs.map_bytes        = needs.n_map_samples * n_contact *
@@ -142,7 +142,7 @@ RunNeeds run_needs(const ContactParameters &parameters,
                            SteadyRecord::numbers(n_steps / time.statistics_interval),
                        fewer_samples(parameters, scales, n_steps)};
 
-  // Displacement, increment and histories, in the old checkpoint and in the new.
+  // Displacement, increment and histories, in the old and in the new checkpoint.
   const double field = sizeof(double) * n_dofs, fields = needs.n_snapshots * field;
   needs.disk = {fields + needs.map_bytes + histories + sums +
                   2. * (2. * field + needs.memory.bytes),

@@ -14,7 +14,8 @@ namespace mesoslip
 {
 namespace
 {
-/** The file of a run that goes on after @p n_snapshots, without what was observed when it was stopped. */
+/** The file of a run that continues after @p n_snapshots; results written when the run
+ * was stopped are removed. */
 template <int dim>
 Hdf5File continued_file(const std::string &path, const std::uint64_t n_snapshots)
 {
@@ -105,7 +106,7 @@ template <int dim>
 void RunOutput<dim>::sync()
 {
   if (!rows.empty())
-    rows.begin()->second->sync(); // of the file
+    rows.begin()->second->sync(); // all datasets of the file
   else
     snapshots.sync();
   on_root(context.communicator(), [&]() {

@@ -17,24 +17,24 @@
 namespace mesoslip
 {
 /**
- * dynamics.h5 of a run with its companions dynamics.xdmf (snapshots), history.csv and
- * energy.csv. Snapshots are observed and written to dynamics.h5.part as the run goes on, by all ranks;
- * everything else at its end. Members are called by all ranks unless said otherwise.
+ * dynamics.h5 of a run and its companions dynamics.xdmf (snapshots), history.csv and
+ * energy.csv. All ranks write snapshots to dynamics.h5.part during the run; everything
+ * else is written at its end. Members are collective unless documented otherwise.
  */
 template <int dim>
 class RunOutput
 {
 public:
-  /** Snapshots are those that the parameters of the @p body ask for; references are kept. */
+  /** Takes the snapshots that the parameters of @p body ask for; references are kept. */
   RunOutput(RunContext &context,
             const GivenBody<dim> &body,
             const TimeStepChoice &time,
             const std::function<FieldRows()> &displacement);
 
   /**
-   * Makes place for the snapshots of a run at step @p step, of which the first @p n_done are in the
-   * file already, of the run that is continued, and for @p map (may be null).
-   * @throws UserError if they are not
+   * Reserves space for snapshots and @p map (may be null) of a run at step @p step; the
+   * first @p n_done snapshots are already in the file of the continued run.
+   * @throws UserError if they are missing
    */
   void
   begin(const std::uint64_t step, const std::uint64_t n_done, ContactMapOutput<dim> *map);
@@ -42,14 +42,15 @@ public:
   /** Waits until the snapshots are on the disk. */
   void sync();
 
-  /** There are no more snapshots. */
+  /** Ends the snapshots. */
   void end();
 
-  /** On rank 0, after end(): writes everything else, once, replacing what was there; @p map may
-   * be null. With --summary-only it writes nothing, and there are neither snapshots nor a map. */
+  /** On rank 0, after end(): writes all remaining data once and replaces earlier files;
+   * @p map may be null. With --summary-only nothing is written, and there are neither
+   * snapshots nor a map. */
   void write(const TransientResult &result, const ContactMapOutput<dim> *map);
 
-  Snapshots<dim> snapshots; ///< of the body
+  Snapshots<dim> snapshots; ///< snapshots of the body
 
 private:
   void write_phases();
@@ -58,11 +59,11 @@ private:
   RunContext &context;
   const GivenBody<dim> &body;
   const TimeStepChoice &time;
-  const std::string path;       ///< of the file
-  std::optional<Hdf5File> file; ///< on rank 0, but not while all write rows
+  const std::string path;       ///< path of dynamics.h5
+  std::optional<Hdf5File> file; ///< on rank 0, closed while all ranks write rows
   bool all_write = false;       ///< between begin() and end(), if there are rows to write
 
-  /** Between begin() and end(), by dataset: those of the map. */
+  /** Rows of the contact map by dataset, between begin() and end(). */
   std::map<std::string, std::unique_ptr<ParallelRows>> rows;
 };
 } // namespace mesoslip

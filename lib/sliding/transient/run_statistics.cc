@@ -17,7 +17,8 @@ LimitCycleCriterion limit_cycle_criterion(const ContactParameters &parameters,
   LimitCycleCriterion criterion = parameters.observation.limit_cycle;
   criterion.reference_speed     = std::fabs(parameters.contact.flat_velocity.amplitude());
   const TopSetup &top           = parameters.top;
-  // Until a vibration is seen: that of the body, or of all of it on its springs.
+  // Expected until a vibration is detected: period of the body, or of the whole body on
+  // its springs.
   criterion.expected_period =
     std::max(crossings_of_a_period * size.crossing,
              top.suspension.period((size.mass + top.platen_mass) / size.top_area));
@@ -40,16 +41,16 @@ std::vector<unsigned int> monitored_nodes(const unsigned int reference,
   return nodes;
 }
 
-// Often enough to react to an interruption and to keep few samples waiting, seldom enough
-// to cost nothing, and not so few that the stepper could not have several in flight. The
-// same whenever the run is resumed, as it may end at a limit cycle only then.
+// Often enough to react to an interruption and to keep few samples waiting; seldom enough
+// to cost no time, and to let the stepper combine several steps. The interval is the same
+// for a resumed run, as the run may end at a limit cycle only at these steps.
 std::uint64_t control_interval(const std::uint64_t n_cells)
 {
   return next_multiple(std::clamp<std::uint64_t>(20000000 / n_cells, 1, 65536), 64);
 }
 
-// mu_inter rests on the samples for statistics from there to the end: three at least,
-// unless the run is too short for it anyway.
+// mu_inter uses the statistics samples from there to the end: at least three, unless the
+// run is too short anyway.
 void check_steady_from(const ContactParameters &parameters,
                        const double n_steps,
                        const unsigned int interval)
@@ -99,7 +100,7 @@ RunRequest RunStatistics<dim>::own_request(const std::uint64_t n,
   sum_over_ranks(fresh, surfaces.setup.ranks);
   sum_over_ranks(of_top, surfaces.setup.ranks);
   turn_along_flat(fresh, parameters.contact.flat_direction);
-  // What the contact means for the run is for rank 0 to say.
+  // Only rank 0 judges the contact.
   if (!context.root())
     fresh = ContactHistory();
   record.add(fresh);
@@ -127,7 +128,7 @@ RunRequest RunStatistics<dim>::request(const std::uint64_t n, const EnergyAudit 
 template <int dim>
 void RunStatistics<dim>::collect(TransientResult &all)
 {
-  // Of the last rank, which on a grid alone has the top.
+  // Broadcast from the last rank, the only one with the top on a grid.
   const auto of_top = [this](auto object) {
     broadcast_object(context.communicator(), object, context.n_ranks() - 1);
     return object;
@@ -144,7 +145,7 @@ void RunStatistics<dim>::collect(TransientResult &all)
   if (const auto *pair = surfaces.paired())
     all.settling = pair->settling();
   all.series = record.series();
-  // Where the top takes no tangential forces, they are those of the contact.
+  // If the top takes no tangential forces, contact forces are used.
   const std::vector<double> at_the_top = of_top(record.top_friction());
   if (parameters.friction_is_at_top())
     all.series.apparent_friction = at_the_top;
@@ -152,7 +153,7 @@ void RunStatistics<dim>::collect(TransientResult &all)
   all.limit_cycle_reached = limit_cycle.reached();
   all.steady_from         = std::isnan(given) ? limit_cycle.steady_from() : given;
   all.limit_cycle         = limit_cycle.description();
-  if (!limit_cycle.reached() || !std::isnan(given)) // it says when a limit cycle begins
+  if (!limit_cycle.reached() || !std::isnan(given)) // it defines the steady part
     all.limit_cycle += brief_text(4, ", statistics from ", all.steady_from, " s on");
 }
 

@@ -9,24 +9,24 @@
 
 namespace mesoslip
 {
-/** What the ranks have to say between two steps; the largest wins. */
+/** Requests of the ranks between two steps; the largest wins. */
 enum class RunRequest : int
 {
   go_on,
-  save, ///< the interval of the checkpoints is over
-  stop, ///< by a signal or a file
+  save, ///< a checkpoint is due
+  stop, ///< stopped by a signal or a file
   end,  ///< End time or limit cycle
-  look  ///< something is not finite
+  look  ///< a value is not finite
 };
 
 /**
- * The reference node and up to four others along a contact with nodes 0 to @p last, for the
- * judgement of the limit cycle.
+ * The reference node and up to four more along a contact with nodes 0 to @p last, for
+ * the detection of the limit cycle.
  */
 std::vector<unsigned int> monitored_nodes(const unsigned int reference,
                                           const unsigned int last);
 
-/** Steps between two looks at what the user wants and at the limit cycle. */
+/** Steps between two checks of user requests and limit cycle. */
 std::uint64_t control_interval(const std::uint64_t n_cells);
 
 /**
@@ -38,14 +38,14 @@ void check_steady_from(const ContactParameters &parameters,
                        const unsigned int interval);
 
 /**
- * What the statistics of a run on a grid or a mesh rest on, the judgement of its limit
- * cycle, and with it when the run ends. All ranks call the members.
+ * Statistics of a run on a grid or a mesh, its limit cycle, and the decision when the
+ * run ends. Collective.
  */
 template <int dim>
 class RunStatistics
 {
 public:
-  /** Observes @p surfaces; all arguments are kept. */
+  /** Observes @p surfaces; references to all arguments are kept. */
   RunStatistics(const ContactParameters &parameters,
                 const BodySize &size,
                 const TimeStepChoice &time,
@@ -53,11 +53,12 @@ public:
                 const TransientCheckpoint &checkpoint,
                 RunContext &context);
 
-  /** Takes the latest samples, and says what the ranks want after step @p n; @p energy may
-   * be null. */
+  /** Takes the latest samples and returns the joint request of the ranks after step @p n;
+   * @p energy may be null. */
   RunRequest request(const std::uint64_t n, const EnergyAudit *energy);
 
-  /** Puts what it and the surfaces observed into @p all, complete on rank 0. */
+  /** Puts the observations of this object and of the surfaces into @p all, complete on
+   * rank 0. */
   void collect(TransientResult &all);
 
   /** State between two steps (Boost.Serialization). */

@@ -1,4 +1,4 @@
-// What a body that slides has to do with a counter body.
+// Parts of SlidingBody that concern a counter body.
 #include "sliding/counter/counter_motion.h"
 #include "sliding/sliding_body.h"
 

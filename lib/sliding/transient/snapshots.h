@@ -15,59 +15,62 @@ namespace mesoslip
 {
 class Timer;
 
-/** Displacements of a body at some steps, in a file that all ranks that share the body write as the run goes on. */
+/** Displacements of a body at some steps, written during the run by all ranks that share
+ * the body. */
 template <int dim>
 class Snapshots : public StepObserver
 {
 public:
-  /** Of the @p body, of whose rows @p displacement returns those of a rank, before these @p steps of length @p dt (s). The @p
-   * timer gets the time of writing; references are kept. */
+  /** @p displacement returns the rows of @p body on a rank. Snapshots are taken before
+   * @p steps of length @p dt (s). The @p timer gets the time of writing; references are
+   * kept. */
   Snapshots(const GivenBody<dim> &body,
             const std::function<FieldRows()> &displacement,
             const std::vector<std::uint64_t> &steps,
             const double dt,
             Timer &timer);
 
-  /** Whether there are some. */
+  /** Whether there are any. */
   bool are_wanted() const
   {
     return !steps.empty();
   }
 
-  /** How many were written so far. */
+  /** Number of snapshots written so far. */
   std::uint64_t n_written() const
   {
     return written;
   }
 
-  /** On one rank: the @p file at @p path of a run that is continued after @p n_done of them. @throws UserError if it has not as
-   * many */
+  /** On one rank: the file at @p path of a run that is continued after @p n_done
+   * snapshots.
+   * @throws UserError if the file has fewer */
   static Hdf5File continued(const std::string &path, const std::uint64_t n_done);
 
-  /** On one rank: makes place in the @p file for all of them. */
+  /** On one rank: reserves space in @p file for all snapshots. */
   void reserve(Hdf5File &file) const;
 
-  /** Begins to write into the file at @p path, which the rank that reserved has left, after @p n_done of them. Collective over
-   * the @p communicator. */
+  /** Opens the file at @p path for writing after @p n_done snapshots; the rank that
+   * reserved has closed it. Collective over the @p communicator. */
   void
   open(const std::string &path, const std::uint64_t n_done, const MPI_Comm communicator);
 
-  /** The first step >= @p n before which one is taken. */
+  /** First step >= @p n before which a snapshot is taken. */
   std::uint64_t next_step(const std::uint64_t n) const override;
 
-  /** Writes one. Collective. */
+  /** Writes a snapshot. Collective. */
   void before_step(const std::uint64_t n) override;
 
-  /** Waits until they are on the disk. Collective. */
+  /** Waits until the snapshots are on the disk. Collective. */
   void sync();
 
-  /** There are no more. Collective. */
+  /** Ends the snapshots. Collective. */
   void close();
 
-  /** On one rank, after close(): writes their times (s). */
+  /** On one rank, after close(): writes the snapshot times (s). */
   void complete(Hdf5File &file) const;
 
-  /** On one rank: lets ParaView show what is in the file at @p path. */
+  /** On one rank: writes the XDMF file for the file at @p path. */
   void show(const std::string &path) const;
 
 private:
@@ -76,7 +79,7 @@ private:
 
   const GivenBody<dim> &body;
   const std::function<FieldRows()> displacement;
-  const std::vector<std::uint64_t> steps; ///< of all of them, those to come as well
+  const std::vector<std::uint64_t> steps; ///< steps of all snapshots, past and future
   const double dt;
   Timer &timer;
   std::uint64_t written = 0;

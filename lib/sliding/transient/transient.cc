@@ -32,7 +32,8 @@ std::unique_ptr<GivenBody<dim>> counter_of(const GivenBody<dim> &body)
                                  : nullptr;
 }
 
-/** What tells the end of the run in @p folder from others; empty without one. Collective. @throws UserError */
+/** Digest of the end of the run in @p folder; empty without a folder. Collective.
+ * @throws UserError */
 std::string start_text(const std::string &folder)
 {
   std::string digest;
@@ -73,7 +74,7 @@ TransientAnalysis<dim>::TransientAnalysis(std::unique_ptr<GivenBody<dim>> given,
 template <int dim>
 TimeStepChoice TransientAnalysis<dim>::time_step() const
 {
-  constexpr double most_steps = 1e15; // a thousand years on a machine of today
+  constexpr double most_steps = 1e15; // a thousand years of computing
   TimeStepChoice choice = choose_time_step(parameters, facts.scales.highest_frequency);
   if (counter)
     choice.shorten(
@@ -129,7 +130,7 @@ unsigned int TransientAnalysis<dim>::useful_ranks() const
   return updates < facts.long_run ? 1 : facts.most_ranks;
 }
 
-/** Snapshots or probes of a counter body. */
+/** Whether there are snapshots or probes of a counter body. */
 template <int dim>
 bool TransientAnalysis<dim>::has_counter_file() const
 {

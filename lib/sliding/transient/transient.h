@@ -43,8 +43,8 @@ public:
   void write_draft(const std::string &folder) const override;
 
   /**
-   * @throws Interrupted after a checkpoint and what was observed so far have been written
-   * @throws NumericalFailure when the run blows up; the last checkpoint stays
+   * @throws Interrupted after writing a checkpoint and the results so far
+   * @throws NumericalFailure if the run diverges; the last checkpoint stays
    */
   void run(RunContext &context) override;
 
@@ -58,10 +58,10 @@ private:
   std::unique_ptr<CounterOutput<dim>>
   counter_output(RunContext &context, const CounterMotion<dim> &below) const;
   std::vector<std::string> warnings() const;
-  std::size_t n_cells() const; ///< of both bodies
+  std::size_t n_cells() const; ///< cells of both bodies
 
-  const std::unique_ptr<GivenBody<dim>> counter; ///< below it; null: the flat is rigid
-  const SurfaceMeeting meeting;                  ///< of the contacts of both
+  const std::unique_ptr<GivenBody<dim>> counter; ///< null: the flat is rigid
+  const SurfaceMeeting meeting;                  ///< contact pairing of both bodies
   const std::string identity;                    ///< see run_identity()
   const TimeStepChoice time;
   const RunNeeds needs;

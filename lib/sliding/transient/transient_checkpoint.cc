@@ -17,7 +17,7 @@ namespace
 // Layout 1 had no friction target, 2 no samples for statistics, 3 other snapshots and
 // histories, 4 the states beside the rest, 5 the samples of probes without their places,
 // 6 probes in the plane alone, 7 the whole contact of a mesh on each rank.
-const char checkpoint_kind[] = "contact_dynamics, layout 9";
+const char checkpoint_kind[] = "contact_dynamics, layout 10";
 
 std::string place(const CheckpointPosition &position)
 {
@@ -99,7 +99,7 @@ void TransientCheckpoint::discard()
       }
     catch (const UserError &)
       {
-        // Whatever it was, it is not what this run will leave.
+        // Removed in any case: this run will leave another one.
       }
     record = Record();
     std::filesystem::remove(path);

@@ -14,14 +14,14 @@ namespace mesoslip
 {
 class RunContext;
 
-/** Where a run stands when its state is saved. */
+/** Position of a run at a checkpoint. */
 struct CheckpointPosition
 {
   std::uint64_t step      = 0;     ///< steps done
   double time             = 0.;    ///< s
-  bool at_end             = false; ///< nothing follows: End time, or it ended as below
-  bool by_limit_cycle     = false; ///< it ended at the limit cycle
-  std::uint64_t snapshots = 0;     ///< written so far
+  bool at_end             = false; ///< the run is complete
+  bool by_limit_cycle     = false; ///< the run ended at the limit cycle
+  std::uint64_t snapshots = 0;     ///< number of snapshots written
 
   /** Saves or restores the position (Boost.Serialization). */
   template <class Archive>
@@ -32,37 +32,38 @@ struct CheckpointPosition
 };
 
 /**
- * The checkpoint of a transient run in its output folder: one file with what identifies
- * the run, where it stands, and the state of each rank. Once the run is complete only the
- * first two are left, unless Checkpoints/Keep asks for the state as well. Members are
- * called by all ranks; rank 0 reads and writes.
+ * The checkpoint of a transient run in its output folder: one file with run identity,
+ * position and the state of each rank. After the run is complete only identity and
+ * position are kept, unless Checkpoints/Keep asks for the state as well. Collective;
+ * rank 0 reads and writes.
  */
 class TransientCheckpoint
 {
 public:
-  /** @p what: lines "key = value" in which the runs before and after have to agree. */
+  /** @p what: lines "key = value" that a run and its continuation have to share. */
   TransientCheckpoint(RunContext &run_context,
                       const CheckpointParameters &p,
                       const std::string &what);
 
-  /** What a run finds. */
+  /** Result of begin(). */
   enum class Found
   {
     nothing,
     state,
-    complete ///< the results are there
+    complete ///< the run is complete
   };
 
   /**
-   * Before a run up to step @p n_steps. With --resume it looks for a checkpoint to continue,
-   * and says so if the run is complete. A run that begins at its start removes what an earlier
-   * one left in its folder: the checkpoint, with a warning if one could have gone on from it,
-   * and the results.
-   * @throws UserError: the checkpoint is damaged, of another run, or there is no way on from it
+   * Call it before a run up to step @p n_steps. With --resume it looks for a checkpoint
+   * to continue from, and returns complete if the run is complete. A run from its start
+   * removes the remains of an earlier run in its folder: the checkpoint (with a warning
+   * if a run could have continued from it) and the results.
+   * @throws UserError if the checkpoint is damaged, of another run, or of a state that
+   * cannot be continued
    */
   Found begin(const std::uint64_t n_steps);
 
-  /** With Found::state: restores this rank's part of @p run. */
+  /** After Found::state: restores this rank's part of @p run. */
   template <class Run>
   void restore(Run &run)
   {
@@ -70,20 +71,19 @@ public:
     own_state = std::string();
   }
 
-  /** With Found::state or complete. */
+  /** Position after Found::state or complete. */
   const CheckpointPosition &position() const
   {
     return record.position;
   }
 
-  /** Whether the interval since the last one is over; by the clock of the calling rank.
-   */
+  /** Whether the checkpoint interval is over, by the clock of the calling rank. */
   bool due() const;
 
   /** Saves this rank's @p state. */
   void write(const CheckpointPosition &position, const std::string &state);
 
-  /** After summary.json was written: drops the state unless it is to be kept. */
+  /** Call it after summary.json is written: drops the state unless it has to be kept. */
   void complete(const CheckpointPosition &position);
 
 private:
@@ -92,7 +92,7 @@ private:
   {
     std::string identity;
     CheckpointPosition position;
-    std::vector<std::string> states; ///< by rank; empty: none kept
+    std::vector<std::string> states; ///< by rank; empty: not kept
 
     template <class Archive>
     void serialize(Archive &archive, const unsigned int)
@@ -110,7 +110,7 @@ private:
   const CheckpointParameters parameters;
   const std::string identity;
   const std::string path;
-  Record record; ///< on rank 0; elsewhere only the position
+  Record record; ///< on rank 0; other ranks have the position only
   std::string own_state;
   std::chrono::steady_clock::time_point last;
 };

@@ -1,4 +1,4 @@
-// What a run says about its numbers where they may mislead.
+// Warnings of a run on results that may mislead.
 #include "sliding/transient/transient_result.h"
 
 #include "material/plausibility.h"
@@ -10,10 +10,10 @@ namespace mesoslip
 {
 namespace
 {
-/** Share of a spectrum's power near its highest frequency that makes it doubtful. */
+/** Share of a spectrum's power near its highest frequency above which it is doubtful. */
 constexpr double doubtful_share = 0.01;
 
-/** Means of steady sliding are above the coefficient by rounding and the last drift. */
+/** In steady sliding means exceed the coefficient by rounding and the last drift. */
 constexpr double tolerated_excess = 1e-3;
 
 std::string duration_remark(const ContactDuration &duration)
@@ -27,7 +27,8 @@ std::string duration_remark(const ContactDuration &duration)
     "with it");
 }
 
-/** A short run, or one that ended before Steady from, at a limit cycle or on request. */
+/** Remark on a missing steady part: the run is too short, or ended before Steady from (at
+ * a limit cycle or on request). */
 std::string steady_part_remark(const TransientResult &run)
 {
   const std::vector<double> &time = run.series.time;
@@ -45,7 +46,8 @@ std::string steady_part_remark(const TransientResult &run)
                         "Observation/Steady from earlier");
 }
 
-/** Of all nodes; of a law that varies up to twice the speed of the flat. */
+/** Largest coefficient of all nodes; for a law that varies, up to twice the speed of the
+ * flat. */
 double largest_coefficient(const TransientResult &run)
 {
   const std::vector<double> &of_nodes = run.body.friction;
@@ -68,7 +70,7 @@ std::string friction_remark(const TransientResult &run)
       run.load_power, run.body.unit(" W"),
       ", so that there is no load along the way of the flat to relate the frictional "
       "power to");
-  // As far as it is known.
+  // Judged with the lower end of the confidence interval.
   const double largest = largest_coefficient(run),
                least   = std::fabs(run.mu_inter->value) - run.mu_inter->half_width;
   if (least <= (1. + tolerated_excess) * largest)
@@ -84,7 +86,7 @@ std::string friction_remark(const TransientResult &run)
     "; it is not a friction coefficient of this motion");
 }
 
-/** Friction that falls faster than the steps follow. */
+/** Remark on friction that falls faster than the time steps resolve. */
 std::string weakening_remark(const TransientResult &run)
 {
   if (!(run.largest_weakening >= 1.))
@@ -98,7 +100,7 @@ std::string weakening_remark(const TransientResult &run)
     "shorter step, or a lower pressure avoid that");
 }
 
-/** Steps in which friction of a pair had no solution. */
+/** Remark on steps in which the friction of two bodies had no solution. */
 std::string settling_remark(const TransientResult &run)
 {
   if (run.settling.unsettled == 0)
@@ -113,7 +115,7 @@ std::string settling_remark(const TransientResult &run)
     "avoid that");
 }
 
-/** Frequencies that the samples of the statistics cannot tell. */
+/** Remark on frequencies that the samples of the statistics do not resolve. */
 std::string spectrum_remark(const TransientResult &run)
 {
   const double limit = 5e-4 / run.series.interval; // kHz
@@ -141,7 +143,7 @@ std::string spectrum_remark(const TransientResult &run)
   return "";
 }
 
-/** Histories that show slower vibrations than there are. */
+/** Remark on histories with aliased vibrations. */
 std::string history_remark(const TransientResult &run)
 {
   unsigned int interval = run.time.interval(run.parameters.history_interval);
@@ -150,7 +152,7 @@ std::string history_remark(const TransientResult &run)
   if (!run.frequencies || interval == run.time.statistics_interval)
     return "";
   const double highest = run.frequencies->highest_frequency, dt = run.time.step.dt;
-  if (interval <= 0.5 / (highest * dt)) // half a period
+  if (interval <= 0.5 / (highest * dt)) // shorter than half a period
     return "";
   return brief_text(
     4, "the reference node vibrates at up to ", 1e-3 * highest, " kHz (main frequency ",
@@ -161,7 +163,7 @@ std::string history_remark(const TransientResult &run)
     "Observation/History interval and Probe interval at auto");
 }
 
-/** A map of the contact that shows slower waves than there are. */
+/** Remark on a contact map with aliased waves. */
 std::string map_remark(const TransientResult &run)
 {
   const ContactMapSetup map = contact_map_setup(run.parameters, run.time.step.dt);
@@ -177,6 +179,18 @@ std::string map_remark(const TransientResult &run)
                     " kHz: waves in it are slower than, or against, what there is; set "
                     "Contact map/Interval to at most ",
                     0.1 / frequency, " s, a tenth of a period");
+}
+
+/** Displacements that are large for the strains: single precision carries seven digits of them. */
+std::string precision_remark(const TransientResult &run)
+{
+  constexpr double doubtful = 1e-4;
+  if (!(run.rounded_share() > doubtful))
+    return "";
+  return brief_text(
+    2, "single precision rounds strains by up to ", 100. * run.rounded_share(),
+    " % of the largest one, as nodes are far from where they started: the "
+    "results are off by as much or more; set Time/Precision = double");
 }
 
 std::string separation_remark(const TransientResult &run)
@@ -201,7 +215,8 @@ void TransientResult::add_remarks()
   friction_warning = has_statistics ? friction_remark(*this) : steady_part_remark(*this);
   for (const std::string &text :
        {spectrum_remark(*this), history_remark(*this), map_remark(*this),
-        separation_remark(*this), weakening_remark(*this), settling_remark(*this)})
+        separation_remark(*this), weakening_remark(*this), settling_remark(*this),
+        precision_remark(*this)})
     if (!text.empty())
       warnings.push_back(text);
 }

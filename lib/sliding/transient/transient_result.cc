@@ -15,8 +15,9 @@ namespace
 constexpr double least_spectrum_cut = 1e6;
 
 /**
- * Share by which the mean force on the flat may differ from the nominal load. While that
- * acts they differ by the change of the body's momentum, over the length of the window.
+ * Share by which the mean force on the flat may differ from the nominal load. Under the
+ * nominal load they differ by the change of the body's momentum over the length of the
+ * window.
  */
 constexpr double nominal_tolerance = 0.05;
 
@@ -32,8 +33,7 @@ double mean(const std::vector<double> &values)
          static_cast<double>(values.size());
 }
 
-/** Share of the motion's variance that is within the values of the series, whose mean
- * they are. */
+/** Share of the motion's variance within the averaged values of the series. */
 double share_within(const std::vector<double> &means,
                     const std::vector<double> &variances_within)
 {
@@ -45,8 +45,8 @@ double share_within(const std::vector<double> &means,
 }
 
 /**
- * P S |V| (W/m) while a constant pressure is all that presses on the flat, which moves at
- * a constant velocity; otherwise 0.
+ * P S |V| (W/m) if a constant pressure is the only load and the flat moves at constant
+ * velocity; otherwise 0.
  */
 double nominal_load(const TransientResult &run, const double begin, const double end)
 {
@@ -71,7 +71,7 @@ double largest(const std::vector<double> &values)
   return result;
 }
 
-/** Of a vibration, as a share of the displacement, below which it is none. */
+/** Amplitude relative to the displacement below which a vibration is round-off. */
 constexpr double rounding_noise = 1e-10;
 } // namespace
 
@@ -87,7 +87,7 @@ void TransientResult::evaluate_reference_node()
   spectrum     = amplitude_spectrum(ux, series.interval);
   hidden_share = share_within(ux, tail(series.displacement_variance, first));
   folded_share = share_near_limit(spectrum);
-  // Beyond it what the means leave of a fast motion could pass for a slow one.
+  // If more is hidden, aliases of fast motion could pass for a slow one.
   if (hidden_share <= 0.5)
     frequencies = summarize_spectrum(spectrum, rounding_noise * largest(ux));
   std::vector<double> &frequency = spectrum.frequency;
@@ -100,7 +100,7 @@ void TransientResult::evaluate_reference_node()
                                      frequencies ? 1. / frequencies->main_frequency : 0.);
 }
 
-// mu_inter is over the work of the nominal load, or of the forces that acted.
+// mu_inter refers to the work of the nominal load, or of the forces that acted.
 void TransientResult::evaluate_friction()
 {
   if (!has_statistics)
@@ -110,7 +110,7 @@ void TransientResult::evaluate_friction()
   const Estimate acted          = mean_power(series.time, series.load_work, window);
   const double nominal          = nominal_load(*this, acted.begin, acted.end);
   std::vector<double> load_work = series.load_work;
-  // Where nothing touches, the work of before leaves round-off.
+  // Without contact, the work of earlier steps leaves round-off.
   const double work = acted.value * (acted.end - acted.begin);
   load_power        = work > 1e-9 * largest(series.load_work) ? acted.value : 0.;
   load_meaning      = "the mean of F_N |V|";
@@ -134,7 +134,7 @@ void TransientResult::evaluate_friction()
 
 void TransientResult::evaluate_energy()
 {
-  if (energy.time.size() < 2) // the start alone checks nothing
+  if (energy.time.size() < 2) // a balance needs a second sample
     return;
   const double friction = largest(energy.friction);
   std::pair<double, const char *> scale{friction, "the frictional work"};

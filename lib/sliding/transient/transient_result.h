@@ -20,43 +20,61 @@ namespace mesoslip
 {
 class RunContext;
 
-/** What a run has observed, complete on rank 0, and what follows from it. */
+/** Observations of a run, complete on rank 0, and the results derived from them. */
 struct TransientResult
 {
-  const ContactParameters &parameters; ///< of the run
-  const BodySize &body;                ///< that slid
-  const TimeStepChoice &time;          ///< of the run
+  const ContactParameters &parameters; ///< parameters of the run
+  const BodySize &body;                ///< the sliding body
+  const TimeStepChoice &time;          ///< time step of the run
 
   /**
    * @name Observed
    * @{
    */
-  ContactHistory history                 = {}; ///< of the contact
-  TopHistory top                         = {}; ///< of the top
-  SteadySeries series                    = {}; ///< for the statistics
+  ContactHistory history                 = {}; ///< contact histories
+  TopHistory top                         = {}; ///< top histories
+  SteadySeries series                    = {}; ///< series for the statistics
   std::vector<NodeCounts> blocks         = {}; ///< contact states by node
   EnergyHistory energy                   = {}; ///< terms of the balance
   std::vector<ProbeHistory> probes       = {}; ///< in the order of the .prm
-  std::vector<ProbeHistory> probes_below = {}; ///< of a counter body, likewise
-  std::uint64_t steps_done               = 0;  ///< of the whole run
+  std::vector<ProbeHistory> probes_below = {}; ///< likewise of a counter body
+  std::uint64_t steps_done               = 0;  ///< since the start of the run
   double friction_energy                 = 0.; ///< dissipated in all steps (J, in 2D J/m)
   double loop_seconds                    = 0.; ///< wall-clock time of the time loop
   bool interrupted                       = false; ///< stopped on request
   std::string kernel                     = {};    ///< variant and instruction set
-  std::string limit_cycle                = {};    ///< the criterion and what came of it
-  bool limit_cycle_reached               = false; ///< by the criterion
+  std::string limit_cycle                = {};    ///< criterion and result, as text
+  bool limit_cycle_reached               = false; ///< whether the criterion is met
   double steady_from                     = 0.;    ///< s
-  double largest_strain                  = 0.;    ///< norm of the mean strain of a cell
+  LargestStrain strains                  = {};    ///< largest strains of the body
+  LargestStrain of_counter               = {};    ///< largest strains of a counter body
   double largest_weakening               = 0.;    ///< see VariableFriction
-  PairSettling settling                  = {};    ///< with a second body, on rank 0
+  PairSettling settling                  = {};    ///< with a counter body, on rank 0
   /** @} */
+
+  /** Largest norm of the strain of a cell of either body [-]. */
+  double largest_strain() const
+  {
+    return std::max(strains.strain, of_counter.strain);
+  }
+
+  /** Share of the largest strain that single precision rounds off, in the worse body; 0 in
+   * double precision [-]. */
+  double rounded_share() const
+  {
+    const auto share = [](const LargestStrain &of) {
+      return of.rounding > 0. ? of.rounding / of.strain : 0.;
+    };
+    return std::max(share(strains), share(of_counter));
+  }
 
   /**
    * @name Evaluated from the steady part, absent where it has no meaning
    * @{
    */
 
-  /** Values of the series that a run, and for the spectrum its steady part, needs. */
+  /** Least number of samples of the series for statistics; for the spectrum in its steady
+   * part. */
   static constexpr std::size_t least_samples = 16;
 
   /** Ratio of tangential to normal force at the top (contact forces if it is free). */
@@ -65,39 +83,40 @@ struct TransientResult
   /** Whether there are enough samples for mu_inter and the mean of mu_app. */
   bool has_statistics = false;
 
-  std::string load_meaning = {}; ///< what mu_inter is over; empty: no steady part
-  double load_power        = 0.; ///< of what mu_inter is over (W/m)
+  std::string load_meaning = {}; ///< denominator of mu_inter; empty: no steady part
+  double load_power        = 0.; ///< denominator of mu_inter (W/m)
 
   /** Eq. (9); none without statistics or without a load. */
   std::optional<Estimate> mu_inter               = {};
   std::optional<Estimate> mean_apparent_friction = {}; ///< paper, remark 1
   ContactSummary contact                         = {}; ///< shares and durations
-  ContactShares reference_shares                 = {}; ///< of the reference node
+  ContactShares reference_shares                 = {}; ///< by state, reference node
 
-  /** Of the reference node, in words; empty without steps. */
+  /** Regime of the reference node, as text; empty without steps. */
   std::string regime = {};
-  /** Of the reference node's u_x, cut at 1 MHz or twice the highest frequency. */
+  /** Spectrum of the reference node's u_x, cut at 1 MHz or twice the highest
+   * frequency. */
   Spectrum spectrum = {};
-  /** None without a peak, or when most of the motion is faster than the series. */
+  /** None without a peak, or if most of the motion is too fast for the series. */
   std::optional<SpectralSummary> frequencies = {};
-  double hidden_share = 0.; ///< of the variance of u_x that the series does not show
-  double folded_share = 0.; ///< of the spectrum's power near the highest frequency
-  PhaseDiagram phase_diagram = {}; ///< of the reference node's motion along x
+  double hidden_share = 0.; ///< unresolved share of the variance of u_x
+  double folded_share = 0.; ///< share of the spectrum's power near the highest frequency
+  PhaseDiagram phase_diagram = {}; ///< motion of the reference node along x
 
   /**
-   * Largest residual of the energy balance as a share of the frictional work or, while
-   * that is below a tenth of the largest term of the balance, of that term. None with
-   * fewer than two samples, of which the first is the start.
+   * Largest residual of the energy balance relative to the frictional work or, while
+   * this work is below a tenth of the largest term of the balance, relative to the
+   * largest term. Empty with fewer than two samples, of which the first is the start.
    */
   std::optional<double> energy_residual = {};
-  std::string residual_scale            = {}; ///< that term: "the frictional work"
+  std::string residual_scale            = {}; ///< reference, as "the frictional work"
 
-  std::string duration_warning      = {}; ///< on T_G; empty: it can be relied on
-  std::string friction_warning      = {}; ///< on mu_inter; empty: nothing to say
-  std::vector<std::string> warnings = {}; ///< on everything else
+  std::string duration_warning      = {}; ///< on T_G; empty: T_G is reliable
+  std::string friction_warning      = {}; ///< on mu_inter; empty: no remark
+  std::vector<std::string> warnings = {}; ///< all other warnings
   /** @} */
 
-  /** Evaluates what was observed, with warnings on what is missing. On rank 0. */
+  /** Evaluates the observations, with warnings on missing data. On rank 0. */
   void evaluate();
 
   /** Fills summary.json and prints the key numbers. */

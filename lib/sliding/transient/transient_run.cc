@@ -94,7 +94,7 @@ void TransientRun<dim>::judge_counter(const std::uint64_t n)
                               ? parts.counter->time_integration().deformation()
                               : Deformation(),
                     found = mpi::broadcast(own, 0, parts.context.communicator());
-  counter_strain          = std::max(counter_strain, found.strain.value);
+  of_counter.add(found);
   judge(
     found, [](const CellExtreme &) { return "a cell of the counter body"; }, n);
 }
@@ -237,10 +237,12 @@ TransientResult TransientRun<dim>::collect()
   if (map)
     map->drain(stepper.step_number());
   strains.look(stepper.step_number());
-  all.largest_strain = std::max(strains.largest_strain(), counter_strain);
-  // Before it was resumed, as each run has its own warnings.
-  if (!warned && !(all.largest_strain <= largest_small_strain))
-    parts.context.warn("the strain was " + quantity_text(100. * all.largest_strain, "%") +
+  all.strains    = strains.so_far();
+  all.of_counter = of_counter;
+  // Strains before the run was resumed: each run has warnings of its own.
+  if (!warned && !(all.largest_strain() <= largest_small_strain))
+    parts.context.warn("the strain was " +
+                       quantity_text(100. * all.largest_strain(), "%") +
                        " earlier in the run, beyond small strains: its results cannot be "
                        "trusted");
   if (parts.body.energy)
@@ -318,7 +320,7 @@ void TransientRun<dim>::carry_out(const bool continued,
   if (parts.parameters.checkpoints.end)
     write_run_end(parts.body, result.steps_done * parts.time.step.dt,
                   context.output_folder(), context.communicator());
-  // The state is dropped only when nothing is left to be done.
+  // The state is dropped only after all results are written.
   context.write_summary();
   parts.checkpoint.complete(position());
 }

@@ -21,68 +21,69 @@ namespace mesoslip
 class Keys;
 
 /**
- * Lines "key = value" of whatever decides a bit of the state or of what was written so far, in
- * which a run that is resumed has to agree; @p contents: lines on the files of the body.
+ * Lines "key = value" of all input that decides the state or the output so far, bit by
+ * bit; a resumed run has to match them. @p contents: lines on the files of the body.
  */
 std::string run_identity(const Keys &keys,
                          const ContactParameters &parameters,
                          const std::string &contents);
 
-/** What the body of a run is made of besides its material. */
+/** Setup of the body of a run, without its material. */
 SlidingSetup run_setup(const ContactParameters &parameters,
                        const BodySize &size,
                        const TimeStepChoice &time);
 
-/** The same of a counter body, which is observed in its energies, snapshots and probes alone. */
+/** Setup of a counter body, of which only energies, snapshots and probes are observed. */
 SlidingSetup setup_below(const ContactParameters &parameters,
                          const BodySize &size,
                          const StepParameters &step,
                          const unsigned int probe_interval);
 
-/** What a run is of, as the kind of the body has it; all of it must outlive the run. */
+/** Parts of a run, made by the given body; all must outlive the run. */
 template <int dim>
 struct RunParts
 {
   const ContactParameters &parameters; ///< all of them
   const TimeStepChoice &time;          ///< steps
-  const BodyScales &scales;            ///< of the body
-  const BodySize &size;                ///< of the body
-  std::size_t n_cells;                 ///< of all bodies
-  PlaceText place;                     ///< of a cell
+  const BodyScales &scales;            ///< scales of the body
+  const BodySize &size;                ///< size of the body
+  std::size_t n_cells;                 ///< cells of all bodies
+  PlaceText place;                     ///< text of a cell's place
   SlidingBody<dim> &body;              ///< in its initial state
   ProbeRecorder *probes;               ///< null without any
-  SlidingBody<dim> *counter;           ///< below it, on ranks that have it; else null
-  ProbeRecorder *probes_below;        ///< of the counter body, likewise; null without any
-  CounterOutput<dim> *counter_output; ///< of its snapshots, likewise; null without any
+  SlidingBody<dim> *counter;           ///< counter body, on ranks that hold it; else null
+  ProbeRecorder *probes_below;         ///< counter body's; null without any
+  CounterOutput<dim> *counter_output; ///< its snapshots, on these ranks; null without any
   RunOutput<dim> &output;             ///< dynamics.h5
-  TransientCheckpoint &checkpoint;    ///< of the run
-  RunContext &context;                ///< of the program
+  TransientCheckpoint &checkpoint;    ///< checkpoint of the run
+  RunContext &context;                ///< context of the program
 };
 
 /**
- * One run: a body with its boundaries, its observers, everything that changes from step to step,
- * and when it is saved. All ranks call the members.
+ * A run: a body with its boundaries and observers, everything that changes from step to
+ * step, and its checkpoints. Members are collective.
  */
 template <int dim>
 class TransientRun
 {
 public:
-  /** From the state of the body on. */
+  /** Begins with the current state of the body. */
   explicit TransientRun(const RunParts<dim> &parts);
 
   /**
-   * Runs, from the checkpoint on if it is @p continued, until End time, the limit cycle or a
-   * request to stop, and writes all results; @p summarize_body is called on rank 0.
-   * @throws Interrupted after a checkpoint and what was observed so far have been written
-   * @throws NumericalFailure when the run blows up; the last checkpoint stays
+   * Runs (from the checkpoint if @p continued) until End time, the limit cycle or a stop
+   * request, and writes all results; @p summarize_body is called on rank 0.
+   * @throws Interrupted after writing a checkpoint and the results so far
+   * @throws NumericalFailure if the run diverges; the last checkpoint stays
    */
   void carry_out(const bool continued, const std::function<void()> &summarize_body);
 
-  /** State between two steps (Boost.Serialization); observers come and go with the keys. */
+  /** State between two steps (Boost.Serialization); which observers exist depends on the
+   * keys. */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    archive &parts.body &monitor &strains &statistics &loop_seconds &counter_strain;
+    archive &parts.body &monitor &strains &statistics &loop_seconds &of_counter;
     if (parts.counter != nullptr)
       archive &*parts.counter;
     if (parts.probes != nullptr)
@@ -92,19 +93,19 @@ public:
   }
 
 private:
-  /** Ends the run if a cell is inside out, and warns once of large strains. */
+  /** Ends the run if a cell is inverted, and warns once of large strains. */
   void judge(const Deformation &found, const PlaceText &place, const std::uint64_t n);
-  /** The same of a counter body. Collective. */
+  /** judge() for a counter body. Collective. */
   void judge_counter(const std::uint64_t n);
-  /** Does what the ranks want; false: the run ends. */
+  /** Carries out the joint request of the ranks; false: the run ends. */
   bool control(const std::uint64_t n);
   /** Adds the wall-clock time since the last call to loop_seconds. */
   void count_time();
-  /** Where the run stands. */
+  /** Current position of the run. */
   CheckpointPosition position() const;
   void restore();
   void save();
-  /** What was computed is not to be lost with the output. */
+  /** Saves a checkpoint if writing results fails, so that the computation is not lost. */
   void keep_state();
   std::vector<StepObserver *> observers();
   TransientResult advance();
@@ -115,14 +116,14 @@ private:
   StabilityMonitor monitor;
   DeformationWatch strains;
   RunStatistics<dim> statistics;
-  std::unique_ptr<ContactMapOutput<dim>> map; ///< of the contact; null without one
-  bool warned           = false;              ///< of large strains
-  bool interrupted      = false;
-  bool at_limit_cycle   = false;
-  double loop_seconds   = 0.; ///< in earlier runs, too
-  double counter_strain = 0.; ///< DeformationWatch::largest_strain() of a counter body
+  std::unique_ptr<ContactMapOutput<dim>> map; ///< contact map; null without one
+  bool warned         = false;                ///< whether large strains were reported
+  bool interrupted    = false;
+  bool at_limit_cycle = false;
+  double loop_seconds = 0.; ///< includes earlier runs
+  LargestStrain of_counter; ///< strains of a counter body
 
-  std::chrono::steady_clock::time_point counted; ///< loop_seconds reach up to here
+  std::chrono::steady_clock::time_point counted; ///< time up to which loop_seconds counts
 };
 } // namespace mesoslip
 

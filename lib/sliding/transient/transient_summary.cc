@@ -10,7 +10,7 @@ namespace
 {
 using json = nlohmann::json;
 
-/** A member of what may be absent: null without it. */
+/** A member of an optional result; null if it is absent. */
 template <class Part, class Number>
 json value_of(const std::optional<Part> &part, Number Part::*const member)
 {
@@ -47,7 +47,7 @@ std::string energy_balance(const TransientResult &run)
 {
   const unsigned int interval = run.parameters.energy_interval;
   if (run.energy_residual)
-    // What damping takes between two samples is known only in the mean.
+    // Dissipation by damping between two samples is known only on average.
     return brief_text(3, "Energy balance closes to ", *run.energy_residual, " of ",
                       run.residual_scale) +
            (interval > 1 && !(*run.energy_residual <= 1e-3)
@@ -125,7 +125,9 @@ void TransientResult::write_summary(RunContext &context) const
      {"main_frequency", value_of(frequencies, &SpectralSummary::main_frequency)},
      {"regime", regime},
      {"friction_energy", friction_energy},
-     {"largest_strain", largest_strain},
+     {"largest_strain", largest_strain()},
+     {"single_precision_rounding",
+      null_unless(parameters.sweep.single_precision, rounded_share())},
      {"energy_balance_residual", energy_residual},
      {"energy_balance_scale", null_unless(bool(energy_residual), residual_scale)},
      {"steady_from", steady_from},
@@ -150,10 +152,14 @@ void TransientResult::write_summary(RunContext &context) const
                                  {"separation", reference_shares.separation}};
   context.log(limit_cycle);
   context.log(key_numbers(*this));
-  context.log("Largest strain " + quantity_text(100. * largest_strain, "%"));
+  context.log("Largest strain " + quantity_text(100. * largest_strain(), "%") +
+              (parameters.sweep.single_precision
+                 ? "; single precision rounds strains by up to " +
+                     quantity_text(100. * rounded_share(), "%") + " of it"
+                 : ""));
   if (parameters.energy_interval > 0)
     context.log(energy_balance(*this));
-  if (!duration_warning.empty()) // friction homogenization, which takes T_G, warns
+  if (!duration_warning.empty()) // friction homogenization, which uses T_G, warns
     context.log(duration_warning);
   if (!friction_warning.empty())
     context.warn(friction_warning);

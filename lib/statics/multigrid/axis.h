@@ -9,34 +9,34 @@
 namespace mesoslip::multigrid
 {
 /**
- * One direction of a grid of the hierarchy: cells + 1 ascending positions, in units of
- * the width of a cell of the finest grid. On a periodic axis the last node is the first
- * one again.
+ * An axis of a grid of the hierarchy: cells + 1 ascending node positions, in units of
+ * the cell width of the finest grid. On a periodic axis the last node is a copy of the
+ * first.
  */
 struct Axis
 {
-  bool periodic = false;        ///< the last node is the first one
-  std::vector<double> position; ///< of the nodes, one more than cells
+  bool periodic = false;        ///< whether the last node is a copy of the first
+  std::vector<double> position; ///< node positions, one more than cells
 
-  /** At least one. */
+  /** Number of cells, at least one. */
   unsigned int n_cells() const
   {
     return static_cast<unsigned int>(position.size()) - 1;
   }
 
-  /** Different nodes. */
+  /** Number of nodes without periodic copies. */
   unsigned int n_nodes() const
   {
     return periodic ? n_cells() : n_cells() + 1;
   }
 
-  /** Of a cell, in the unit of the positions. */
+  /** Width of a cell, in the unit of the positions. */
   double width(const unsigned int cell) const
   {
     return position[cell + 1] - position[cell];
   }
 
-  /** Cells of equal width @p spacing. */
+  /** An axis of cells of equal width @p spacing. */
   static Axis
   uniform(const unsigned int n_cells, const double spacing, const bool periodic)
   {
@@ -50,17 +50,17 @@ struct Axis
 };
 
 /**
- * How the coarse grid lies on the fine one along one direction: every coarse node is a
- * fine node. Halved, a coarse cell is two fine cells and has a middle node; an odd number
- * of cells leaves the last but one coarse cell a single fine cell wide. (At the border,
- * rotations of its coarse nodes would have no effect on the finest grid.)
+ * Coarsening of one axis: every coarse node is a fine node. If halved, a coarse cell
+ * consists of two fine cells with a middle node; with an odd number of cells the last
+ * but one coarse cell is a single fine cell. (At the border, rotations of its coarse
+ * nodes would have no effect on the finest grid.)
  */
 class AxisCoarsening
 {
 public:
   AxisCoarsening() = default;
 
-  /** Coarse cells of two fine ones if @p halve, else the same grid. */
+  /** Halves the number of cells if @p halve, else keeps the grid. */
   AxisCoarsening(const Axis &fine, const bool halve)
     : is_halved(halve)
     , coarse_cells(halve ? (fine.n_cells() + 1) / 2 : fine.n_cells())
@@ -75,8 +75,8 @@ public:
     return coarse_cells;
   }
 
-  /** Number of coarse cells from the first on that lie regularly: start(k) = 2 k, with a
-   *  middle node. All of them if the number of fine cells is even. */
+  /** Number of leading coarse cells that are regular: start(k) = 2 k, with a middle node.
+   * All of them if the number of fine cells is even. */
   unsigned int n_regular() const
   {
     return regular_cells;
@@ -120,8 +120,9 @@ private:
 };
 
 /**
- * The unknowns of one grid that stay zero, by node rows. On coarse grids a node is
- * constrained like the fine node at its place; its rotation if both displacements are.
+ * The constrained unknowns of one grid, by node rows. On coarse grids a node has the
+ * constraints of the coincident fine node; its rotation is constrained if both
+ * displacements are.
  */
 class ConstrainedUnknowns
 {
@@ -129,7 +130,7 @@ public:
   /** Constrained components of one node of a row. */
   struct Node
   {
-    unsigned int column; ///< of the node
+    unsigned int column; ///< column of the node
     std::uint8_t bits;   ///< bit c: component c (0, 1: displacement, 2: rotation)
 
     /** Whether component @p c is constrained. */
@@ -141,7 +142,8 @@ public:
 
   ConstrainedUnknowns() = default;
 
-  /** Of the finest grid; duplicate columns and rows of periodic sides are left out. */
+  /** Constraints of the finest grid; copies at periodic sides are merged with their
+   * masters. */
   ConstrainedUnknowns(const DofMask &mask, const Axis &x, const Axis &y)
     : rows(y.n_nodes())
   {
@@ -159,11 +161,12 @@ public:
         }
   }
 
-  /** Of the next coarser grid, the columns and rows of which lie so on the fine ones. */
+  /** Constraints of the next coarser grid; @p x and @p y map its columns and rows to the
+   * fine grid. */
   ConstrainedUnknowns(const ConstrainedUnknowns &fine,
                       const AxisCoarsening &x,
                       const AxisCoarsening &y)
-    // Where y is periodic, the last coarse row is the first one.
+    // On a periodic y axis, the last coarse row is a copy of the first.
     : rows(y.n_coarse_cells() + (y.start(y.n_coarse_cells()) < fine.rows.size() ? 1 : 0))
   {
     for (unsigned int J = 0; J < rows.size(); ++J)
@@ -179,7 +182,7 @@ public:
       }
   }
 
-  /** Those of row @p j in ascending columns. */
+  /** Constrained nodes of row @p j, sorted by column. */
   const std::vector<Node> &row(const unsigned int j) const
   {
     return rows[j];

@@ -7,8 +7,8 @@ namespace mesoslip::multigrid
 {
 namespace
 {
-/** Stiffness against rotation of a corner relative to its coarse cell, in shear moduli.
- */
+/** Stiffness against rotation of a corner relative to its coarse cell, over the shear
+ * modulus. */
 constexpr double rotation_stiffness = 0.02;
 
 std::array<double, n_finest_coefficients>
@@ -78,8 +78,8 @@ template <typename Number>
 void Galerkin::compute(Stencil<Number> &first, std::vector<Stencil<double>> &rest)
 {
   NodalField<double> last(interpolations.back().x.n_coarse_cells(), 1, n_cell_entries);
-  // Rows that are due, one on each grid at most: the row of the finest pair of grids
-  // first, then coarser ones as long as they are complete.
+  // Computes all complete rows, at most one per grid: first the row of the finest pair of
+  // grids, then coarser ones.
   for (unsigned int J = 0; J < interpolations[0].y.n_coarse_cells(); ++J)
     {
       unsigned int row = J;

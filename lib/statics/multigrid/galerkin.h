@@ -14,16 +14,16 @@ namespace mesoslip::multigrid
 {
 /**
  * Computes the operators P^T A P of all coarse grids in one sweep over the finest grid,
- * cell by cell. As soon as the cell rows are there that make a row of the next coarser
- * grid, that row follows, so no more than two rows of cell matrices are kept a grid.
+ * cell by cell. A row of the next coarser grid is computed as soon as its cell rows are
+ * available, so each grid stores at most two rows of cell matrices.
  *
- * In double precision: a smooth displacement of a large grid has next to no energy, less
- * than the round-off of single precision where a phase is much stiffer than another.
+ * In double precision: a smooth displacement of a large grid has tiny energy, less than
+ * the round-off of single precision if one phase is much stiffer than another.
  */
 class Galerkin
 {
 public:
-  /** interpolations[l] lies between grids l and l + 1, constrained[l] is of grid l. */
+  /** interpolations[l] is between grids l and l + 1, constrained[l] belongs to grid l. */
   Galerkin(const UniformMaterial &material,
            const std::vector<Interpolation> &interpolations,
            const std::vector<ConstrainedUnknowns> &constrained);
@@ -42,7 +42,7 @@ private:
   const std::vector<Interpolation> &interpolations;
   const std::vector<ConstrainedUnknowns> &constrained;
 
-  /** By phase; d11 etc. and hourglass. */
+  /** Per phase: d11 etc. and hourglass coefficients. */
   std::vector<std::array<double, n_finest_coefficients>> coefficients;
   double cell_height;
 

@@ -8,13 +8,14 @@ namespace mesoslip::multigrid
 {
 namespace
 {
-/** Conductances may come out slightly negative; weights are made of positive ones. */
+/** Conductances may be slightly negative; weights are made of positive values. */
 float strength(const float conductance)
 {
   return std::max(conductance, 0.F);
 }
 
-/** Distances of the middle nodes of coarse cells from their ends; 0 where none. */
+/** Distances of the middle nodes of coarse cells from their ends; 0 without a middle
+ * node. */
 std::vector<std::array<double, 2>> middle_distances(const Axis &fine,
                                                     const AxisCoarsening &coarsening)
 {
@@ -42,7 +43,7 @@ Vector load(const float *lanes_of_patch)
   return *reinterpret_cast<const Vector *>(lanes_of_patch);
 }
 
-/** Adds what row @p b of the fine cells of sixteen coarse cells contributes. */
+/** Adds the contribution of row @p b of the fine cells of sixteen coarse cells. */
 void add_cells(const AxisCoarsening &x,
                const NodalField<float> &cells,
                const Patch<float> &patch,
@@ -229,7 +230,7 @@ void Interpolation::fill_lane(const unsigned int l,
       }
   if (mx && my)
     {
-      // Weights sum to one to the last digit, or rigid motions would not pass.
+      // Weights have to sum to one exactly, so that rigid motions are reproduced.
       Number rest = 1;
       for (unsigned int c = 0; c < 3; ++c)
         {
@@ -242,7 +243,7 @@ void Interpolation::fill_lane(const unsigned int l,
 
 Conductor finest_conductor(const UniformMaterial &material)
 {
-  // Edges along x stretch (D11) and shear (D33), those along y stretch (D22) and shear.
+  // Edges along x stretch (D11) and shear (D33), edges along y stretch (D22) and shear.
   const double ratio = material.grid().spacing[1] / material.grid().spacing[0];
   std::vector<std::array<float, 2>> edge;
   for (const ElasticPhase<2> &phase : material.phases())

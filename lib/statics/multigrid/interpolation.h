@@ -31,31 +31,31 @@ enum CornerPair : unsigned int
  */
 using Conductor = std::function<void(const int j, NodalField<float> &row)>;
 
-/** On the finest grid: edges of cells, by the stiffness of their phase. */
+/** Conductor of the finest grid: edges of cells, by the stiffness of their phase. */
 Conductor finest_conductor(const UniformMaterial &material);
 
 /**
- * Interpolation between two grids of the hierarchy. Each coarse node carries a rigid
- * motion; a fine node takes the weighted mean of the motions of the corners of its
- * coarse cell, evaluated at its own place, so rigid motions pass exactly for whatever
- * weights. The weights follow the strongest connections, as in the black box multigrid
- * of Dendy (J. Comput. Phys. 48, 1982), applied to a scalar conductor: a fine node inside
- * a stiff fibre moves with the coarse nodes inside that fibre.
+ * Interpolation between two grids of the hierarchy. Each coarse node has a rigid motion;
+ * a fine node takes the weighted mean of the motions of the corners of its coarse cell,
+ * evaluated at the fine node, so rigid motions are reproduced for any weights. The
+ * weights follow the strongest connections, as in the black box multigrid of Dendy (J.
+ * Comput. Phys. 48, 1982), applied to a scalar conductor: a fine node inside a stiff
+ * fibre moves with the coarse nodes inside that fibre.
  */
 class Interpolation
 {
 public:
   Interpolation() = default;
 
-  /** Weights from @p fine to the grid that halves @p halve_x, @p halve_y make of it. */
+  /** Weights from @p fine to the grid coarsened by @p halve_x, @p halve_y. */
   Interpolation(const Axis &fine_x,
                 const Axis &fine_y,
                 const bool halve_x,
                 const bool halve_y,
                 const Conductor &conductor);
 
-  /** Weights and places of the fine nodes of the coarse cells from I0 on in row @p J,
-   *  zero in lanes beyond the grid. Number: float, double. */
+  /** Weights and positions of the fine nodes of the coarse cells from I0 on in row @p J,
+   * zero in lanes beyond the grid. Number: float, double. */
   template <typename Number>
   void
   fill_patch(const unsigned int I0, const unsigned int J, Patch<Number> &patch) const;
@@ -63,8 +63,8 @@ public:
   /** The conductor P^T A P on the coarse grid. */
   Conductor coarse_conductor(const Conductor &fine) const;
 
-  AxisCoarsening x; ///< how columns are coarsened
-  AxisCoarsening y; ///< how rows are coarsened
+  AxisCoarsening x; ///< coarsening of columns
+  AxisCoarsening y; ///< coarsening of rows
   Axis coarse_x;    ///< columns of the coarse grid
   Axis coarse_y;    ///< rows of the coarse grid
 

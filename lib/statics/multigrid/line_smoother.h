@@ -11,33 +11,33 @@
 
 namespace mesoslip::multigrid
 {
-/** The blocks of one node row that lines need: of nodes with themselves (upper triangle),
- *  with their right and with their upper neighbours. Arrays @p stride apart. */
+/** Blocks of one node row needed by lines: of nodes with themselves (upper triangle),
+ * with their right and with their upper neighbours. Arrays @p stride apart. */
 template <typename Number>
 struct LineBlocks
 {
-  const Number *centre; ///< of a node with itself
-  const Number *east;   ///< with its right neighbour
-  const Number *north;  ///< with its upper neighbour
-  std::size_t stride;   ///< numbers from one array to the next
+  const Number *centre; ///< block of a node with itself
+  const Number *east;   ///< block with its right neighbour
+  const Number *north;  ///< block with its upper neighbour
+  std::size_t stride;   ///< distance between arrays
 };
 
 /**
- * Damped block Jacobi iterations the blocks of which are whole columns or whole rows of
- * nodes. Stiff fibres, once the grid is coarse, are chains of nodes that hold together
- * firmly and to nothing else; a point smoother would need as many sweeps as the contrast.
+ * Damped block Jacobi iterations whose blocks are whole columns or whole rows of nodes.
+ * Once the grid is coarse, stiff fibres are chains of nodes coupled strongly to each
+ * other and weakly to all else; a point smoother would need a number of sweeps
+ * proportional to the contrast.
  *
  * With T the blocks of K, no eigenvalue of T^-1 K exceeds 2, and any damping below 1
- * converges. For K is a sum of positive semidefinite matrices of cells, each of which
+ * converges. Proof: K is a sum of positive semidefinite matrices of cells, each of which
  * touches two columns, left and right: 2 x_l.K_lr x_r <= x_l.K_ll x_l + x_r.K_rr x_r,
  * hence K_cell <= 2 (K_ll + K_rr), and the sum of the right sides is 2 T. This holds for
- * any number of columns, odd or even, closed periodically or not, one column that is its
- * own neighbour included, for rows, and on coarse grids, whose matrices are sums over
- * cells as well.
+ * any number of columns, periodic or not, including a single column that is its own
+ * neighbour, for rows, and on coarse grids, whose matrices are sums over cells as well.
  *
- * Lines that close periodically are cut, as a factorization of closed ones costs twice as
- * much: the blocks of the two ends take the absolute value of the coupling c between
- * them instead, 2 x.c y <= x.(c c^T)^(1/2) x + y.(c^T c)^(1/2) y, which only adds to T.
+ * Periodic lines are cut, as factorization of closed lines costs twice as much: instead
+ * of the coupling c, the blocks of both ends get its absolute values, 2 x.c y <= x.(c
+ * c^T)^(1/2) x + y.(c^T c)^(1/2) y, which only increases T.
  */
 template <int n_components, typename Number>
 class LineSmoother
@@ -46,7 +46,7 @@ public:
   LineSmoother() = default;
 
   /** Factorizes the lines of @p columns_of_grid x @p rows_of_grid nodes; @p blocks is
-   *  asked for one row after the other. */
+   * called for one row after the other. */
   LineSmoother(const unsigned int columns_of_grid,
                const unsigned int rows_of_grid,
                const std::function<LineBlocks<Number>(unsigned int)> &blocks)
@@ -99,10 +99,10 @@ public:
       }
   }
 
-  double damping = 0.8; ///< of the line Jacobi step
+  double damping = 0.8; ///< damping of the line Jacobi step
 
-  /** x += damping T^-1 r, or x = ... unless @p add; T holds the columns alone. @p r is
-   *  overwritten. */
+  /** Column step: x += damping T^-1 r, or x = ... unless @p add; T holds the columns
+   * only. @p r is overwritten. */
   void columns(NodalField<Number> &r, NodalField<Number> &x, const bool add) const
   {
     const GridKernels<Number> &k = grid_kernels<Number>();
@@ -137,14 +137,14 @@ public:
       }
   }
 
-  /** The same with rows; always adds. */
+  /** Row step; always adds. */
   void rows(const NodalField<Number> &r, NodalField<Number> &x) const
   {
     const GridKernels<Number> &k = grid_kernels<Number>();
     Number *t                    = tile.row(0, 0);
     for (unsigned int j0 = 0; j0 < n_rows; j0 += lanes<Number>)
       {
-        // Lanes beyond the last row repeat it; what they hold is not used.
+        // Lanes beyond the last row repeat it; their results are not used.
         const unsigned int n_lanes =
           n_rows - j0 < lanes<Number> ? n_rows - j0 : lanes<Number>;
         for (unsigned int c = 0; c < n_components; ++c)
@@ -188,7 +188,8 @@ private:
     return block;
   }
 
-  /** Inverse of a pivot; round-off may leave one indefinite, then of its diagonal part. */
+  /** Inverse of a pivot; if round-off makes it indefinite, inverse of its diagonal
+   * part. */
   static Block safe_inverse(const Block &pivot, const Block &diagonal)
   {
     double determinant = pivot(0, 0) * pivot(1, 1) - pivot(0, 1) * pivot(0, 1);
@@ -200,13 +201,13 @@ private:
     return Block(diagonal.diagonal().cwiseInverse().asDiagonal());
   }
 
-  /** What the two ends of a cut line are given for the coupling that closed it. */
+  /** Replacement for the coupling between the two ends of a cut periodic line. */
   struct Closing
   {
     Block first = Block::Zero(); ///< added to the block of the first node
     Block last  = Block::Zero(); ///< added to the block of the last node
 
-    /** To be added to the block of node @p i of @p n_nodes. */
+    /** Block to be added at node @p i of @p n_nodes. */
     Block at(const unsigned int i, const unsigned int n_nodes) const
     {
       Block sum = Block::Zero();
@@ -220,11 +221,12 @@ private:
     Closing() = default;
 
     /**
-   * With @p coupling c between the last node (rows) and the first (columns),
-   * 2 x_last.c x_first <= x_last.(c c^T)^(1/2) x_last + x_first.(c^T c)^(1/2) x_first,
-   * here for unknowns scaled such that the diagonals of both nodes are one: whatever
-   * units displacements and rotations have, and however flat the cells are.
-   */
+     * With @p coupling c between the last node (rows) and the first (columns), 2
+     * x_last.c x_first <= x_last.(c c^T)^(1/2) x_last + x_first.(c^T c)^(1/2) x_first.
+     * Unknowns are scaled such that the diagonals of both nodes are one: this makes the
+     * result independent of the units of displacements and rotations and of the aspect
+     * of cells.
+     */
     Closing(const Block &coupling,
             const Block &first_diagonal,
             const Block &last_diagonal)
@@ -242,13 +244,13 @@ private:
     }
   };
 
-  /** One step of a block LDL^T factorization along a line. */
+  /** A step of a block LDL^T factorization along a line. */
   struct Pivot
   {
     Block inverse = Block::Zero();
     Block multiplier;
 
-    /** @p coupling: previous node (rows) with this one (columns). */
+    /** @p coupling: block of the previous node (rows) with this node (columns). */
     void advance(const Block &diagonal, const Block &coupling)
     {
       const Block product = inverse * coupling;
@@ -272,7 +274,7 @@ private:
   unsigned int n_columns = 0;
   unsigned int n_rows    = 0;
   NodalField<Number> column_factors;
-  /** One row a tile of lines: [column][entry][lane]. */
+  /** A row per tile of lines: [column][entry][lane]. */
   NodalField<Number> row_factors;
   mutable NodalField<Number> tile;
   /** Two rows of eliminated right-hand sides. */

@@ -11,15 +11,15 @@ namespace mesoslip::multigrid
 {
 namespace
 {
-/** The coarsest grid is solved by a dense inverse: at most so many nodes... */
+/** Largest number of nodes of the coarsest grid, which is solved by a dense inverse... */
 constexpr unsigned int max_bottom_nodes = 64;
-/** ...unless no direction has so many cells any more. */
+/** ...unless no axis has enough cells to be halved. */
 bool can_halve(const unsigned int n_cells)
 {
   return n_cells >= 3;
 }
 
-/** Ratio of shear moduli beyond which one visit of the coarse grids is not enough. */
+/** Ratio of shear moduli above which coarse grids are visited twice. */
 constexpr double strong_contrast_ratio = 50.;
 
 double shear_contrast(const UniformMaterial &material)
@@ -97,7 +97,7 @@ void Multigrid<Number>::build_interpolations()
     }
 }
 
-/** Residual of @p x, whose duplicates are set before. */
+/** Residual of @p x, whose periodic copies are set first. */
 template <typename Number>
 void Multigrid<Number>::finest_residual(NodalField<Number> &x,
                                         const NodalField<Number> &b)

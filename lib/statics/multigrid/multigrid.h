@@ -46,21 +46,21 @@ public:
   /** Whether a grid has enough cells in one direction to be halved. */
   static bool can_coarsen(const UniformGrid<2> &grid);
 
-  /** On a grid that can_coarsen(). Both arguments must outlive this object, which still
-   *  lacks set_constrained(). */
+  /** For a grid that can_coarsen(). Both arguments must outlive this object; call
+   * set_constrained() before use. */
   Multigrid(const UniformMaterial &material, const UniformGridOperator &stiffness);
 
-  /** Builds the operators for these constraints; weights are kept. */
+  /** Builds the operators for these constraints; interpolation weights are kept. */
   void set_constrained(const DofMask &mask);
 
   /**
-   * x = M^-1 b. Constrained unknowns of @p b must be zero, those of @p x become so.
-   * Duplicate columns and rows of @p b are ignored, those of @p x are set.
+   * x = M^-1 b. Constrained unknowns of @p b must be zero; those of @p x are set to
+   * zero. Periodic copies in @p b are ignored; those in @p x are set.
    */
   void vmult(NodalField<Number> &x, const NodalField<Number> &b);
 
 private:
-  /** A coarse grid. */
+  /** Data of a coarse grid. */
   template <typename T>
   struct Level
   {
@@ -108,20 +108,20 @@ private:
   Axis finest_x, finest_y;
   bool strong_contrast = false;
 
-  /** Between grids l and l + 1. */
+  /** interpolations[l] is between grids l and l + 1. */
   std::vector<Interpolation> interpolations;
-  /** Of grid l. */
+  /** constrained[l] belongs to grid l. */
   std::vector<ConstrainedUnknowns> constrained;
 
   LineSmoother<2, Number> finest_smoother;
   Transfer<Number> from_finest;
   NodalField<Number> finest_r;
 
-  /** Grid 1. */
+  /** Data of grid 1. */
   Level<Number> first;
-  /** Right-hand side and solution of grid 2 on their way from and to grid 1. */
+  /** Right-hand side and solution of grid 2 in the precision of grid 1. */
   NodalField<Number> interface;
-  /** rest[l - 2] is grid l. */
+  /** rest[l - 2] belongs to grid l. */
   std::vector<Level<double>> rest;
 
   /** Inverse on the coarsest grid (all unknowns of a node together). */

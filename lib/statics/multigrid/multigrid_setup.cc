@@ -9,7 +9,7 @@ namespace mesoslip::multigrid
 {
 namespace
 {
-/** Blocks of the node rows of the finest grid, made from those of the cells. */
+/** Blocks of the node rows of the finest grid, assembled from cell matrices. */
 template <typename Number>
 class FinestBlocks
 {
@@ -42,7 +42,7 @@ public:
         arrays.row(k, 0)[0] += arrays.row(k, 0)[x.n_cells()];
     for (const ConstrainedUnknowns::Node &node : constrained.row(j))
       constrain(node);
-    // The row above; that of the last one is the first, if any.
+    // The row above; above the last row is the first, on a periodic axis.
     for (const ConstrainedUnknowns::Node &node : constrained.row((j + 1) % y.n_nodes()))
       clear_column(node, node.column, 7);
     return {arrays.row(0, 0), arrays.row(3, 0), arrays.row(7, 0),
@@ -53,7 +53,7 @@ private:
   /** 3 of the nodes, 4 to the right, 4 upwards. */
   static constexpr unsigned int n_arrays = 11;
 
-  /** Cell row j; its lower (corner 0) or upper (2) nodes are those of the row. */
+  /** Adds cell row j, whose lower (corner 0) or upper (2) nodes form the row. */
   void add_cells(const unsigned int j, const unsigned int corner)
   {
     Number *to[n_arrays];
@@ -103,7 +103,7 @@ private:
           for (unsigned int d = 0; d < 2; ++d)
             arrays.row(3 + 2 * c + d, 0)[i] = arrays.row(7 + 2 * c + d, 0)[i] = 0;
         }
-    // The node to the left; that of the first one is the last, if any.
+    // The node to the left; left of the first is the last, on a periodic axis.
     clear_column(node, (i > 0 ? i : x.n_nodes()) - 1, 3);
   }
 
@@ -124,7 +124,8 @@ void Multigrid<Number>::build_bottom(const DofMask &mask)
   Eigen::MatrixXd matrix =
     rest.empty() ? first.stencil.dense() : rest.back().stencil.dense();
   const unsigned int n = static_cast<unsigned int>(matrix.rows());
-  // Rigid motions get an energy: they are not in the right-hand side, but for round-off.
+  // Adds energy to rigid motions: they are absent from the right-hand side up to
+  // round-off.
   const double scale  = matrix.trace() / n;
   const double aspect = finest_y.position[1] / finest_x.position[1];
   const RigidModes modes(material, mask);
@@ -141,7 +142,7 @@ void Multigrid<Number>::build_bottom(const DofMask &mask)
       z.normalize();
       matrix.noalias() += scale * z * z.transpose();
     }
-  // In place: fresh memory for copies takes longer than to write them.
+  // In place: allocating copies takes longer than writing them.
   const Eigen::LDLT<Eigen::Ref<Eigen::MatrixXd>> factors(matrix);
   const Eigen::MatrixXd inverse = factors.solve(Eigen::MatrixXd::Identity(n, n));
   bottom_inverse                = NodalField<double>(n, 1, n);

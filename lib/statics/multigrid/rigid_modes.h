@@ -15,10 +15,10 @@
 namespace mesoslip
 {
 /**
- * The rigid motions (a, b, r) in the plane, where a point (x, y) moves by (a - r y,
- * b + r x), that @p mask leaves: eigenvectors for the eigenvalue zero of the sum of m m^T
- * over all constrained components, with m = (1, 0, -y) or (0, 1, x). Place (node) gives
- * x and y, measured such that they are of order one.
+ * The rigid motions (a, b, r) in the plane, with displacements (a - r y, b + r x), that
+ * @p mask does not constrain: null space of the sum of m m^T over all constrained
+ * components, with m = (1, 0, -y) or (0, 1, x). Place (node) gives x and y, scaled to
+ * order one.
  */
 template <typename Place>
 std::vector<Eigen::Vector3d>
@@ -49,16 +49,16 @@ motions_left_by(const DofMask &mask, const bool can_rotate, const Place &place)
 namespace mesoslip::multigrid
 {
 /**
- * The rigid motions that constrained degrees of freedom and periodic sides leave to a grid: the
- * null space of its stiffness. A motion (a, b, r) displaces a point by a - r y, b + r x,
- * with x and y from the middle of the grid in widths of a cell.
+ * The rigid motions of a grid that remain with its constraints and periodic sides: the
+ * null space of its stiffness. A motion (a, b, r) displaces a point by (a - r y, b + r
+ * x), with x and y from the centre of the grid in cell widths.
  */
 class RigidModes
 {
 public:
   RigidModes() = default;
 
-  /** Those of @p material that @p mask leaves. */
+  /** Rigid motions of @p material under the constraints @p mask. */
   RigidModes(const UniformMaterial &material, const DofMask &mask)
     : aspect(material.grid().spacing[1] / material.grid().spacing[0])
   {
@@ -67,7 +67,7 @@ public:
     for (unsigned int d = 0; d < 2; ++d)
       centre[d] = 0.5 * (n_nodes[d] - 1);
 
-    // Measured by the size of the grid, motions are vectors of comparable components.
+    // Scaled by the size of the grid, so that components of the motions are comparable.
     const double size = std::hypot(n_nodes[0], n_nodes[1] * aspect);
     const auto place  = [&](const NodeIndex &node) {
       return std::array<double, 2>{{x(node.i) / size, y(node.j) / size}};
@@ -92,13 +92,14 @@ public:
       orthonormal.push_back({{mode[0], mode[1], mode[2] / size}});
   }
 
-  /** Motions that are orthonormal as nodal vectors; none if nothing is free to move. */
+  /** The remaining rigid motions, orthonormal as nodal vectors; empty if none remains. */
   const std::vector<std::array<double, 3>> &modes() const
   {
     return orthonormal;
   }
 
-  /** Removes the modes from a field (duplicates are not counted but corrected). */
+  /** Projects the modes out of a field (periodic copies are corrected, but do not enter
+   * the projection). */
   void remove_from(NodalField<double> &field) const
   {
     if (orthonormal.empty())
@@ -136,13 +137,13 @@ public:
       }
   }
 
-  /** Position of node column @p i and row @p j in these coordinates. */
+  /** x of node column @p i. */
   double x(const double i) const
   {
     return i - centre[0];
   }
 
-  /** Of row @p j. */
+  /** y of node row @p j. */
   double y(const double j) const
   {
     return (j - centre[1]) * aspect;

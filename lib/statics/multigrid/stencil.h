@@ -10,9 +10,9 @@
 namespace mesoslip::multigrid
 {
 /**
- * The operator of a coarse grid as a symmetric 9-point stencil of 3x3 blocks, the
- * arrays of which are listed in StencilArray; one row of the arrays for each node row.
- * Single precision on the first coarse grid, double on the others.
+ * The operator of a coarse grid as a symmetric 9-point stencil of 3x3 blocks; arrays are
+ * listed in StencilArray, one row of each array per node row. Single precision on the
+ * first coarse grid, double on coarser grids.
  */
 template <typename Number>
 class Stencil
@@ -20,7 +20,7 @@ class Stencil
 public:
   Stencil() = default;
 
-  /** All entries zero. */
+  /** A stencil with all entries zero. */
   Stencil(const Axis &x, const Axis &y)
     : periodic_x(x.periodic)
     , periodic_y(y.periodic)
@@ -55,7 +55,8 @@ public:
       }
   }
 
-  /** After the last row: constrained and empty rows get a unit diagonal, ghosts are filled. */
+  /** Call it after the last row: constrained and empty rows get a unit diagonal, ghosts
+   * are filled. */
   void finish(const ConstrainedUnknowns &constrained)
   {
     constexpr unsigned int diagonal[3] = {0, 3, 5};
@@ -106,7 +107,7 @@ public:
     return arrays.row(k, j);
   }
 
-  /** Numbers from one array of a row to the next. */
+  /** Distance between two arrays of a row. */
   std::size_t component_stride() const
   {
     return arrays.component_stride();
@@ -133,7 +134,7 @@ public:
   }
 
 private:
-  /** Where the block between corners a <= b of a cell goes: an array of the node at a. */
+  /** Array (of the node at corner a) for the block between corners a <= b of a cell. */
   struct CornerBlock
   {
     unsigned int a, b;

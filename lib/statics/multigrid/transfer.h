@@ -31,8 +31,8 @@ public:
   }
 
   /**
-   * coarse = P^T fine, a fine node having 2 or 3 components. The duplicate column and row
-   * that @p fine may have at periodic sides are not read.
+   * coarse = P^T fine, with 2 or 3 components per fine node. Periodic copies in @p fine
+   * are not read.
    */
   template <int n_components>
   void restrict_to(const NodalField<Number> &fine, NodalField<Number> &coarse) const
@@ -69,7 +69,7 @@ public:
           }
   }
 
-  /** fine += P coarse, duplicates left alone; fills the ghosts of @p coarse. */
+  /** fine += P coarse, without periodic copies; fills the ghosts of @p coarse. */
   template <int n_components>
   void prolongate_from(NodalField<Number> &coarse, NodalField<Number> &fine) const
   {
@@ -113,7 +113,7 @@ private:
         o[I] = x.has_middle(I) ? row[x.start(I) + 1] : 0;
       }
     e[m] = p->coarse_x.periodic ? 0 : row[x.start(m)];
-    // A prolongation may have left numbers beyond.
+    // A prolongation may have left values beyond the end.
     std::fill(e + m + 1, e + n_vectors, Number(0));
     std::fill(o + m, o + n_vectors, Number(0));
   }
@@ -135,7 +135,8 @@ private:
       row[x.start(m)] += e[m];
   }
 
-  /** Fine row at coarse node row J, middle row of cell row J from below and above. */
+  /** Transfer to the fine row at coarse node row J; below, to the middle row of cell row
+   * J from below and above. */
   TransferRow<Number> at_node(const unsigned int J) const
   {
     const float *left = p->left.row(0, J);
@@ -169,7 +170,8 @@ private:
       });
   }
 
-  /** With even(I), left(I) and right(I), the weights of coarse nodes I, I and I + 1. */
+  /** A row with even(I), left(I) and right(I), the weights of coarse nodes I, I and I +
+   * 1. */
   template <typename Even, typename Left, typename Right>
   TransferRow<Number> row_of_weights(const double dy,
                                      const Even &even_weight,

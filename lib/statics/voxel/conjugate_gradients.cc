@@ -28,16 +28,16 @@ SolverReport ConjugateGradients::solve(VoxelField<double> &u,
   for (VoxelField<float> *field : {&r, &p, &z})
     if (field->size() == 0)
       *field = VoxelField<float>(grid);
-  std::fill_n(p.data(), p.size(), 0.F);               // not a number times zero is none
-  VoxelField<float> &q   = multigrid.finest_buffer(); // not needed across a cycle
+  std::fill_n(p.data(), p.size(), 0.F);               // as NaN times zero is NaN
+  VoxelField<float> &q   = multigrid.finest_buffer(); // free between cycles
   const double reference = std::sqrt(problem.residual(u, r));
   report                 = {};
   report.residual        = 1.;
   double norm = reference, rz = 0., trusted = reference, least = reference;
   double begun =
-    2. * reference;        // the residual from which the directions were last begun anew
-  bool is_new      = true; // whether they begin with the next one
-  double round_off = 0.;   // that is not round-off
+    2. * reference;        // residual at which the search directions were last restarted
+  bool is_new      = true; // whether directions restart with the next iteration
+  double round_off = 0.;   // smallest residual above round-off
   const auto trust = [&]() {
     u.set_ghosts();
     trusted = norm = std::sqrt(problem.residual(u, r));
@@ -71,7 +71,7 @@ SolverReport ConjugateGradients::solve(VoxelField<double> &u,
       multigrid.finest().clear_held(q.data());
       if (!(pq > 0.) || !(rz > 0.))
         {
-          // Directions are lost to round-off, the displacements are not.
+          // Round-off spoils the directions, but not the displacements.
           trust();
           report.residual = norm / reference;
           if (is_new || !(norm < 0.5 * begun))

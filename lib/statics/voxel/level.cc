@@ -13,14 +13,14 @@ namespace mesoslip::voxel
 namespace
 {
 constexpr unsigned int n_power_iterations = 12;
-/** On coarse grids, where they cost little: their polynomials, of a higher degree, grow
- *  faster beyond the largest eigenvalue, and the preconditioner is no longer definite if that
- *  is 2 % off. */
+/** Iterations on coarse grids, where they are cheap. Polynomials of higher degree grow
+ * faster beyond the largest eigenvalue: with an error of 2 % the preconditioner is no
+ * longer definite. */
 constexpr unsigned int n_coarse_power_iterations = 60;
 constexpr double coarse_cells                    = 3e5;
-/** What a power iteration of so few steps falls short of. */
+/** Compensates the underestimate of a power iteration with few steps. */
 constexpr double safety = 1.12;
-/** Edges that differ by no more are equal. */
+/** Edges with a smaller relative difference are equal. */
 constexpr double equal_edges = 1e-14;
 } // namespace
 
@@ -87,7 +87,7 @@ void Level::hold(const HeldComponents &held, const Springs &by_springs)
   for (const std::size_t place : held_places)
     {
       replaced.emplace_back(place, inverse[place]);
-      inverse[place] = 0.F; // no step moves these
+      inverse[place] = 0.F; // no step changes these
     }
 }
 
@@ -130,7 +130,7 @@ void Level::add_forces_of_springs(const VoxelField<float> &x,
     forces.data()[spring.row] -= spring.stiffness * x.data()[spring.column];
 }
 
-/** A step of Chebyshev's, of which @p step knows the factors. */
+/** A Chebyshev step with the factors in @p step. */
 void Level::step_on_springs(const SweepArguments<float> &step,
                             VoxelField<float> &x,
                             const VoxelField<float> &b,
@@ -242,7 +242,7 @@ void Level::smooth(const Smoothing &smoothing,
           a.step            = static_cast<float>(2. * next / radius);
           rho               = next;
         }
-      // Of a solution that began with zero the first change is all.
+      // If the solution began with zero, the first increment is the solution itself.
       a.x_is_d  = step == 1 && from_zero;
       a.is_last = step + 1 == smoothing.degree;
       if (step == 0 && from_zero)
@@ -268,7 +268,7 @@ std::vector<BrickMatrix> cell_matrices(const VoxelGrid &grid,
 {
   if (!grid.flat)
     return brick_matrices(grid.spacing, n_coefficients);
-  // A quarter, as the coefficients are four times those of bricks.
+  // A quarter, as the coefficients are four times the bricks'.
   const bool apart = n_coefficients == n_plane_apart;
   const std::vector<BrickMatrix> all =
     brick_matrices(grid.spacing, apart ? n_general_apart : n_general);
@@ -283,8 +283,8 @@ std::vector<BrickMatrix> cell_matrices(const VoxelGrid &grid,
   return result;
 }
 
-/** The diagonal is the sum of those of the cells around a node: of eight or, as both ends of
- *  y are one node of flat ones, of four pairs. */
+/** The diagonal is the sum of the diagonals of the cells around a node: eight cells, or
+ * on a flat grid, where both ends of y are one node, four pairs. */
 void Level::set_inverse_diagonal()
 {
   const unsigned int n                    = stiffness.n_coefficients;
@@ -300,7 +300,8 @@ void Level::set_inverse_diagonal()
           for (unsigned int corner = 0; corner < 8; ++corner)
             for (unsigned int m = 0; m < n; ++m)
               {
-                // The node is this corner of the cell that begins one before, or at it.
+                // The node is this corner of the cell before it, or of the cell that
+                // begins at it.
                 const unsigned int back = corner & 1U;
                 const float *row =
                   stiffness.row(grid, m, j - (corner >> 1 & 1U), k - (corner >> 2));
@@ -321,7 +322,7 @@ void Level::estimate_largest_eigenvalue()
   VoxelField<float> x(grid), q(grid);
   for (unsigned int k = 1; k <= grid.n_nodes(2); ++k)
     {
-      // The same for any number of ranks.
+      // Start vector independent of the number of ranks.
       std::uint32_t state = 2654435761U * (grid.below() + k);
       for (unsigned int j = 1; j <= grid.n_nodes(1); ++j)
         for (unsigned int c = 0; c < grid.n_components(); ++c)

@@ -27,52 +27,53 @@ struct CellStiffness
   }
 };
 
-/** Polynomial of a smoother: its degree, and the share of the spectrum it works on, from
- *  the largest eigenvalue down to this fraction of it. */
+/** Polynomial of a smoother: its degree and the part of the spectrum it damps, from the
+ * largest eigenvalue down to this fraction of it. */
 struct Smoothing
 {
-  unsigned int degree = 2;      ///< steps
-  double range        = 1. / 8; ///< of the spectrum
+  unsigned int degree = 2;      ///< number of steps
+  double range        = 1. / 8; ///< fraction of the largest eigenvalue
 };
 
-/** Stiffness of springs that hold nodes, in units of that of the kernels; without numbers there are
- *  none. */
+/** Stiffness of springs at nodes, in the kernels' unit; empty fields: no springs. */
 struct Springs
 {
   VoxelField<float> direct; ///< xx, yy and zz
   VoxelField<float> mixed;  ///< yz, xz and xy
 };
 
-/** A grid of the multigrid: stiffness in single precision and Chebyshev's smoother with the
- *  diagonal. */
+/** A grid of the multigrid: stiffness in single precision and a Chebyshev smoother with
+ * the diagonal. */
 class Level
 {
 public:
-  /** Estimates the largest eigenvalue of D^-1 K where what is @p held is left out. */
+  /** Estimates the largest eigenvalue of D^-1 K without the constrained components
+   * @p held. */
   Level(const VoxelGrid &grid, CellStiffness &&stiffness, const HeldComponents &held);
 
-  /** Holds other components of Sides::mixed, and nodes by springs; the estimate stays, which is not
-   *  less than that where none is held. */
+  /** Sets constrained components of Sides::mixed and springs. The eigenvalue estimate is
+   * kept: it is an upper bound, since it was made without them. */
   void hold(const HeldComponents &held, const Springs &by_springs = {});
 
-  /** Places of the held components in the numbers of a VoxelField. */
+  /** Indices of constrained components in the numbers of a VoxelField. */
   const std::vector<std::size_t> &held() const
   {
     return held_places;
   }
 
-  /** Zero for the components of @p field, the numbers of a VoxelField, that are held. */
+  /** Sets the constrained components of @p field, the numbers of a VoxelField, to
+   * zero. */
   void clear_held(float *field) const;
 
-  /** From now on the stiffness is that of the phases of the cells, which have to outlive it,
-   *  as in kernels.h; what is stored is given back. @p table: as SweepArguments has it, @p
-   *  of_product: that of product(). */
+  /** Looks stiffness up by phase from now on (as in kernels.h) and frees the per-cell
+   * coefficients. @p phases must outlive the level. @p table: see SweepArguments,
+   * @p of_product: the table of product(). */
   void take_phases(const CellIndices &phases,
                    const Source kind_of_phases,
                    LineVector<float> &&table,
                    LineVector<float> &&of_product);
 
-  /** out = K x, ghosts of x set; returns x.K x over all ranks. Collective. */
+  /** out = K x, with ghosts of x set; returns x.K x over all ranks. Collective. */
   double product(VoxelField<float> &x, VoxelField<float> &out);
 
   /** out = b - K x. */
@@ -85,18 +86,19 @@ public:
               const VoxelField<float> &b,
               VoxelField<float> &d);
 
-  const VoxelGrid grid;    ///< its cells
-  CellStiffness stiffness; ///< of them
+  const VoxelGrid grid;    ///< nodes and cells
+  CellStiffness stiffness; ///< coefficients of the cells
 
-  /** Part of a row of the stiffness of springs; places in the numbers of a VoxelField. */
+  /** An entry of the spring stiffness matrix; indices refer to the numbers of a
+   * VoxelField. */
   struct Spring
   {
-    std::size_t row    = 0;  ///< place of the component of the force
-    std::size_t column = 0;  ///< place of that of the displacement
-    float stiffness    = 0.; ///< in units of that of the kernels
+    std::size_t row    = 0;  ///< index of the force component
+    std::size_t column = 0;  ///< index of the displacement component
+    float stiffness    = 0.; ///< in the kernels' unit
   };
 
-  /** Those of this rank's nodes. */
+  /** Spring entries of locally owned nodes. */
   const std::vector<Spring> &springs() const
   {
     return all_springs;
@@ -118,13 +120,13 @@ private:
   void set_inverse_diagonal();
   void estimate_largest_eigenvalue();
 
-  /** [z][y][n_diagonals][stride]; equal for the three components of cubes unless some are
-   *  held. */
+  /** [z][y][n_diagonals][stride]; one value for the three components of cubes unless some
+   * are constrained. */
   LineVector<float> inverse;
   std::vector<std::size_t>
-    held_places; ///< in fields, and in inverse, which is zero there
+    held_places; ///< constrained indices in fields and in `inverse`, which is zero there
   std::vector<Spring> all_springs;
-  std::vector<std::pair<std::size_t, float>> replaced; ///< of inverse, by springs or zero
+  std::vector<std::pair<std::size_t, float>> replaced; ///< entries, original values
   VoxelField<float> left;                              ///< residual of a step on springs
   LineVector<float> work;
   LineVector<float> table, product_table;
@@ -134,15 +136,15 @@ private:
   double largest = 0.;
 };
 
-/** Stiffness of a brick for each coefficient of the kernels; of a flat grid the unknowns along
- *  x and z of both ends of y are the same, and those along y are none. */
+/** Stiffness of a brick for each coefficient of the kernels; on a flat grid the unknowns
+ * along x and z at both ends of y coincide, and there are none along y. */
 std::vector<BrickMatrix> cell_matrices(const VoxelGrid &grid,
                                        const unsigned int n_coefficients);
 
-/** What the cells of a grid are, with so many coefficients. */
+/** Kind of the cells of a grid with this number of coefficients. */
 Cells cells_of(const VoxelGrid &grid, const unsigned int n_coefficients);
 
-/** The sweep for these cells. */
+/** The sweep for a source and kind of cells. */
 template <typename Number>
 auto sweep_of(const Kernels::Sweeps<Number> &sweeps,
               const Source source,
@@ -151,7 +153,7 @@ auto sweep_of(const Kernels::Sweeps<Number> &sweeps,
   return sweeps[static_cast<unsigned int>(source)][static_cast<unsigned int>(cells)];
 }
 
-/** Arguments of a sweep that follow from the grid. @p work gets its size. */
+/** Arguments of a sweep that follow from the grid. Resizes @p work. */
 template <typename Number>
 SweepArguments<Number> sweep_arguments(const VoxelGrid &grid, LineVector<Number> &work)
 {

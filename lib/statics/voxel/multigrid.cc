@@ -11,12 +11,13 @@ namespace mesoslip::voxel
 {
 namespace
 {
-/** Energies below this share of the largest are those of rigid motions. */
+/** Motions with an energy below this share of the largest are rigid motions. */
 constexpr double rigid_energy = 1e-11;
-/** A grid with fewer planes on a rank is not divided. */
+/** A grid with fewer planes on a rank is replicated. */
 constexpr unsigned int fewest_planes = 4;
 
-/** Number of the unknown, or of none, of a node (field numbers) on the coarsest grid. */
+/** Number of the unknown of a node (field numbers) on the coarsest grid; none:
+ * negative. */
 long unknown(const VoxelGrid &grid,
              std::array<unsigned int, 3> node,
              const unsigned int axis)
@@ -39,7 +40,7 @@ long unknown(const VoxelGrid &grid,
   return grid.n_components() * number + c;
 }
 
-/** Gives all ranks what each has of it, with the ghosts. */
+/** Gathers the parts of all ranks on every rank, with ghosts. */
 HeldComponents of_all_ranks(const HeldComponents &part, const VoxelGrid &whole)
 {
   HeldComponents held(whole);
@@ -98,7 +99,8 @@ void Multigrid::hold(HeldComponents held, Springs springs)
   invert_bottom();
 }
 
-/** Puts the components that are @p held on it in the place of those of the grid before. */
+/** Adds a level; replaces the constraints @p held of the finer grid by those of this
+ * grid. */
 void Multigrid::add_level(VoxelGrid grid, CellStiffness &&stiffness, HeldComponents &held)
 {
   if (held.size() > 0)
@@ -163,7 +165,7 @@ void Multigrid::assemble_bottom()
     }
 }
 
-/** With springs, and zero where it is held. */
+/** Pseudo-inverse with springs; zero at constrained components. */
 void Multigrid::invert_bottom()
 {
   const Level &level    = levels.back();

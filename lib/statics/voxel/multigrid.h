@@ -12,40 +12,42 @@
 namespace mesoslip::voxel
 {
 /**
- * Preconditioner for the stiffness of voxels, in single precision: one V cycle, symmetric,
- * with Chebyshev's smoother on every grid and means of the stiffness on the coarse ones,
- * with which a prototype took as many iterations as with Galerkin operators. Coarser
- * grids are smoothed more: inclusions that touch on a coarse grid and not on a fine one are
- * moved by the latter alone, and steps there cost an eighth.
+ * Preconditioner for the stiffness of voxels, in single precision: one symmetric V cycle
+ * with Chebyshev smoothers on every grid. Coarse grids have averaged stiffness; a
+ * prototype with Galerkin operators took as many iterations. Coarser grids are smoothed
+ * more: inclusions that touch on a coarse but not on a fine grid are resolved only by
+ * the latter, and steps on the coarse one cost an eighth.
  *
- * Grids with few planes a rank are not divided: every rank does the same there. All
- * members are collective.
+ * Grids with few planes per rank are replicated: every rank does the same work there.
+ * All members are collective.
  */
 class Multigrid
 {
 public:
-  /** Smoothing of grid 0, and by how much the degree grows from grid to grid. */
+  /** Smoothing of grid 0, and growth of the degree from grid to grid. */
   struct Options
   {
-    Smoothing finest;           ///< of grid 0
-    unsigned int growth   = 1;  ///< of the degree, from grid to grid
-    unsigned int greatest = 32; ///< degree
+    Smoothing finest;           ///< smoothing of grid 0
+    unsigned int growth   = 1;  ///< factor of the degree from grid to grid
+    unsigned int greatest = 32; ///< largest degree
   };
 
-  /** Takes the finest grid; ghost cells of @p stiffness and ghosts of @p held are set. */
+  /** Takes the finest grid; ghost cells of @p stiffness and ghosts of @p held must be
+   * set. */
   Multigrid(const VoxelGrid &grid,
             CellStiffness &&stiffness,
             const Options &options,
             HeldComponents held);
 
-  /** Holds other components of Sides::mixed, whose ghosts are set, and nodes by @p springs, of which
-   *  coarse grids have what their nodes take of forces. */
+  /** Sets constrained components of Sides::mixed, whose ghosts must be set, and
+   * @p springs; springs of coarse grids follow from the share of forces that their nodes
+   * take. */
   void hold(HeldComponents held, Springs springs = {});
 
   /** @p solution = M^-1 @p force; ghosts of @p solution are set. */
   void vmult(VoxelField<float> &solution, const VoxelField<float> &force);
 
-  /** Grid 0. */
+  /** The finest level, grid 0. */
   Level &finest()
   {
     return levels.front();
@@ -66,16 +68,16 @@ private:
   void solve_bottom(VoxelField<float> &solution, const VoxelField<float> &force) const;
 
   std::deque<Level> levels;
-  std::vector<Transfer> transfers; ///< from grid l to l + 1
+  std::vector<Transfer> transfers; ///< transfers[l] is between grids l and l + 1
   std::vector<Smoothing> smoothings;
   std::vector<VoxelField<float>> x, b, d; ///< x and b of grid 0 are the caller's
 
-  /** The first grid that is not divided and follows one that is, if any; parts of its x and
-   *  b as the latter is divided. */
+  /** The first replicated grid after a partitioned one, if any; parts of its x and b in
+   * the partition of the grid before it. */
   std::size_t first_whole = 0;
   VoxelField<float> part_x, part_b;
-  Eigen::MatrixXd bottom; ///< stiffness of the coarsest grid, without holds and springs
-  Eigen::MatrixXd bottom_inverse; ///< its pseudo-inverse with them
+  Eigen::MatrixXd bottom;         ///< stiffness of the coarsest grid, unconstrained
+  Eigen::MatrixXd bottom_inverse; ///< its pseudo-inverse with constraints
 };
 } // namespace mesoslip::voxel
 

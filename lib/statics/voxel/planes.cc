@@ -6,7 +6,7 @@ namespace mesoslip::voxel
 {
 namespace
 {
-constexpr int upwards = 81, downwards = 82; ///< tags of messages
+constexpr int upwards = 81, downwards = 82; ///< message tags
 
 MPI_Datatype type_of(const float *)
 {
@@ -18,7 +18,7 @@ MPI_Datatype type_of(const double *)
   return MPI_DOUBLE;
 }
 
-/** A plane as one item of a message. */
+/** MPI type of a plane as a single item. */
 class PlaneType
 {
 public:
@@ -38,7 +38,7 @@ public:
   MPI_Datatype type = MPI_DATATYPE_NULL;
 };
 
-/** The rank @p step further, or none. */
+/** The rank @p step further, or MPI_PROC_NULL. */
 int neighbour(const VoxelGrid &grid, const int step)
 {
   const int n     = static_cast<int>(grid.planes.size()) - 1,
@@ -48,8 +48,9 @@ int neighbour(const VoxelGrid &grid, const int step)
   return other < 0 || other >= n ? MPI_PROC_NULL : other;
 }
 
-/** Sends a plane to the rank @p step further; what comes from the other side is stored in
- *  @p received. Whether there is something. */
+/** Sends a plane to the rank @p step further and stores the plane from the other side in
+ * @p received.
+ * @return whether a plane arrived */
 template <typename Number>
 bool shift(const VoxelGrid &grid,
            const int step,
@@ -64,7 +65,7 @@ bool shift(const VoxelGrid &grid,
   return from != MPI_PROC_NULL;
 }
 
-/** The same, and what comes is added to @p sum. */
+/** As shift(), but adds the plane that arrives to @p sum. */
 void shift_and_add(const VoxelGrid &grid,
                    const int step,
                    const float *sent,
@@ -95,8 +96,8 @@ void divide(VoxelGrid &grid, const MPI_Comm communicator)
 
 void divide_as(const VoxelGrid &fine, VoxelGrid &coarse)
 {
-  // In units of the box over the product of both numbers of cells, node i of the fine grid
-  // is at (i - first) m, node i of the coarse one at (i - first) n.
+  // In units of the box over the product of both numbers of cells, node i of the fine
+  // grid is at (i - first) m, node i of the coarse one at (i - first) n.
   const std::size_t n = fine.cells[2], m = coarse.cells[2];
   for (unsigned int &below : coarse.planes)
     {

@@ -9,16 +9,16 @@ namespace mesoslip::voxel
 {
 namespace
 {
-/** The residual is computed anew when it has dropped by such a factor: single precision. A
- *  displacement that grows over the whole body (free sides), or over the many cells that an
- *  axis of a flat body has, leaves much less of the forces of cells when they cancel. */
+/** Drop of the residual after which it is recomputed, since it is in single precision.
+ * The cell forces cancel to a much smaller sum if a displacement grows over the whole
+ * body (free sides), or over the many cells along an axis of a flat body. */
 double trusted_drop(const VoxelGrid &grid)
 {
   return grid.flat || grid.sides == Sides::free ? 1e-2 : 1e-4;
 }
 
-/** What is left of the forces of a homogeneous volume, relative to those of its cells, is
- *  round-off. */
+/** Forces of a homogeneous volume cancel to round-off; below this share of the cells'
+ * forces they are zero. */
 constexpr double cancelled = 1e-12;
 
 VoxelGrid kind_of(const Sides sides, const bool flat)
@@ -62,11 +62,11 @@ void Solver::hold(const HeldOnSides &held)
                 components.row(c, j, k)[i] = 1.F;
           }
   components.set_ghosts();
-  multigrid.reset(); // not two at once
+  multigrid.reset(); // avoids two in memory
   multigrid = K.make_multigrid(std::move(components));
 }
 
-/** Norm of the loads of the cells before they cancel; see load_of(). */
+/** Norm of the cells' loads before they cancel; see load_of(). */
 double Solver::gross_load(const unsigned int k) const
 {
   const VoxelGrid &grid = K.grid;
@@ -81,14 +81,14 @@ double Solver::gross_load(const unsigned int k) const
             k == heat                   ? K.of_phases[phase].thermal_stress[m] / K.modulus
             : grid.sides == Sides::free ? (m == k ? 1. : 0.)
                                         : K.of_phases[phase].stiffness(m, k) / K.modulus;
-          // On each of eight nodes, or of four that have twice as much.
+          // On each of eight nodes, or on each of four nodes twice as much.
           const double force = stress * volume / (4. * grid.spacing[d]);
           sum += K.n_cells[phase] * (grid.flat ? 16. : 8.) * force * force;
         }
   return std::sqrt(sum);
 }
 
-/** What all cells have in load case @p k. */
+/** Strain and stress of all cells in load case @p k. */
 CellLoad Solver::load_of(const unsigned int k) const
 {
   const auto &edge    = K.grid.spacing;
@@ -103,12 +103,12 @@ CellLoad Solver::load_of(const unsigned int k) const
   return load;
 }
 
-/** Adds those of the thermal stresses of the cells around the nodes. */
+/** Adds the nodal forces of thermal stresses in the cells around the nodes. */
 void Solver::add_forces_of_heat(VoxelField<double> &force) const
 {
   const VoxelGrid &grid = K.grid;
   const double volume   = grid.spacing[0] * grid.spacing[1] * grid.spacing[2];
-  // Of a flat grid the nodes at both ends of y are one.
+  // On a flat grid the nodes at both ends of y are one.
   const double share = volume / ((grid.flat ? 2. : 4.) * K.modulus);
   for_each_row(
     grid, [&](const unsigned int c, const unsigned int j, const unsigned int k) {
@@ -118,7 +118,7 @@ void Solver::add_forces_of_heat(VoxelField<double> &force) const
           for (unsigned int i = 1; i <= grid.n_nodes(0); ++i)
             for (unsigned int x = 0; x < 2; ++x)
               {
-                // Of the cell before the node along an axis the node is at the upper end.
+                // The node is at the upper end of the cell before it along an axis.
                 const std::array<unsigned int, 3> before = {{1 - x, 1 - y, 1 - z}};
                 const std::size_t phase =
                   K.phases[K.grid.cell_row(j - before[1], k - before[2]) * grid.stride() +
@@ -134,7 +134,7 @@ void Solver::add_forces_of_heat(VoxelField<double> &force) const
     });
 }
 
-/** outer() of one kelvin: the forces differ from cell to cell. */
+/** outer() for one kelvin, where the forces differ from cell to cell. */
 double Solver::outer_of_heat(VoxelField<double> &v, VoxelField<float> &out)
 {
   VoxelField<double> exact(K.grid);
@@ -168,7 +168,7 @@ void Solver::residual(const unsigned int k,
   AssertThrow(k != heat, dealii::ExcMessage("Not of the case of heat."));
   v.set_ghosts();
   outer(k, v, multigrid->finest_buffer(), out.data());
-  // From the units of stress and length.
+  // Converts from the units of stress and length.
   const double unit =
     (K.grid.sides == Sides::free ? 1. : K.modulus) * K.length * K.length;
   for (std::size_t i = 0; i < out.size(); ++i)
@@ -199,7 +199,7 @@ Solver::solve(const unsigned int k, const double tolerance, const unsigned int l
   problem.trusted_drop      = trusted_drop(K.grid);
   const SolverReport report = iteration.solve(u, *multigrid, problem);
   if (K.grid.sides == Sides::mixed && k != heat)
-    K.forces(load_of(k), u, iteration.r); // other load cases move what this one holds
+    K.forces(load_of(k), u, iteration.r); // cases have different constraints
   keep(k);
   return report;
 }

@@ -12,28 +12,29 @@
 namespace mesoslip::voxel
 {
 /** Whether the displacement along axis c is zero on the two sides across an axis:
- *  [across][c]. */
+ * [across][c]. */
 using HeldOnSides = std::array<std::array<bool, 3>, 3>;
 
 /**
  * The six unit load cases of a volume of voxels, see Stiffness and ConjugateGradients.
  *
- * Held, periodic and mixed sides: u = E.x + fluctuation with a unit strain E (engineering
- * shear), the fluctuation being zero at the sides (KUBC), periodic (PBC, up to a translation)
- * or zero in some components (MUBC, see hold()).
- * Free sides: tractions S.n of a unit stress (SUBC, up to a rigid motion), and the whole
- * displacement is called fluctuation.
+ * Held, periodic and mixed sides: u = E.x + fluctuation with a unit strain E
+ * (engineering shear), the fluctuation being zero at the sides (KUBC), periodic (PBC, up
+ * to a translation) or zero in some components (MUBC, see hold()).
+ * Free sides: tractions S.n of a unit stress (SUBC, up to a rigid motion); the
+ * fluctuation is then the whole displacement.
  *
- * A flat box (VoxelGrid::flat) has three load cases, xx, zz and xz in Voigt order: what the
- * matrices below have in other rows and columns is neither read nor, in results, of meaning.
+ * A flat box (VoxelGrid::flat) has three load cases, xx, zz and xz in Voigt order; other
+ * rows and columns of the matrices below are not read, and undefined in results.
  *
- * Planes across z are divided among the ranks (see VoxelGrid); a box of fewer than two a
- * rank is solved by every rank alone. All members but those that say so are collective.
+ * Planes across z are divided among the ranks (see VoxelGrid); a box of fewer than two
+ * planes per rank is solved by every rank on its own. All members are collective unless
+ * documented otherwise.
  */
 class Solver
 {
 public:
-  /** Cells of @p map, which all ranks have. See below. */
+  /** Cells of @p map, which is replicated on all ranks; see the other constructor. */
   Solver(const PhaseMap<3> &map,
          const std::vector<ElasticPhase<3>> &the_phases,
          const Sides sides,
@@ -44,10 +45,10 @@ public:
   }
 
   /**
-   * Phases of the cells of a box, which are needed no longer, have @p the_phases; at
-   * most 65535 of them. From 256 on they are called materials: cells take two bytes
-   * instead of one, and all count as anisotropic. @p flat: see VoxelGrid; the box has one cell
-   * along y, and there are at most 255 phases.
+   * @p cells holds the phase numbers of the cells of a box (not needed later) in
+   * @p the_phases; at most 65535 phases. From 256 on they are called materials: cells
+   * take two bytes instead of one, and all are treated as anisotropic. @p flat: see
+   * VoxelGrid; the box has one cell along y, and there are at most 255 phases.
    * @throws std::invalid_argument for a phase without a stiffness
    */
   Solver(const CellPlanes &cells,
@@ -55,54 +56,53 @@ public:
          const Sides sides,
          const bool flat = false);
 
-  /** Of mixed sides: components of the fluctuation that are zero on them from now on; to be
-   *  called before the first solve(), and between load cases that differ. */
+  /** For mixed sides: sets the components of the fluctuation that are zero on them; call
+   * it before the first solve(), and between load cases with different constraints. */
   void hold(const HeldOnSides &held);
 
-  /** Number of the load case of one kelvin without macroscopic strain (free sides: stress), where
-   *  ElasticPhase::thermal_stress is what holds it. */
+  /** Number of the load case of one kelvin without macroscopic strain (free sides:
+   * stress); its load is ElasticPhase::thermal_stress. */
   static constexpr unsigned int heat = 6;
 
   /**
-   * Solves load case @p k (Voigt, or heat) from zero until the residual is @p tolerance times that
-   * of zero. @p limit bounds the iterations.
+   * Solves load case @p k (Voigt, or heat) from zero until the residual is @p tolerance
+   * times the initial one. @p limit bounds the iterations.
    * @throws NotConverged
    */
   SolverReport
   solve(const unsigned int k, const double tolerance, const unsigned int limit = 2000);
 
-  /** Solves all; @p progress gets the number of those that are done. */
+  /** Solves all load cases; @p progress gets the number of completed cases. */
   std::array<SolverReport, 6>
   solve_all(const double tolerance,
             const std::function<void(unsigned int)> &progress = {});
 
   /**
-   * Effective stiffness (Pa) from the energies, which is of second order in the error of
-   * the solutions; entries of two load cases that hold() other components are their energy, but
-   * no stiffness. Only after solve_all().
+   * Effective stiffness (Pa) from the energies, of second order in the error of the
+   * solutions. Entries between load cases with different hold() are energies without
+   * meaning as stiffness. Only after solve_all().
    */
   VoigtMatrix<3> effective_stiffness() const;
 
-  /** What the cells of a phase have together. */
+  /** Strain sums of a phase. */
   struct PhaseStrains
   {
     double n_cells; ///< number of cells of the phase, summed over the ranks
 
-    /** Sum over these cells of RowOfCells::strain, a column for each load case that was
-     *  solved. */
+    /** Sum of RowOfCells::strain over these cells, a column for each solved load case. */
     UnitStrains<3> sum;
   };
 
-  /** Of each phase, in the order of the stiffnesses. Not collective. */
+  /** Sums by phase, in the order of the phases. Not collective. */
   std::vector<PhaseStrains> phase_strains() const;
 
   /** Strains of a row of cells along x. */
   struct RowOfCells
   {
-    std::vector<unsigned int> phase; ///< of each cell
+    std::vector<unsigned int> phase; ///< per cell
 
-    /** Mean strain (for free sides: for 1 Pa) of each cell, that of E included: [load
-     *  case][Voigt component]. */
+    /** Mean strain of each cell (free sides: for 1 Pa), including E: [load case][Voigt
+     * component]. */
     std::array<std::array<std::vector<double>, 6>, 7> strain;
   };
 
@@ -113,11 +113,12 @@ public:
   /** Displacements of the nodes of a row of cells along x. */
   struct NodesOfRow
   {
-    std::vector<unsigned int> phase; ///< of each cell
+    std::vector<unsigned int> phase; ///< per cell
 
-    /** Component @p c of a field, under load case @p load, of node @p i of the row of nodes at the lower (0) or
-     *  upper ends along y (1) and z (2) of the cells: the fluctuation, for free sides the displacement for 1 Pa;
-     *  in the unit of length of grid(). */
+    /** Component @p c of a field under load case @p load at node @p i of a row of nodes.
+     * @p side: lower (0) or upper end of the cells along y (adds 1) and z (adds 2). The
+     * field is the fluctuation, for free sides the displacement for 1 Pa; in the unit of
+     * length of grid(). */
     double displacement(const unsigned int load,
                         const unsigned int c,
                         const unsigned int side,
@@ -127,20 +128,21 @@ public:
       return values.empty() ? 0. : factor[load] * values[first + i];
     }
 
-    std::array<double, 7> factor = {}; ///< from the numbers that are kept
+    std::array<double, 7> factor = {}; ///< scaling of the stored numbers
     unsigned int first           = 0;  ///< ghosts before the first node
-    std::array<std::array<std::array<std::vector<double>, 4>, 3>, 7> u; ///< that are kept
+    std::array<std::array<std::array<std::vector<double>, 4>, 3>, 7> u; ///< kept numbers
   };
 
-  /** Evaluates the same row as the function above. */
+  /** Evaluates the nodal displacements of the same row. */
   void evaluate(const unsigned int j, const unsigned int k, NodesOfRow &row) const;
 
-  /** Forces (N) of the load of case k less those of the unknowns @p v, a field of grid(),
-   *  in edges along y (for free sides: times the unit of stress over 1 Pa, the largest
-   *  entry of all stiffnesses); its ghosts are set. */
+  /** Residual forces (N): load of case k minus forces of the unknowns @p v, a field of
+   * grid(), in edges along y (free sides: times the unit of stress over 1 Pa, the
+   * largest entry of all stiffnesses); its ghosts are set. */
   void residual(const unsigned int k, VoxelField<double> &v, VoxelField<double> &out);
 
-  /** Nodes and cells as the fields count them; lengths in edges along y. Not collective. */
+  /** Nodes and cells in the numbering of the fields; lengths in edges along y. Not
+   * collective. */
   const VoxelGrid &grid() const
   {
     return K.grid;
@@ -169,10 +171,10 @@ private:
   std::unique_ptr<Multigrid> multigrid; ///< none without unknowns, or before hold()
   ConjugateGradients iteration;
   HeldOnSides held_on_sides = {};
-  unsigned int n_solved     = 0;       ///< cases in order that are
-  VoxelField<double> u;                ///< of the case that is being solved
-  std::array<PackedField, 7> kept;     ///< those that were
-  std::vector<UnitStrains<3>> strains; ///< of the fluctuations, summed for each phase
+  unsigned int n_solved     = 0;       ///< number of load cases solved so far, in order
+  VoxelField<double> u;                ///< solution of the current load case
+  std::array<PackedField, 7> kept;     ///< solutions of earlier load cases
+  std::vector<UnitStrains<3>> strains; ///< sums of fluctuation strains per phase
   VoigtMatrix<3> corrections = VoigtMatrix<3>::Zero(); ///< u_k . residual of l, k <= l
 };
 } // namespace mesoslip::voxel

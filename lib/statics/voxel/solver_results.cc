@@ -13,8 +13,8 @@ namespace
 /** Mean strains of a row of cells, [Voigt component]. */
 using RowOfStrains = std::array<std::vector<double>, 6>;
 
-/** Adds the mean strains of a row of cells from component @p c along four rows of nodes,
- *  numbered by y and 2 z; @p unit is 1 / (4 h). */
+/** Adds the mean strains of a row of cells by component @p c along four rows of nodes,
+ * numbered y + 2 z; @p unit is 1 / (4 h). */
 void add_strains(const double *const at[4],
                  const double unit[3],
                  const double factor,
@@ -37,9 +37,9 @@ void add_strains(const double *const at[4],
     }
 }
 
-/** Adds those of the row @p line of plane @p plane of cells (numbers in a field), with
- *  row(corner, component of a field, j, k) from the first ghost on for the four rows of
- *  nodes, of which those of a flat grid are two twice. */
+/** Adds the strains of row @p line of plane @p plane of cells (numbers in a field).
+ * row(corner, component of a field, j, k) returns one of the four rows of nodes around
+ * it, from the first ghost on; on a flat grid these are two rows, each used twice. */
 template <typename Row>
 void add_strains(const VoxelGrid &grid,
                  const unsigned int line,
@@ -61,18 +61,18 @@ void add_strains(const VoxelGrid &grid,
 }
 } // namespace
 
-/** Place among the phases of the first cell of a row. */
+/** Index in the phases of the first cell of a row. */
 std::size_t Solver::first_cell_of_row(const unsigned int line,
                                       const unsigned int plane) const
 {
   return K.grid.cell_row(line, plane) * K.grid.stride() + K.grid.first();
 }
 
-/** What is wanted later of the displacements u of load case @p k and their residual. */
+/** Stores the displacements u of load case @p k and the sums needed later. */
 void Solver::keep(const unsigned int k)
 {
   sum_strains(k);
-  iteration.release(); // before memory is taken
+  iteration.release(); // before memory is allocated
   kept[k] = PackedField();
   kept[k] = PackedField(u);
   for (unsigned int l = 0; l <= k && k != heat; ++l)
@@ -80,7 +80,7 @@ void Solver::keep(const unsigned int k)
       corrections(l, k) = dot_with_kept(l);
 }
 
-/** r.u of load case @p k, over the ranks. */
+/** r.u of load case @p k, summed over the ranks. */
 double Solver::dot_with_kept(const unsigned int k)
 {
   LineVector<double> row(K.grid.stride());
@@ -97,7 +97,7 @@ double Solver::dot_with_kept(const unsigned int k)
   return sum_over_ranks(K.grid, sum);
 }
 
-/** The column of @p k of the strains of each phase, from the displacements u. */
+/** Sets column @p k of the strain sums of each phase, from the displacements u. */
 void Solver::sum_strains(const unsigned int k)
 {
   std::vector<double> sums(6 * strains.size());
@@ -140,7 +140,7 @@ std::vector<Solver::PhaseStrains> Solver::phase_strains() const
   return result;
 }
 
-/** In units of the modulus. */
+/** Volume mean of the stiffness, in units of the modulus. */
 VoigtMatrix<3> Solver::mean_stiffness() const
 {
   const double all    = std::accumulate(K.n_cells.begin(), K.n_cells.end(), 0.);
@@ -156,7 +156,7 @@ VoigtMatrix<3> Solver::effective_stiffness() const
               dealii::ExcMessage("All load cases have to be solved."));
   if (!multigrid)
     return mean_stiffness() * K.modulus;
-  // Loads are stresses that are constant in each cell: their work is that of mean strains.
+  // Loads are constant stresses in each cell: their work is the work on mean strains.
   const double cells          = 1. * K.grid.cells[0] * K.grid.cells[1] * K.grid.cells[2];
   const double volume         = K.grid.spacing[0] * K.grid.spacing[1] * K.grid.spacing[2];
   VoigtMatrix<3> work_of_load = VoigtMatrix<3>::Zero();
@@ -170,7 +170,7 @@ VoigtMatrix<3> Solver::effective_stiffness() const
     for (unsigned int l = k; l < 6; ++l)
       work_of_load(k, l) = work_of_load(l, k) =
         work_of_load(k, l) + corrections(k, l) / (volume * cells);
-  if (K.grid.flat) // so that there is an inverse
+  if (K.grid.flat) // makes the matrix invertible
     for (const unsigned int k : {1, 3, 5})
       work_of_load(k, k) = 1.;
   if (K.grid.sides == Sides::free)
@@ -187,7 +187,8 @@ void Solver::read_phases(const unsigned int line,
     phase[i] = K.phases[first_cell_of_row(line, plane) + i];
 }
 
-/** What turns the displacements that are kept into those of a load of one, in units of length. */
+/** Factor from stored displacements to displacements under a unit load, in units of
+ * length. */
 double Solver::unit_of_kept(const unsigned int load) const
 {
   return K.grid.sides == Sides::free && load != heat ? 1. / K.modulus : 1.;

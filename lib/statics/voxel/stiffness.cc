@@ -10,14 +10,15 @@ namespace mesoslip::voxel
 {
 namespace
 {
-/** Phases and what lies outside of the body, whose number comes after theirs, at most. */
+/** Largest number of phases, including the number after them for the outside of
+ * the body. */
 constexpr std::size_t most_phases = 65536;
-/** Ratio of stiffness from which on more is smoothed. That saves iterations, but time only
- *  for nearly incompressible phases and where few steps hardly converge. */
+/** Ratio of stiffness from which smoothing is increased. It saves iterations, but time
+ * only for nearly incompressible phases and if few steps hardly converge. */
 constexpr double strong_ratio = 400.;
 
-/** Largest over smallest entry of the diagonals among the phases that occur: grows with the
- *  contrast and where a phase is nearly incompressible. */
+/** Largest over smallest diagonal entry of the occurring phases: large for high contrast
+ * and for nearly incompressible phases. */
 double stiffness_ratio(const std::vector<double> &n_cells,
                        const std::vector<ElasticPhase<3>> &phases,
                        const VoxelGrid &grid)
@@ -50,19 +51,19 @@ std::vector<double> count_cells(const CellPlanes &cells, const std::size_t n_pha
   return n;
 }
 
-/** Phases of the cells of a rank's fields, [z][y][stride]; @p outside: of no cell. */
+/** Phases of the cells in a rank's fields, [z][y][stride]; @p outside marks no cell. */
 CellIndices
 padded_phases(const CellPlanes &cells, const VoxelGrid &grid, const std::size_t outside)
 {
   const std::size_t stride             = grid.stride();
   const std::array<unsigned int, 3> &n = grid.cells;
-  // Numbers of cells in a field, ghosts included, and of those in the box.
+  // Maps a cell number in a field, ghosts included, to the number in the box.
   const auto cell = [&](const std::size_t number, const unsigned int axis) {
     return grid.is_periodic(axis) ? (number + n[axis] - 1) % n[axis]
                                   : number - grid.first();
   };
-  std::vector<unsigned int> planes;    // in the box
-  std::vector<std::size_t> first_rows; // of the same planes in the field
+  std::vector<unsigned int> planes;    // number in the box
+  std::vector<std::size_t> first_rows; // first rows of these planes in the field
   for (std::size_t k = 0; k <= grid.n_nodes(2); ++k)
     if (const std::size_t plane = cell(k + grid.below(), 2); plane < n[2])
       {
@@ -84,7 +85,7 @@ padded_phases(const CellPlanes &cells, const VoxelGrid &grid, const std::size_t 
   return phases;
 }
 
-/** What a phase is in the plane of a flat grid. */
+/** In-plane part of a phase on a flat grid. */
 ElasticPhase<2> in_plane(const VoxelGrid &grid, const ElasticPhase<3> &phase)
 {
   ElasticPhase<2> plane{VoigtMatrix<2>::Zero(), 0., phase.mean_dilatation};
@@ -94,7 +95,7 @@ ElasticPhase<2> in_plane(const VoxelGrid &grid, const ElasticPhase<3> &phase)
   return plane;
 }
 
-/** Phases that a multigrid can smooth. */
+/** Phases for the preconditioner, which a multigrid can smooth. */
 std::vector<ElasticPhase<3>> to_precondition(const VoxelGrid &grid,
                                              const std::vector<ElasticPhase<3>> &phases)
 {
@@ -112,7 +113,7 @@ std::vector<ElasticPhase<3>> to_precondition(const VoxelGrid &grid,
   return result;
 }
 
-/** The coefficients of a phase that the kernels have. */
+/** The kernels' coefficients of a phase. */
 std::vector<double> coefficients_in(const VoxelGrid &grid,
                                     const ElasticPhase<3> &phase,
                                     const unsigned int n_coefficients)
@@ -128,7 +129,7 @@ std::vector<double> coefficients_in(const VoxelGrid &grid,
   return result;
 }
 
-/** How many coefficients describe all phases that occur. */
+/** Number of coefficients that describe all occurring phases. */
 unsigned int n_coefficients_for(const std::vector<ElasticPhase<3>> &phases,
                                 const std::vector<double> &n_cells,
                                 const bool flat)
@@ -200,7 +201,7 @@ Stiffness::Stiffness(const CellPlanes &cells,
   ratio             = stiffness_ratio(n_cells, gentle, grid);
 }
 
-/** Place of a number of a phase in the table, see SweepArguments. */
+/** Index of a coefficient of a phase in the table, see SweepArguments. */
 std::size_t Stiffness::in_table(const unsigned int coefficient,
                                 const std::size_t phase) const
 {
@@ -209,7 +210,7 @@ std::size_t Stiffness::in_table(const unsigned int coefficient,
   return std::size_t{256} * coefficient + phase;
 }
 
-/** What phases have of each coefficient, in units. */
+/** Table of the coefficients of the phases, in units. */
 LineVector<double> Stiffness::make_table(const std::vector<ElasticPhase<3>> &of) const
 {
   const unsigned int n = n_in_table(cells_of(grid, n_coefficients));

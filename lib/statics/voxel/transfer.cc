@@ -8,24 +8,25 @@ namespace mesoslip::voxel
 {
 namespace
 {
-/** No axis is cut into fewer cells. */
+/** Least number of cells along an axis. */
 constexpr unsigned int fewest_cells = 2;
-/** Cells so much longer than the shortest edge are not made longer before the others. */
+/** Cells are not coarsened along an axis while they are longer than the shortest edge by
+ * this factor. */
 constexpr double longer = 1.5;
 
-/** A fine cell below a coarse one, and the share that it has of it along an axis. */
+/** A fine cell that overlaps a coarse one, and its share of it along an axis. */
 struct Share
 {
   unsigned int cell;
   float share;
 };
 
-/** Products of the numbers of cells do not fit into 32 bits. */
+/** 64 bits, as products of numbers of cells exceed 32 bits. */
 std::vector<std::vector<Share>> shares(const std::size_t n_fine,
                                        const std::size_t n_coarse)
 {
   std::vector<std::vector<Share>> result(n_coarse);
-  // In units of 1 / (n_fine n_coarse) of the box, which are whole.
+  // In integer units of 1 / (n_fine n_coarse) of the box.
   for (std::size_t i = 0; i < n_coarse; ++i)
     for (std::size_t f = i * n_fine / n_coarse;
          f < n_fine && f * n_coarse < (i + 1) * n_fine; ++f)
@@ -39,8 +40,8 @@ std::vector<std::vector<Share>> shares(const std::size_t n_fine,
   return result;
 }
 
-/** Cells that are with two ranks, and ghost cells of a periodic body: of one row, of rows
- *  and of planes. */
+/** Completes cells shared by two ranks and ghost cells of a periodic body: ghosts within
+ * rows, ghost rows, then ghost planes. */
 void complete_cells(const VoxelGrid &grid, CellStiffness &stiffness)
 {
   const std::size_t line  = stiffness.n_coefficients * grid.stride(),
@@ -92,7 +93,7 @@ coarsened(const VoxelGrid &fine, CellStiffness &stiffness, const VoxelGrid &coar
              z             = shares(fine.cells[2], coarse.cells[2]);
   const unsigned int first = fine.first();
   const auto factor        = static_cast<float>(coarse.factor() / fine.factor());
-  // Each rank adds the planes of fine cells that are its alone.
+  // Each rank adds the planes of fine cells that only it counts.
   const unsigned int begin = fine.below() + fine.first_cell_plane() - first,
                      end   = begin + fine.n_cell_planes();
   for (unsigned int k = 0; k < coarse.cells[2]; ++k)
@@ -122,7 +123,7 @@ HeldComponents coarsened(const HeldComponents &fine, const VoxelGrid &coarse)
 {
   HeldComponents result(coarse);
   const VoxelGrid &grid = fine.grid();
-  // Fine nodes at or before a coarse one and at or behind it; equal where they coincide.
+  // Fine nodes at or before, and at or after a coarse one; equal if they coincide.
   const auto around = [&](const unsigned int axis, const unsigned int node) {
     const bool z            = axis == 2;
     const std::size_t place = (node - std::size_t{1} + (z ? coarse.below() : 0)) *
@@ -168,7 +169,7 @@ Transfer::axis(const VoxelGrid &fine, const VoxelGrid &coarse, const unsigned in
   Axis result;
   const std::size_t n = fine.cells[d], m = coarse.cells[d];
   result.halves = 2 * m == n;
-  // By number in the field; ghosts have no place.
+  // Indexed by number in the field; ghosts have no entry.
   result.left.resize(fine.n_nodes(d) + 2);
   result.weight.resize(fine.n_nodes(d) + 2);
   const unsigned int fine_below   = d == 2 ? fine.below() : 0,
@@ -184,7 +185,8 @@ Transfer::axis(const VoxelGrid &fine, const VoxelGrid &coarse, const unsigned in
   return result;
 }
 
-/** @p coarse += those of a row along x; its ghosts take what is not theirs. */
+/** Adds the restriction of a row along x to @p coarse; its ghosts take contributions to
+ * other nodes. */
 void Transfer::restrict_row(const float *fine, float *coarse) const
 {
   const Axis &x = axes[0];
@@ -215,7 +217,7 @@ void Transfer::restrict_row(const float *fine, float *coarse) const
 
 void Transfer::restrict_to(const VoxelField<float> &r, VoxelField<float> &b)
 {
-  // Fine rows that a coarse one takes from, with their weights.
+  // Fine rows that contribute to a coarse one, with their weights.
   struct Source
   {
     unsigned int row;
@@ -238,7 +240,7 @@ void Transfer::restrict_to(const VoxelField<float> &r, VoxelField<float> &b)
   };
   const auto in_y = sources(1), in_z = sources(2);
   const std::size_t n = n_components * fine_stride;
-  // What falls on a ghost plane belongs to another rank.
+  // Contributions to a ghost plane belong to another rank.
   const unsigned int ghosts = coarse_grid.is_divided() ? 1 : 0;
   for (unsigned int k = 1 - ghosts; k <= n_coarse[2] + ghosts; ++k)
     for (unsigned int j = 1; j <= n_coarse[1]; ++j)
@@ -259,7 +261,7 @@ void Transfer::restrict_to(const VoxelField<float> &r, VoxelField<float> &b)
   add_ghost_planes(coarse_grid, b.data(), b.plane_size());
 }
 
-/** @p fine += the interpolation of @p coarse along x. */
+/** Interpolates @p coarse along x and adds it to @p fine. */
 void Transfer::add_row(const float *coarse, float *fine) const
 {
   const Axis &x = axes[0];

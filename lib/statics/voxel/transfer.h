@@ -10,28 +10,29 @@
 namespace mesoslip::voxel
 {
 /**
- * Between a grid and a coarser one of the same box, both uniform: linear interpolation by
- * position, also where the nodes do not coincide (odd numbers of cells).
+ * Transfer between a grid and a coarser one of the same box, both uniform: linear
+ * interpolation by position, also if nodes do not coincide (odd numbers of cells).
  */
 class Transfer
 {
 public:
-  /** Of the given grids. */
+  /** Sets up the transfer between the given grids. */
   Transfer(const VoxelGrid &fine, const VoxelGrid &coarse);
 
-  /** b = P^T r; ghosts of @p r are not read, those of @p b are overwritten. Collective. */
+  /** b = P^T r; ghosts of @p r are not read, ghosts of @p b are overwritten.
+   * Collective. */
   void restrict_to(const VoxelField<float> &r, VoxelField<float> &b);
 
-  /** x += P c, ghosts of @p c set; those of @p x are not. */
+  /** x += P c; ghosts of @p c must be set, ghosts of @p x are not updated. */
   void add_from(const VoxelField<float> &c, VoxelField<float> &x);
 
 private:
-  /** Where the nodes of an axis lie between coarse ones. */
+  /** Positions of fine nodes between coarse nodes along an axis. */
   struct Axis
   {
     std::vector<unsigned int> left; ///< coarse node at or before the fine one
-    std::vector<float> weight;      ///< of the next one
-    bool halves = false;            ///< two to one: even numbers of cells
+    std::vector<float> weight;      ///< weight of the next coarse node
+    bool halves = false;            ///< even numbers of cells: two to one
   };
   static Axis axis(const VoxelGrid &fine, const VoxelGrid &coarse, const unsigned int d);
   void restrict_row(const float *fine, float *coarse) const;
@@ -51,12 +52,12 @@ private:
 CellStiffness
 coarsened(const VoxelGrid &fine, CellStiffness &stiffness, const VoxelGrid &coarse);
 
-/** Those of a coarser grid: of its nodes those between nodes of the fine one that all are. Ghosts
- *  are set. Collective. */
+/** Constraints of a coarser grid: a node is constrained if all fine nodes around its
+ * position are. Ghosts are set. Collective. */
 HeldComponents coarsened(const HeldComponents &fine, const VoxelGrid &coarse);
 
-/** The next coarser grid: half as many cells along the axes whose cells are short, divided
- *  as @p grid is. */
+/** The next coarser grid: half as many cells along the axes with short cells; divided
+ * like @p grid. */
 VoxelGrid coarser(const VoxelGrid &grid);
 } // namespace mesoslip::voxel
 

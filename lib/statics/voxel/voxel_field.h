@@ -15,7 +15,7 @@ class VoxelField
 public:
   VoxelField() = default;
 
-  /** All zero. */
+  /** A field of zeros. */
   explicit VoxelField(VoxelGrid the_grid)
     : voxels(std::move(the_grid))
     , n{{voxels.n_nodes(0), voxels.n_nodes(1), voxels.n_nodes(2)}}
@@ -32,39 +32,39 @@ public:
     return &numbers[(voxels.node_row(j, k) * n_components + c) * stride];
   }
 
-  /** The same to read. */
+  /** The same row, read only. */
   const Number *
   row(const unsigned int c, const unsigned int j, const unsigned int k) const
   {
     return &numbers[(voxels.node_row(j, k) * n_components + c) * stride];
   }
 
-  /** Whole field, in whole cache lines. */
+  /** The whole field, in whole cache lines. */
   Number *data()
   {
     return numbers.data();
   }
 
-  /** The same to read. */
+  /** The whole field, read only. */
   const Number *data() const
   {
     return numbers.data();
   }
 
-  /** Numbers at data(). */
+  /** Number of values at data(). */
   std::size_t size() const
   {
     return numbers.size();
   }
 
-  /** Numbers of a plane across z, which row(0, 0, k) begins. */
+  /** Values per plane across z; the plane begins at row(0, 0, k). */
   std::size_t plane_size() const
   {
     return n_components * stride * voxels.node_rows_in_plane();
   }
 
-  /** Copies of the other side of a periodic body and of the other ranks' planes; others keep
-   *  their zeros. Collective. */
+  /** Updates ghosts: from the opposite side of a periodic body and from planes of other
+   * ranks; remaining ghosts stay zero. Collective. */
   void set_ghosts()
   {
     if (voxels.is_periodic(0))
@@ -79,7 +79,7 @@ public:
     set_ghost_rows();
   }
 
-  /** Those beyond the ends of y and z only. Collective. */
+  /** Updates only ghosts beyond the ends of y and z. Collective. */
   void set_ghost_rows()
   {
     if (voxels.is_periodic(1) && !voxels.flat)
@@ -97,13 +97,13 @@ public:
       }
   }
 
-  /** What its nodes are those of. */
+  /** Grid of the field. */
   const VoxelGrid &grid() const
   {
     return voxels;
   }
 
-  /** Numbers of nodes of this rank, without ghosts. */
+  /** Numbers of locally owned nodes along the axes. */
   const std::array<unsigned int, 3> &n_nodes() const
   {
     return n;
@@ -117,7 +117,7 @@ private:
   LineVector<Number> numbers;
 };
 
-/** Calls @p action (c, j, k) for the rows of nodes of this rank. */
+/** Calls @p action (c, j, k) for the rows of locally owned nodes. */
 template <typename Action>
 void for_each_row(const VoxelGrid &grid, const Action &action)
 {
@@ -127,7 +127,7 @@ void for_each_row(const VoxelGrid &grid, const Action &action)
         action(c, j, k);
 }
 
-/** Of each component of a node 1 where it is held, else 0; without numbers nothing is. */
+/** 1 for constrained components of nodes, else 0; an empty field: no constraints. */
 using HeldComponents = VoxelField<float>;
 } // namespace mesoslip::voxel
 

@@ -11,36 +11,36 @@
 
 namespace mesoslip::voxel
 {
-/** What is said about the displacement at the sides of the body. */
+/** Condition on the displacement at the sides of the body. */
 enum class Sides
 {
-  held,     ///< zero, so that the nodes of the sides are no unknowns
-  free,     ///< nothing
-  periodic, ///< the same on opposite ones
+  held,     ///< zero; nodes of the sides are no unknowns
+  free,     ///< no condition
+  periodic, ///< equal on opposite sides
   mixed     ///< some components are zero, see Level::hold(); axes may be periodic
 };
 
 /**
- * A box of cells and which of its nodes are unknowns. Planes of nodes across z may be
- * divided among ranks: those of this rank are numbered from 1 in its fields (kernels.h),
- * the cells between them and around them from 0; planes of cells between two ranks are
- * with both.
+ * A box of cells, and which of its nodes are unknowns. Planes of nodes across z may be
+ * divided among ranks. In the fields of a rank its planes are numbered from 1
+ * (kernels.h), the cells between and around them from 0; planes of cells between two
+ * ranks are stored by both.
  */
 struct VoxelGrid
 {
-  std::array<unsigned int, 3> cells = {};          ///< numbers along x, y, z, of the box
+  std::array<unsigned int, 3> cells = {};          ///< along x, y, z
   std::array<double, 3> spacing     = {};          ///< edges of a cell, in any unit
-  Sides sides                       = Sides::held; ///< all six, of a flat grid four
-  std::array<bool, 3> joined = {}; ///< of Sides::mixed: axes whose ends are the same
+  Sides sides                       = Sides::held; ///< all six; for a flat grid four
+  std::array<bool, 3> joined        = {};          ///< for Sides::mixed: periodic axes
 
-  /** In plane strain: one cell along y, in fields one row of nodes for those at both of its
-   *  ends, with the components along x and z; nothing depends on the edge along y. */
+  /** Plane strain: one cell along y; fields have one row of nodes for both ends of y,
+   * with the components along x and z. The edge along y has no effect. */
   bool flat = false;
 
-  /** Planes of nodes below those of each rank and, last, of all; empty: not divided. */
+  /** Planes of nodes below each rank and, last, of all ranks; empty: not divided. */
   std::vector<unsigned int> planes = {};
-  MPI_Comm communicator            = MPI_COMM_SELF; ///< of the ranks
-  unsigned int rank                = 0;             ///< this one
+  MPI_Comm communicator            = MPI_COMM_SELF; ///< ranks that share the box
+  unsigned int rank                = 0;             ///< this rank
 
   /** Whether the displacement is the same at both ends of an axis. */
   bool is_periodic(const unsigned int axis) const
@@ -48,13 +48,13 @@ struct VoxelGrid
     return sides == Sides::periodic || joined[axis];
   }
 
-  /** Whether other ranks have a part of it. */
+  /** Whether planes are divided among ranks. */
   bool is_divided() const
   {
     return !planes.empty();
   }
 
-  /** Number of nodes of all ranks that are unknowns along an axis. */
+  /** Number of unknown nodes of all ranks along an axis. */
   unsigned int n_all_nodes(const unsigned int axis) const
   {
     if (flat && axis == 1)
@@ -62,14 +62,14 @@ struct VoxelGrid
     return sides == Sides::held ? cells[axis] - 1 : cells[axis] + !is_periodic(axis);
   }
 
-  /** Number of those of this rank. */
+  /** Number of unknown nodes of this rank along an axis. */
   unsigned int n_nodes(const unsigned int axis) const
   {
     return axis == 2 && is_divided() ? planes[rank + 1] - planes[rank]
                                      : n_all_nodes(axis);
   }
 
-  /** Planes of nodes on the ranks before. */
+  /** Planes of nodes on lower ranks. */
   unsigned int below() const
   {
     return is_divided() ? planes[rank] : 0;
@@ -82,13 +82,14 @@ struct VoxelGrid
     return sides == Sides::held ? 0 : 1;
   }
 
-  /** Number in a field of the first plane of cells that this rank and no one before has. */
+  /** Field number of the first plane of cells that no lower rank has. */
   unsigned int first_cell_plane() const
   {
     return rank == 0 ? first() : 1;
   }
 
-  /** How many planes of cells of the box begin there: those of all ranks are all. */
+  /** Number of planes of cells of the box from there on; the sum over ranks is the whole
+   * box. */
   unsigned int n_cell_planes() const
   {
     const unsigned int beyond = below() + n_nodes(2) + 1 - first();
@@ -116,7 +117,7 @@ struct VoxelGrid
     return flat ? 2 : 3;
   }
 
-  /** Along which axis component @p c is. */
+  /** Axis of component @p c. */
   unsigned int axis_of(const unsigned int c) const
   {
     return flat ? 2 * c : c;
@@ -128,57 +129,57 @@ struct VoxelGrid
     return flat ? 3 : 6;
   }
 
-  /** Place in Voigt order of load case @p n, which is also that of component n of the strain;
-   *  of a flat grid xx, zz, xz. */
+  /** Voigt index of load case @p n and of strain component n; for a flat grid xx,
+   * zz, xz. */
   unsigned int load_case(const unsigned int n) const
   {
     return flat ? 2 * n : n;
   }
 
-  /** Rows of nodes in a plane of a field, with ghosts. */
+  /** Rows of nodes per plane of a field, with ghosts. */
   std::size_t node_rows_in_plane() const
   {
     return flat ? 1 : std::size_t{n_nodes(1)} + 2;
   }
 
-  /** Rows of cells in a plane. */
+  /** Rows of cells per plane. */
   std::size_t cell_rows_in_plane() const
   {
     return flat ? 1 : std::size_t{n_nodes(1)} + 1;
   }
 
-  /** Rows of nodes, [z][y], with ghosts. */
+  /** Rows of nodes of a field, [z][y], with ghosts. */
   std::size_t n_node_rows() const
   {
     return node_rows_in_plane() * (n_nodes(2) + 2);
   }
 
-  /** Rows of cells, [z][y]. */
+  /** Rows of cells of a field, [z][y]. */
   std::size_t n_cell_rows() const
   {
     return cell_rows_in_plane() * (n_nodes(2) + 1);
   }
 
-  /** Number of a row of nodes among these. */
+  /** Index of a row of nodes. */
   std::size_t node_row(const std::size_t j, const std::size_t k) const
   {
     return node_rows_in_plane() * k + (flat ? 0 : j);
   }
 
-  /** Number of a row of cells among these. */
+  /** Index of a row of cells. */
   std::size_t cell_row(const std::size_t j, const std::size_t k) const
   {
     return cell_rows_in_plane() * k + (flat ? 0 : j);
   }
 
-  /** 2 / h is the derivative along an axis; this is h_y / h. */
+  /** Ratio h_y / h of cell edges; 2 / h is the derivative along an axis. */
   double ratio(const unsigned int axis) const
   {
     return spacing[1] / spacing[axis];
   }
 
-  /** What turns a stiffness (Pa) into that of the kernels: volume / (16 h_y^2), of a flat grid
-   *  volume / (4 h_y^2). */
+  /** Factor from a stiffness (Pa) to the kernels' unit: volume / (16 h_y^2), for a flat
+   * grid volume / (4 h_y^2). */
   double factor() const
   {
     return spacing[0] * spacing[2] / ((flat ? 4. : 16.) * spacing[1]);

@@ -1,4 +1,4 @@
-#include "dynamics/explicit_stepper.h"
+#include "dynamics/grid/explicit_stepper.h"
 #include "elasticity/uniform_grid_operator.h"
 #include "elasticity_testing.h"
 #include "grid/halo.h"
@@ -137,6 +137,16 @@ TEST(ExplicitStepper, EqualsTheNaiveRecursion)
             ASSERT_TRUE(equal_bits(plain.u, in_wave.u) && equal_bits(plain.w, in_wave.w))
               << "steps at once " << options.steps_at_once << " cells " << cells[0] << "x"
               << cells[1];
+
+            options.single_precision = true;
+            const State single    = advanced(material, p, sides, start, options, n_steps);
+            options.steps_at_once = 1;
+            const State one_by_one =
+              advanced(material, p, sides, start, options, n_steps);
+            ASSERT_TRUE(equal_bits(single.u, one_by_one.u) &&
+                        equal_bits(single.w, one_by_one.w));
+            ASSERT_LT(largest_difference(naive.u, single.u), 2e-5);
+            ASSERT_LT(largest_difference(naive.w, single.w), 2e-5);
           }
 }
 
@@ -230,7 +240,10 @@ TEST(Partition, AnErrorOnOneRankDoesNotWaitForTheOthers)
     MPI_Barrier(MPI_COMM_WORLD);
 }
 
-TEST(Partition, AnyNumberOfRanksAndStepsInFlightBitForBit)
+namespace
+{
+/** Slabs on any number of ranks move as the whole body, bit for bit. */
+void expect_equal_slabs(const SweepOptions &options)
 {
   const MPI_Comm world = MPI_COMM_WORLD;
   Random random;
@@ -248,7 +261,7 @@ TEST(Partition, AnyNumberOfRanksAndStepsInFlightBitForBit)
       const State start = random_state(random, material);
       State serial      = start;
       PushingRow bottom(p), top(p);
-      SweepOptions plain;
+      SweepOptions plain  = options;
       plain.steps_at_once = 1;
       ExplicitStepper({material, p, serial.u, serial.w, &bottom, &top}, sides, plain)
         .advance(30);
@@ -264,7 +277,7 @@ TEST(Partition, AnyNumberOfRanksAndStepsInFlightBitForBit)
           PushingRow slab_bottom(p), slab_top(p);
           ExplicitStepper stepper(
             {material, p, slab.u, slab.w, &slab_bottom, &slab_top, rows, &halo, world},
-            sides);
+            sides, options);
           stepper.advance(17);
           stepper.step();
           stepper.advance(12);
@@ -285,6 +298,19 @@ TEST(Partition, AnyNumberOfRanksAndStepsInFlightBitForBit)
             }
         }
     }
+}
+} // namespace
+
+TEST(Partition, AnyNumberOfRanksAndStepsInFlightBitForBit)
+{
+  expect_equal_slabs({});
+}
+
+TEST(Partition, AnyNumberOfRanksInSinglePrecisionBitForBit)
+{
+  SweepOptions options;
+  options.single_precision = true;
+  expect_equal_slabs(options);
 }
 
 TEST(Partition, AfterOneStepTheNearestGhostRowsHoldTheStateBeforeIt)

@@ -1,5 +1,5 @@
 #include "dynamics/critical_time_step.h"
-#include "dynamics/explicit_stepper.h"
+#include "dynamics/grid/explicit_stepper.h"
 #include "elasticity_testing.h"
 #include "material/stiffness.h"
 

@@ -1,9 +1,9 @@
-// Galerkin products, 8 coarse cells at once. Included inside a namespace by
+// Galerkin products of 8 coarse cells at once. Included inside a namespace by
 // kernels_table.cc, after kernels_impl.h.
 //
-// Rigid motions (u, v, r) of nodes are first taken about one common point, the lower
-// left corner of the coarse cell: then interpolation multiplies all three by the same
-// weights. Unknown 3 J + c is component c of corner J.
+// Rigid motions (u, v, r) of all nodes first refer to a common point, the lower left
+// corner of the coarse cell: then interpolation multiplies all three by the same weights.
+// Unknown 3 J + c is component c of corner J.
 
 using vector8 = line<double>;
 
@@ -29,7 +29,7 @@ shift_reference(vector8 *k, const int J, const vector8 dx, const vector8 dy)
       k[entry(a, r)] += dy * k[entry(a, u)] - dx * k[entry(a, v)];
 }
 
-/** Corners of the coarse cell: from the common point to the corners themselves. */
+/** Moves the reference point from the common point to the corners of the coarse cell. */
 static void to_corners(vector8 *k, const Patch<double> &patch)
 {
   const vector8 width = load(patch.width), zero = {};
@@ -161,8 +161,8 @@ static void conjugate(const FinestPatch &patch,
 }
 
 /**
- * The rotations of the corners mean nothing where the weights are those of bilinear
- * interpolation: they are tied, softly, to the rotation of the coarse cell.
+ * Ties the rotations of the corners softly to the rotation of the coarse cell: with
+ * bilinear weights they would have no effect.
  */
 static void add_rotation_stiffness(const FinestPatch &patch, vector8 *k)
 {

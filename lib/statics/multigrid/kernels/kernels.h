@@ -10,22 +10,21 @@
  * instruction set. Plain structures and pointers only: an inline function that both
  * sides instantiate could be taken from the wrong side by the linker.
  *
- * Rows start a cache line, lanes are the numbers in 64 bytes; `n` is a number of columns,
- * rounded up to whole vectors by the callers that say so. A node has 2 unknowns
- * (displacement) on the finest grid and 3 (displacement, rotation) on the others:
- * functions in arrays [2] are for 2 and 3.
+ * Rows start a cache line, lanes are the numbers in 64 bytes; `n` is a number of
+ * columns, which callers round up to whole vectors where documented. A node has 2
+ * unknowns (displacement) on the finest grid and 3 (displacement, rotation) on coarse
+ * grids: functions in arrays [2] are for 2 and 3.
  */
 namespace mesoslip::multigrid
 {
-/** Numbers of the upper triangle of the matrix of a coarse cell: 4 nodes of 3 unknowns.
- */
+/** Entries of the upper triangle of a coarse cell's matrix: 4 nodes with 3 unknowns. */
 constexpr unsigned int n_cell_entries = 78;
 
 /**
- * As many neighbouring coarse cells as numbers fit in 64 bytes, and the fine cells they
- * are made of. A coarse cell is 2x2 fine cells, or fewer where the grid is not halved;
- * the fine nodes are [row][column] of a 3x3 patch of which the last row or column may be
- * missing. The lane is last; arrays of lanes come first, for alignment.
+ * A group of neighbouring coarse cells, one per lane (numbers in 64 bytes), with their
+ * fine cells. A coarse cell is 2x2 fine cells, or fewer where the grid is not halved;
+ * the fine nodes are [row][column] of a 3x3 patch whose last row or column may be
+ * missing. The lane is the last index; arrays of lanes come first, for alignment.
  */
 template <typename Number>
 struct alignas(64) Patch
@@ -35,12 +34,12 @@ struct alignas(64) Patch
   /** Weights of the corners of the coarse cell for the fine nodes. */
   Number weight[3][3][4][n];
 
-  /** x of the fine nodes from the left side, x[2] or x[1] being the right side. */
+  /** x of the fine nodes from the left side; x[2] or x[1] is the right side. */
   Number x[3][n];
 
-  /** Extents of the coarse cell. */
+  /** Width of the coarse cell. */
   Number width[n];
-  Number height; ///< of the coarse cell
+  Number height; ///< height of the coarse cell
 
   /** y of the fine nodes from the lower side. */
   Number y[3];
@@ -49,7 +48,7 @@ struct alignas(64) Patch
   unsigned int n_rows;
 };
 
-/** What the matrix of a cell of the finest grid is made of. */
+/** Coefficients of the matrix of a cell of the finest grid. */
 enum FinestCoefficient : unsigned int
 {
   /** Stiffness times area of the cell. */
@@ -59,7 +58,7 @@ enum FinestCoefficient : unsigned int
   d22,
   d23,
   d33,
-  /** Of the hourglass modes: x with x, x with y, y with y. */
+  /** Hourglass modes: x with x, x with y, y with y. */
   h11,
   h12,
   h22,
@@ -69,33 +68,35 @@ enum FinestCoefficient : unsigned int
 /** Patch of the finest grid, whose cells are 1 wide. */
 struct alignas(64) FinestPatch : Patch<double>
 {
-  /** Of fine cells [row][column]; zero where there is none. */
+  /** Per fine cell [row][column]; zero for missing cells. */
   alignas(64) double coefficient[2][2][n_finest_coefficients][n];
 
-  /** 0 for held components of the fine nodes, else 1. */
+  /** 0 for constrained components of the fine nodes, else 1. */
   double free_x[3][3][n];
   double free_y[3][3][n]; ///< the same for the y component
 
-  /** Energy (times 2) of unit difference of the nodal rotations from that of the cell. */
+  /** Twice the energy of a unit difference between the nodal rotations and the rotation
+   * of the cell. */
   double rotation_stiffness[n];
 
-  double cell_height; ///< in widths of a cell
+  double cell_height; ///< in cell widths
 };
 
-/** Patch of another grid: matrices of fine cells [row][column]; zero where none. */
+/** Patch of a coarse grid: matrices of fine cells [row][column]; zero for missing
+ * cells. */
 struct alignas(64) CoarsePatch : Patch<double>
 {
   /** Upper triangle of 12 x 12 numbers. */
   alignas(64) double matrix[2][2][n_cell_entries][n];
 };
 
-/** Distinct numbers of the blocks of a node: of its diagonal block (upper triangle). */
+/** Distinct entries of the diagonal block of a node (upper triangle). */
 constexpr unsigned int n_diagonal_entries(const unsigned int n_components)
 {
   return n_components * (n_components + 1) / 2;
 }
 
-/** Numbers that a factorized line keeps for a node: multiplier and inverse pivot. */
+/** Numbers stored per node of a factorized line: multiplier and inverse pivot. */
 constexpr unsigned int n_factor_entries(const unsigned int n_components)
 {
   return n_components * n_components + n_diagonal_entries(n_components);
@@ -106,7 +107,7 @@ enum StencilArray : unsigned int
 {
   /** Upper triangle of the block of the node with itself. */
   centre = 0,
-  /** Node and its right neighbour; [row][column] with the column the neighbour's. */
+  /** Node with its right neighbour; [row][column] with the neighbour's column. */
   east = 6,
   /** Upper left, upper and upper right neighbour. */
   north_west       = 15,
@@ -115,7 +116,7 @@ enum StencilArray : unsigned int
   n_stencil_arrays = 42
 };
 
-/** What restriction and prolongation between a fine and a coarse node row need. */
+/** Data of restriction and prolongation between a fine and a coarse node row. */
 template <typename Number>
 struct TransferRow
 {
@@ -123,10 +124,10 @@ struct TransferRow
   const Number *even = nullptr;
   /** Weights of coarse nodes I and I + 1 for the middle node of cell I. */
   const Number *odd_left  = nullptr;
-  const Number *odd_right = nullptr; ///< of coarse node I + 1
+  const Number *odd_right = nullptr; ///< weight of coarse node I + 1
   /** Distances of the middle node from coarse nodes I and I + 1. */
   const Number *to_left  = nullptr;
-  const Number *to_right = nullptr; ///< from coarse node I + 1
+  const Number *to_right = nullptr; ///< distance from coarse node I + 1
   /** y of the fine row minus y of the coarse row. */
   Number dy = 0;
 };
@@ -136,9 +137,9 @@ template <typename Number>
 struct GridKernels
 {
   /**
-   * r = b - A x on one node row of a coarse grid. @p a is array 0 of the row of the
-   * stencil, @p below that of the row below, arrays @p stride apart; x holds components
-   * of the row below, the row, the row above. n in whole vectors.
+   * r = b - A x on one node row of a coarse grid. @p a is array 0 of this row of the
+   * stencil, @p below array 0 of the row below, arrays @p stride apart; x holds
+   * components of the row below, the row, the row above. n in whole vectors.
    */
   void (*stencil_residual)(unsigned int n,
                            const Number *a,
@@ -168,12 +169,12 @@ struct GridKernels
                         bool add,
                         Number *const x[]);
 
-  /** Solves n block equations in as many lines as numbers fit in 64 bytes:
+  /** Solves n block equations in all lanes of 64 bytes at once, one line per lane:
    * tile[column][component][lane], factor[column][entry][lane]. */
   void (*solve_tile[2])(unsigned int n, const Number *factor, Number *tile);
 
-  /** tile[column * n_components][lane] from as many rows, all of one component. This and
-   *  add_tile() may treat up to 3 columns beyond n like the others. */
+  /** Fills tile[column * n_components][lane] from rows of one component, one row per
+   * lane. This function and add_tile() may process up to 3 columns beyond n. */
   void (*load_tile)(unsigned int n,
                     unsigned int n_components,
                     const Number *const rows[],
@@ -231,13 +232,13 @@ struct GridKernels
 /** All row kernels of one instruction set. */
 struct Kernels
 {
-  GridKernels<float> single; ///< for grids in single precision
-  GridKernels<double> twice; ///< for grids in double precision
+  GridKernels<float> single; ///< kernels in single precision
+  GridKernels<double> twice; ///< kernels in double precision
 
   /** Matrices of 8 coarse cells, entries @p stride apart. */
   void (*galerkin_finest)(const FinestPatch &patch, double *out, std::size_t stride);
 
-  /** From a grid that is coarse already. */
+  /** Like galerkin_finest(), from a coarse grid. */
   void (*galerkin_coarse)(const CoarsePatch &patch, double *out, std::size_t stride);
 
   /** y = A x, a full symmetric matrix with rows of @p stride numbers. */
@@ -248,7 +249,7 @@ struct Kernels
    * @name Vectors of the conjugate gradients, n in whole vectors
    * @{
    */
-  /** A.b. */
+  /** Dot product a.b. */
   double (*dot)(std::size_t n, const double *a, const double *b);
 
   /** x += alpha p, r -= alpha q; r.r */
@@ -265,10 +266,10 @@ struct Kernels
 MESOSLIP_FOR_EACH_VARIANT(MESOSLIP_DECLARE_TABLE)
 #undef MESOSLIP_DECLARE_TABLE
 
-/** The kernels for what this processor can run (see InstructionSet::automatic). */
+/** The kernels for this processor (see InstructionSet::automatic). */
 const Kernels &kernels();
 
-/** Those for grids of this precision: float, double. */
+/** The kernels for a precision: float, double. */
 template <typename Number>
 const GridKernels<Number> &grid_kernels()
 {

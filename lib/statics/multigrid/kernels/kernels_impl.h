@@ -1,5 +1,5 @@
-// The row kernels of the multigrid. Included inside a namespace by kernels_table.cc;
-// what they do is in kernels.h.
+// The row kernels of the multigrid, documented in kernels.h. Included inside a namespace
+// by kernels_table.cc.
 
 /** Position of entry (r, c) of the upper triangle of a symmetric block. */
 template <int n>
@@ -132,7 +132,7 @@ static void restrict_row(const unsigned int n,
   const Number dy = row.dy;
   for (long i = 0; i < static_cast<long>(n); i += Vectors<Number>::n)
     {
-      // q and the values with it belong to the cell on the left.
+      // q and its factors belong to the cell on the left.
       const line<Number> w = load(row.even + i), p = load(row.odd_left + i),
                          q = load(row.odd_right + i - 1);
       const auto add       = [=](Number *to, const line<Number> value) {
@@ -182,7 +182,7 @@ static void prolongate_row(const unsigned int n,
     }
 }
 
-// Of the conjugate gradients and of the bottom of the hierarchy.
+// Kernels of the conjugate gradients and of the bottom of the hierarchy.
 
 static void dense(const unsigned int n,
                   const double *__restrict__ matrix,

@@ -1,5 +1,5 @@
-// The kernels of the multigrid of one instruction set, and their table. Compiled once for
-// each set, see kernel_variants.h.
+// The kernels of the multigrid for one instruction set, and their table. Compiled once
+// for each set, see kernel_variants.h.
 #include "elasticity/kernel_variants.h"
 #include "statics/multigrid/kernels/kernels.h"
 

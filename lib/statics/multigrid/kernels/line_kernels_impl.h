@@ -1,5 +1,5 @@
-// The row kernels of LineSmoother. Included inside a namespace by kernels_table.cc,
-// after kernels_impl.h; what they do is in kernels.h.
+// The row kernels of LineSmoother, documented in kernels.h. Included inside a namespace
+// by kernels_table.cc, after kernels_impl.h.
 
 template <int nc, typename Number>
 static void eliminate(const unsigned int n,

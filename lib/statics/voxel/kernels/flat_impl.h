@@ -1,9 +1,9 @@
-// A sweep over the nodes of a flat grid (VoxelGrid::flat), in plane strain or whatever else
-// the stiffness of the plane says: rows of cells between two rows of nodes, of which the
-// components along x and z are numbers 0 and 1. The basis is that of brick_impl.h with four
-// nodes. Included inside a namespace by voxel_kernels.cc.
+// A sweep over the nodes of a flat grid (VoxelGrid::flat), with the given in-plane
+// stiffness (plane strain or other): rows of cells between two rows of nodes, whose
+// components 0 and 1 are x and z. The basis is that of brick_impl.h with four nodes.
+// Included inside a namespace by voxel_kernels.cc.
 
-/** The upper triangle of the stiffness of xx, zz and xz. */
+/** Upper triangle of the stiffness of xx, zz and xz. */
 template <typename Number>
 struct Stiffness<Number, n_plane>
 {
@@ -27,7 +27,7 @@ struct Stiffness<Number, n_plane>
   }
 };
 
-/** That about the mean strain. */
+/** Stiffness for the strains about the mean. */
 template <typename Number>
 MESOSLIP_INLINE const Stiffness<Number, n_plane> &
 of_changing_strains(const Stiffness<Number, n_plane> &stiffness)
@@ -47,7 +47,7 @@ of_changing_strains(const Stiffness<Number, n_plane_apart> &stiffness)
   return stiffness.about;
 }
 
-/** Place of the components of the plane in Voigt order. */
+/** Voigt indices of the in-plane components. */
 constexpr int place_in_plane[3] = {0, 2, 4};
 
 /** Forces @p h on the sums and differences @p v of the nodes of neighbouring cells,
@@ -68,7 +68,7 @@ MESOSLIP_INLINE void flat_forces(const Layer<Number> &layer,
   if constexpr (Material::adds_stress)
     for (int m = 0; m < 3; ++m)
       s[m] -= cells.inside(i) * layer.stress[place_in_plane[m]];
-  // Of the strains that change along z and of those that change along x.
+  // Stresses of the strains that vary along z and along x.
   const Vector along_z[3] = {v[0][3], Vector{}, v[1][3]},
                along_x[3] = {Vector{}, v[1][3], v[0][3]};
   Vector of_z[3], of_x[3];
@@ -82,7 +82,7 @@ MESOSLIP_INLINE void flat_forces(const Layer<Number> &layer,
   h[1][3]           = layer.weight[2] * of_z[2] + layer.weight[0] * of_x[1];
 }
 
-/** See kernels.h. */
+/** A sweep on a flat grid, see kernels.h. */
 template <typename Number, typename Material, Sweep kind>
 double flat_sweep(const SweepArguments<Number> &a)
 {

@@ -1,9 +1,9 @@
-// A sweep over all nodes: forces of the cells, layer by layer and row by row (see
-// layer_impl.h), and what is done with them as soon as those of a row of nodes are complete.
-// Nothing later needs this row, so it may be changed in place. Included inside a namespace by
-// voxel_kernels.cc.
+// A sweep over all nodes: computes the forces of the cells layer by layer and row by row
+// (see layer_impl.h), and uses the forces on a row of nodes as soon as they are complete.
+// No later row needs this one, so it may be changed in place. Included inside a namespace
+// by voxel_kernels.cc.
 
-/** The row of nodes of the upper plane that follows those of cells @p row. */
+/** The row of nodes of the upper plane needed after the row of cells @p row. */
 template <typename Number>
 MESOSLIP_INLINE const Number *next_nodes(const SweepArguments<Number> &a,
                                          const std::size_t row)
@@ -12,7 +12,7 @@ MESOSLIP_INLINE const Number *next_nodes(const SweepArguments<Number> &a,
   return a.x + ((k + 1) * (a.n[1] + 2) + j + 2) * 3 * a.stride;
 }
 
-/** These will be wanted soon. */
+/** Prefetches a row of nodes. */
 template <typename Number>
 MESOSLIP_INLINE void
 prefetch_nodes(const Number *row, const std::size_t stride, const std::size_t i)
@@ -64,7 +64,7 @@ struct Stored
   const Number *next;
 };
 
-/** So many numbers of a table are in registers. */
+/** Numbers of a table that fit in registers. */
 constexpr unsigned int few_phases = MESOSLIP_VECTOR_BYTES / sizeof(float);
 
 /** table[index] of few_phases numbers. */
@@ -87,8 +87,8 @@ MESOSLIP_INLINE typename Simd<Number>::Vector look_up(const Number *table,
 #endif
 }
 
-/** The same from a table by the phase of the cell; in double precision strain and stress are
- *  added. */
+/** Coefficients looked up by the phase of the cell; in double precision strain and stress
+ * are added. */
 template <typename Number, Cells cells, bool few>
 struct OfPhases
 {
@@ -135,7 +135,8 @@ struct OfPhases
   const Number *next;
 };
 
-/** The same by the material of the cell, of which there may be too many for a byte. */
+/** Coefficients looked up by the material of the cell; there may be too many for a
+ * byte. */
 template <typename Number, Cells cells>
 struct OfMaterials
 {
@@ -178,14 +179,14 @@ struct OfMaterials
   const Number *next;
 };
 
-/** Rows in a field that begin on a cache line, from their pointers; null stays null. */
+/** Pointers to a row of a field, aligned to a cache line; null stays null. */
 template <typename T>
 MESOSLIP_INLINE T *at_row(T *field, const std::size_t first)
 {
   return field ? field + first : nullptr;
 }
 
-/** The forces @p f on a row of nodes are complete. What the next row needs is fetched. */
+/** Uses the complete forces @p f on a row of nodes; prefetches data of the next row. */
 template <Sweep kind, unsigned int n_components = 3, typename Number>
 MESOSLIP_INLINE double
 finish_row(const SweepArguments<Number> &a, const std::size_t row, Number *__restrict f)
@@ -254,7 +255,8 @@ finish_row(const SweepArguments<Number> &a, const std::size_t row, Number *__res
   return total;
 }
 
-/** What the layers of all sweeps have from the arguments; forces of the plane begin with zero. */
+/** Initializes the layer of a sweep from the arguments; forces of the plane are set to
+ * zero. */
 template <typename Layer, typename Number>
 MESOSLIP_INLINE Layer first_layer(const SweepArguments<Number> &a,
                                   const std::size_t n_in_plane)
@@ -278,7 +280,7 @@ MESOSLIP_INLINE Layer first_layer(const SweepArguments<Number> &a,
   return layer;
 }
 
-/** See kernels.h. */
+/** A sweep, see kernels.h. */
 template <typename Number, typename Material, Sweep kind>
 double sweep(const SweepArguments<Number> &a)
 {

@@ -1,5 +1,5 @@
-// Operations on whole fields. Included inside a namespace by kernels_table.cc; what they
-// do is in kernels.h.
+// Operations on whole fields, documented in kernels.h. Included inside a namespace by
+// kernels_table.cc.
 
 /** Sum of the entries in double precision. */
 template <typename Number, typename Vector>
@@ -38,7 +38,7 @@ static void first_step(const std::size_t n_rows,
       }
 }
 
-/** Single precision within so many numbers, double beyond. */
+/** Sums use single precision within pieces of this length, double precision beyond. */
 constexpr std::size_t piece = 512;
 
 template <typename Term>
@@ -63,7 +63,7 @@ static double dot(const std::size_t n, const float *x, const float *y)
          __attribute__((always_inline)) { return load(x + i) * load(y + i); });
 }
 
-/** One vector in double precision, from single precision. */
+/** A vector converted from single to double precision. */
 MESOSLIP_INLINE vdouble widened(const float *p)
 {
   typedef float half

@@ -1,5 +1,5 @@
-// The kernels of the solver on voxels of one instruction set, and their table. Compiled
-// once for each set, see kernel_variants.h.
+// The kernels of the voxel solver for one instruction set, and their table. Compiled once
+// for each set, see kernel_variants.h.
 #include "elasticity/kernel_variants.h"
 #include "statics/voxel/kernels/kernels.h"
 
@@ -36,7 +36,8 @@ namespace mesoslip::voxel::MESOSLIP_VARIANT
     MESOSLIP_SWEEP(Material, Number, kind, cubes, __VA_ARGS__),   \
     MESOSLIP_SWEEP(Material, Number, kind, general, __VA_ARGS__), \
     MESOSLIP_FLAT_SWEEP(Material, Number, kind, flat, __VA_ARGS__)
-// Few phases that are apart are not worth kernels of their own: these look up any.
+// Separate kernels for few phases with mean dilatation do not pay off: these look up any
+// number.
 #define MESOSLIP_OF_PHASES(Number, kind)              \
   {MESOSLIP_KINDS(OfPhases, Number, kind, , true),    \
    MESOSLIP_APART(OfPhases, Number, kind, , false)},  \
@@ -60,7 +61,7 @@ const Kernels &kernels()
   static const Kernels table = {MESOSLIP_SOURCES(product),
                                 MESOSLIP_SOURCES(residual),
                                 MESOSLIP_SOURCES(chebyshev),
-                                {{}, // of stored ones
+                                {{}, // for stored coefficients
                                  MESOSLIP_OF_PHASES(double, outer),
                                  MESOSLIP_MATERIALS(double, outer)},
                                 few_phases,

@@ -12,7 +12,7 @@
 #include "body/mesh/mesh_body.h"
 #include "body/mesh/mesh_discretization.h"
 #include "body/mesh/mesh_share.h"
-#include "dynamics/explicit_stepper.h"
+#include "dynamics/grid/explicit_stepper.h"
 #include "grid/halo.h"
 #include "grid/row_partition.h"
 #include "measuring.h"

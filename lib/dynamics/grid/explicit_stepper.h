@@ -1,7 +1,7 @@
-#ifndef mesoslip_dynamics_explicit_stepper_h
-#define mesoslip_dynamics_explicit_stepper_h
+#ifndef mesoslip_dynamics_grid_explicit_stepper_h
+#define mesoslip_dynamics_grid_explicit_stepper_h
 
-#include "dynamics/temporal_blocking.h"
+#include "dynamics/grid/temporal_blocking.h"
 #include "elasticity/uniform_grid_operator.h"
 
 #include <algorithm>
@@ -20,22 +20,22 @@ namespace mesoslip
  *     a = M^-1 (boundary forces + M (g - alpha w) - K (u + beta w)) / (1 + alpha dt / 2)
  *     w += dt a,   u += dt w + (beta2 - 1/2) dt^2 a
  *
- * which is the beta2 scheme with v = w + beta2 dt a where a velocity is reported (w alone
- * is v_n - beta2 dt a_n, see doc/). Inner rows are advanced by the kernel, the bottom and
- * the top row by the given SurfaceCondition<2> objects.
+ * This is the beta2 scheme with v = w + beta2 dt a where a velocity is reported (w alone
+ * is v_n - beta2 dt a_n, see doc/). The kernel advances inner rows, the given
+ * SurfaceCondition<2> objects the bottom and the top row.
  *
- * What the SteppedBody refers to must outlive the stepper; its fields have
+ * Objects referenced by SteppedBody must outlive the stepper; its fields have
  * material.n_columns() columns and rows.n_local() rows. On a slab every rank needs at
- * least two own rows and as many as there are ghost rows.
+ * least two owned rows, and at least as many as there are ghost rows.
  *
- * Between calls the own rows of the fields and the boundary rows are all the state there
- * is. The nearest ghost rows hold u_n and w_n after step(), before which they held
- * anything, and anything after advance().
+ * Between calls, the owned rows of the fields and the boundary rows are the complete
+ * state. After step() the nearest ghost rows hold u_n and w_n; after advance() they are
+ * undefined.
  */
 class ExplicitStepper : public Stepper
 {
 public:
-  /** Throws std::invalid_argument if something does not fit. */
+  /** Throws std::invalid_argument for inconsistent arguments. */
   explicit ExplicitStepper(const SteppedBody &body,
                            const SideConstraints &sides = {},
                            const SweepOptions &options  = {})
@@ -48,22 +48,14 @@ public:
               body.damping != nullptr ? damping_of(body) : nullptr)
     , material(body.material)
     , isa(resolve(options.isa))
+    , is_single(options.single_precision)
     , columns(body.columns)
     , platens(body.platens)
     , free_surface(body.parameters)
-    , kernels(make_kernels(material, body.parameters, isa))
-    , masses(material, body.rows, body.parameters, sides, body.damping)
     , op(material, body.rows)
-    , sweeps(with_free_surfaces(body),
-             kernels,
-             masses,
-             max_steps(body, options),
-             by_phase.get())
+    , sweeps(options.single_precision ? make_sweeps<float>(body, sides, options)
+                                      : make_sweeps<double>(body, sides, options))
   {
-    if (rows.begin == 0)
-      masses.add_guests(false, columns);
-    if (rows.end == rows.n_global)
-      masses.add_guests(true, columns);
   }
 
   void advance(const std::uint64_t n_steps) override
@@ -71,7 +63,7 @@ public:
     const std::uint64_t end   = n_done + n_steps;
     const auto steps_of_sweep = [&](const std::uint64_t from) {
       const std::uint64_t left   = end - from;
-      const std::uint64_t blocks = (left + sweeps.max_steps() - 1) / sweeps.max_steps();
+      const std::uint64_t blocks = (left + sweeps->max_steps() - 1) / sweeps->max_steps();
       return static_cast<unsigned int>(left > 0 ? (left + blocks - 1) / blocks : 0);
     };
 
@@ -80,15 +72,18 @@ public:
     for (; (by_phase || !platens.empty()) && n_done < end; ++n_done)
       step_once();
     unsigned int n = steps_of_sweep(n_done);
-    if (n > 0)
-      sweeps.send(n);
+    if (n == 0)
+      return;
+    sweeps->load();
+    sweeps->send(n);
     while (n > 0)
       {
         const unsigned int n_next = steps_of_sweep(n_done + n);
-        sweeps.run(n_done, n, n_next);
+        sweeps->run(n_done, n, n_next);
         n_done += n;
         n = n_next;
       }
+    sweeps->save();
   }
 
   void multiply(NodalField<double> &Kx, NodalField<double> &x) const override
@@ -111,36 +106,43 @@ public:
   Deformation deformation() const override
   {
     update_ghost_rows(u, rows, communicator);
-    return largest_deformation(material.grid(), rows, u, communicator);
+    Deformation found = largest_deformation(material.grid(), rows, u, communicator);
+    if (is_single)
+      found.rounding = rounding_of_strain(material.grid(), rows, u, communicator);
+    return found;
   }
 
   /** Kernel variant and instruction set. */
   std::string kernel_name() const override
   {
-    return to_string(isa) + " " + kernels::name(kernels.choice);
+    return to_string(isa) + " " + sweeps->kernel_name();
   }
 
-  /** Steps that advance() does in one sweep. */
+  /** Number of steps per sweep of advance(). */
   unsigned int steps_at_once() const
   {
-    return sweeps.max_steps();
+    return sweeps->max_steps();
   }
 
 private:
-  /** A sweep of one step, between which something looks at all rows. */
+  /**
+   * One sweep of one step; phase damping and platens act on all rows before and after it.
+   */
   void step_once()
   {
     if (by_phase)
       by_phase->start_step(w);
     for (PlatenColumn *platen : platens)
       platen->save();
-    sweeps.send(1);
-    sweeps.run(n_done, 1, 0);
+    sweeps->load();
+    sweeps->send(1);
+    sweeps->run(n_done, 1, 0);
+    sweeps->save();
     for (PlatenColumn *platen : platens)
       platen->advance(n_done);
   }
 
-  /** The material, once everything is known to fit it. */
+  /** The material, after a check that everything fits it. */
   static const UniformMaterial &checked(const SteppedBody &body,
                                         const SideConstraints &sides)
   {
@@ -169,28 +171,6 @@ private:
     return material;
   }
 
-  static RowKernels<double> make_kernels(const UniformMaterial &material,
-                                         const StepParameters &parameters,
-                                         const InstructionSet isa)
-  {
-    RowKernels<double> kernels(material, isa, parameters.common_beta() != 0.,
-                               parameters.acts_on_mass());
-    auto &c         = *kernels.constants;
-    const double hx = material.grid().spacing[0], hy = material.grid().spacing[1];
-    c.beta      = parameters.common_beta();
-    c.c_new     = parameters.dt * (parameters.beta2 + 0.5);
-    c.c_old     = -parameters.dt * (parameters.beta2 - 0.5);
-    c.gravity_x = parameters.acceleration[0];
-    c.gravity_y = parameters.acceleration[1];
-    // Stepping kernels have forces times 2/h.
-    c.scaled_gravity_x = parameters.acceleration[0] * 2. / hx;
-    c.scaled_gravity_y = parameters.acceleration[1] * 2. / hy;
-    c.alpha            = parameters.common_alpha();
-    c.scaled_alpha_x   = parameters.common_alpha() * 2. / hx;
-    c.scaled_alpha_y   = parameters.common_alpha() * 2. / hy;
-    return kernels;
-  }
-
   static std::unique_ptr<PhaseDamping> damping_of(const SteppedBody &body)
   {
     const UniformMaterial &damping = *body.damping;
@@ -208,7 +188,7 @@ private:
       std::move(drags), body.u);
   }
 
-  /** Time steps in a sweep: with neighbours as many as there are ghost rows. */
+  /** Time steps per sweep: the number of ghost rows if there are neighbours. */
   static unsigned int max_steps(const SteppedBody &body, const SweepOptions &options)
   {
     if (body.damping != nullptr || !body.platens.empty())
@@ -220,23 +200,25 @@ private:
                                 options.steps_at_once);
   }
 
-  SteppedBody with_free_surfaces(SteppedBody body)
+  template <typename Number>
+  std::unique_ptr<Sweeps>
+  make_sweeps(SteppedBody body, const SideConstraints &sides, const SweepOptions &options)
   {
     for (SurfaceCondition<2> **surface : {&body.bottom, &body.top})
       if (*surface == nullptr)
         *surface = &free_surface;
-    return body;
+    return std::make_unique<TemporalBlocking<Number>>(
+      body, sides, isa, max_steps(body, options), by_phase.get());
   }
 
   const UniformMaterial &material;
   const InstructionSet isa;
+  const bool is_single;
   const std::vector<SideColumn *> columns;
   const std::vector<PlatenColumn *> platens;
   FreeSurface<2> free_surface;
-  const RowKernels<double> kernels;
-  StepMasses masses;
   const UniformGridOperator op;
-  TemporalBlocking sweeps;
+  const std::unique_ptr<Sweeps> sweeps;
 };
 } // namespace mesoslip
 
