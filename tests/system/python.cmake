@@ -56,7 +56,7 @@ mesoslip_python_tests(system 2 chains/chain chains/drafts chains/package homogen
                       pages/first_steps pages/paper pages/tomogram programs/files programs/other_processors
                       programs/ranks programs/xdmf sliding/boxes sliding/complex_modes sliding/friction_homogenization sliding/mesh_dynamics
                       sliding/mesh_flat sliding/mesh_modes sliding/mesh_periodic sliding/mesh_static_contact sliding/one_run sliding/oriented_boxes
-                      sliding/contact_stiffness sliding/profile sliding/tangential_stiffness sliding/counter_body sliding/counter_bodies sliding/unmatched_surfaces sliding/resume sliding/side_platens sliding/side_supports sliding/start sliding/steady_part sliding/supports sliding/continue_run sliding/sweep)
+                      sliding/contact_stiffness sliding/profile sliding/tangential_stiffness sliding/counter_body sliding/counter_bodies sliding/unmatched_surfaces sliding/resume sliding/side_platens sliding/side_supports sliding/start sliding/steady_part sliding/supports sliding/continue_run sliding/single_precision sliding/sweep)
 mesoslip_python_tests(verification 1 stability contact/hertz contact/hertz_pair contact/hertz_sphere contact/incremental_friction contact/incremental_sphere
                       contact/mesh_friction_vector contact/oblique_modes contact/random_resting_solids contact/random_static_contact
                       contact/spence contact/static_localization volumes/hexagonal_cell volumes/curved_cells volumes/independent_finite_elements
@@ -69,7 +69,7 @@ set_property(TEST system/chains/chain APPEND PROPERTY LABELS regression) # its n
 # Above a quarter of a minute each; ./test.sh --quick leaves them out.
 foreach(name chains/chain_validation chains/package chains/python_runs pages/guide pages/tomogram programs/other_processors programs/ranks
              report/whole_page sliding/boxes sliding/complex_modes sliding/complex_modes_laws sliding/contact_map sliding/contact_stiffness sliding/mesh_flat sliding/mesh_modes
-             sliding/mesh_periodic sliding/oriented_boxes sliding/resume sliding/side_platens sliding/side_supports sliding/supports sliding/continue_run sliding/sweep)
+             sliding/mesh_periodic sliding/oriented_boxes sliding/resume sliding/side_platens sliding/side_supports sliding/supports sliding/continue_run sliding/single_precision sliding/sweep)
   set_property(TEST system/${name} APPEND PROPERTY LABELS slow)
 endforeach()
 mesoslip_long_test(system/sliding/resume 2 --long)

@@ -5,7 +5,7 @@ from report.base.common_scales import comparable, same_scale
 from report.base.page import escape, quantities, quantity
 from report.bodies import contact_surface, field_errors, fields, loads, maps, mesh_maps
 from report.bodies import points as volumes
-from report.runs import analyses, complex_modes, contact_states, energies, key_numbers, paper, probes, reference_node, sweep_map, verdict, waves, what_was_run
+from report.runs import analyses, complex_modes, contact_states, energies, key_numbers, paper, probes, reference_node, sweep_map, verdict, vibrating_modes, waves, what_was_run
 
 
 def plan(chain, surface_times=()):
@@ -30,10 +30,11 @@ def plan(chain, surface_times=()):
         result += transient_sections(chain.transient, surface_times)
     for heading, make, runs in [("Map", sweep_map.maps, chain.maps), ("Modes of vibration", analyses.modes, chain.modal),
                                 ("Modes of steady sliding", complex_modes.complex_modes, chain.complex),
+                                ("Modes that vibrate", vibrating_modes.vibrating_modes, vibrating_modes.pairs(chain)),
                                 ("Static contact", analyses.static_contact, chain.static),
                                 ("Homogenized friction law", analyses.friction_law, chain.friction_law)]:
         if runs:
-            result.append((heading, [(make, run) for run in runs]))
+            result.append((heading, [(make, *run) if isinstance(run, tuple) else (make, run) for run in runs]))
     if chain.localization:
         result.append(("Localization", [(probes.localization, run) for run in chain.localization]))
         surfaces = [(localized_pressure, run, chain.dynamics) for run in chain.localization

@@ -14,9 +14,11 @@ from scenes import TOOLS, Folder, prm, sets
 from sliding_pin import SlidingPin
 
 sys.path.append(os.path.join(TOOLS, "studies", "prediction"))
-sys.path.append(os.path.join(TOOLS, "python"))
+sys.path += [os.path.join(TOOLS, "python"), TOOLS]
 import mesoslip  # noqa: E402
 from measures import rates  # noqa: E402
+from report.base.data import Chain  # noqa: E402
+from report.runs import vibrating_modes  # noqa: E402
 from mesoslip.participation import assurance, instability_index, participation  # noqa: E402
 
 STIFFNESS, DENSITY, CELLS, SIZE = (36.54e9, 9.1e9, 47.26e9, 13.785e9), 1770, (24, 8), (0.012, 0.004)
@@ -188,6 +190,19 @@ def check_participation(folder):
         print(f"participation: growth {growth:.1f} 1/s, mode {rates_of[0]:.1f}; amplitudes at the end {found.amplitude[-1]}, "
               f"explained {found.explained[0]:.6f} to {found.explained[-1]:.6f}")
         assert abs(growth / rates_of[0] - 1) < 2e-3 and found.amplitude[-1].argmax() == 0 and found.explained.min() > 0.99, found
+    check_reported(folder)
+
+
+class Captions:
+    def figure(self, figure, caption):
+        return caption
+
+
+def check_reported(folder):
+    """The report says which mode has the shape of the vibration."""
+    pair, = vibrating_modes.pairs(Chain([folder("modes"), folder("run")]))
+    said = vibrating_modes.vibrating_modes(Captions(), *pair)
+    assert "The vibration has the shape of the mode at 541.5 kHz" in said, said
 
 
 def expect_refused(action, words):
