@@ -1,7 +1,7 @@
 #ifndef mesoslip_contact_contact_map_h
 #define mesoslip_contact_contact_map_h
 
-#include "contact/laws/slip_law.h"
+#include "contact/laws/coefficient_law.h"
 #include "contact/node_loads.h"
 
 #include <cstdint>

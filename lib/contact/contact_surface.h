@@ -213,7 +213,7 @@ public:
 
   /**
    * State variable of the friction law, one value per node; null if it has none.
-   * FrictionLaw::slip_law has its name and unit.
+   * FrictionLaw::coefficient_law has its name and unit.
    */
   const double *law_state() const
   {

@@ -9,7 +9,7 @@
 
 namespace mesoslip
 {
-class SlipLaw;
+class CoefficientLaw;
 
 /** Motion of the contact nodes just before a step. */
 struct SlidingNodes
@@ -102,9 +102,9 @@ struct FrictionLaw
    * Law mu(rate, state, pressure, position, time), multiplied by the coefficient of the
    * node over reference; null: constant.
    */
-  std::shared_ptr<const SlipLaw> slip_law;
+  std::shared_ptr<const CoefficientLaw> coefficient_law;
 
-  /** Coefficient of friction for which slip_law is written. */
+  /** Coefficient of friction for which coefficient_law is written. */
   double reference = 1.;
 
   /** Memory of the normal stress in the friction limit; by default none. */
@@ -113,7 +113,7 @@ struct FrictionLaw
   /** Whether the friction limit is other than a constant mu times the normal force. */
   bool is_variable() const
   {
-    return slip_law || normal_stress.is_given();
+    return coefficient_law || normal_stress.is_given();
   }
 };
 } // namespace mesoslip

@@ -24,13 +24,14 @@ void serialize(Archive &archive, Phase<2> &phase, const unsigned int)
 /** The sliding body: geometry, materials and friction coefficients. */
 struct BodyDescription
 {
-  UniformGrid<2> grid;                ///< number of cells, their size and origin (m)
-  std::vector<Phase<2>> phases;       ///< one phase if homogeneous
-  std::vector<std::uint8_t> phase_id; ///< of each cell, x fastest; may be empty
-  std::vector<double> node_friction;  ///< Coulomb coefficient of the bottom nodes
-  std::string rve_digest;             ///< digest of the RVE file; empty without one
-  std::string rve_content;            ///< see RveFile::content()
-  std::vector<std::string> warnings;  ///< warnings about the RVE file for the user
+  UniformGrid<2> grid;          ///< number of cells, their size and origin (m)
+  std::vector<Phase<2>> phases; ///< one phase if homogeneous
+  std::vector<std::uint8_t>
+    phase_id; ///< index of the phase of each cell, x fastest; may be empty
+  std::vector<double> node_friction; ///< Coulomb coefficient of the bottom nodes
+  std::string rve_digest;            ///< digest of the RVE file; empty without one
+  std::string rve_content;           ///< see RveFile::content()
+  std::vector<std::string> warnings; ///< warnings about the RVE file for the user
 
   /** Phase index of a cell. */
   std::size_t phase_of(const std::size_t cell) const

@@ -44,7 +44,7 @@ struct RveContent
     return mesh != nullptr ? mesh->cells.size() : grid.n_cells();
   }
 
-  Orientations orientations; ///< of the cells, in 3D; empty if uniform
+  Orientations orientations; ///< orientations of the cells, in 3D; empty if uniform
 
   /**
    * Materials of the cells and their volume fractions: the phases, or all pairs of phase

@@ -77,7 +77,7 @@ struct SweepOptions
    */
   unsigned int steps_at_once = 0;
 
-  bool single_precision = false; ///< of the motion between the contact and the top
+  bool single_precision = false; ///< motion between contact and top, on plane grids
 };
 
 /**

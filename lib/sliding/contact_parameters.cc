@@ -233,7 +233,7 @@ void ContactParameters::bind(Keys &keys)
   if (analysis == ContactAnalysis::transient ||
       analysis == ContactAnalysis::static_contact ||
       analysis == ContactAnalysis::complex_modes)
-    make_slip_law(keys);
+    make_coefficient_law(keys);
   if (!keys.are_read())
     return;
   contact.profile = profile.make(mesh.mesh.dim);

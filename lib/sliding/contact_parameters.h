@@ -217,7 +217,7 @@ private:
   void hold_sides();
   void check_platen(const Keys &keys) const;
   void bind_periodicity(Keys &keys);
-  void make_slip_law(const Keys &keys);
+  void make_coefficient_law(const Keys &keys);
   void bind_observation(Keys &keys);
   void bind_contact_map(Keys &keys);
   void check_contact_map(const Keys &keys) const;

@@ -186,9 +186,9 @@ private:
     for (unsigned int c = 0; c < scales.dim; ++c)
       ranges.push_back(speed(std::string("Body/Initial velocity along ") + "xyz"[c],
                              std::fabs(initial[c])));
-    const SlipLawParameters &law = parameters.friction.slip_law;
-    if (law.kind == SlipLawParameters::Kind::static_and_kinetic ||
-        law.kind == SlipLawParameters::Kind::stribeck)
+    const CoefficientLawParameters &law = parameters.friction.coefficient_law;
+    if (law.kind == CoefficientLawParameters::Kind::static_and_kinetic ||
+        law.kind == CoefficientLawParameters::Kind::stribeck)
       ranges.push_back(
         speed("Friction/Critical velocity", law.stribeck.critical_velocity));
     return ranges;
@@ -239,9 +239,9 @@ private:
    * the flat's way. */
   PlausibleRange weakening_slip() const
   {
-    const SlipLawParameters &law = parameters.friction.slip_law;
-    const bool by_state          = law.kind == SlipLawParameters::Kind::rate_and_state;
-    const double way             = flat_speed * end;
+    const CoefficientLawParameters &law = parameters.friction.coefficient_law;
+    const bool by_state = law.kind == CoefficientLawParameters::Kind::rate_and_state;
+    const double way    = flat_speed * end;
     return at_most(by_state ? "Friction/Rate and state/Length" : "Friction/Critical slip",
                    by_state                  ? law.state.length
                    : law.is_slip_weakening() ? law.weakening.critical_slip
@@ -257,10 +257,10 @@ private:
   {
     const FrictionLaw &law             = parameters.contact.law;
     const FrictionParameters &friction = parameters.friction;
-    if (!law.slip_law ||
-        (friction.coefficient_by_phase && friction.slip_law.has_reference()))
+    if (!law.coefficient_law ||
+        (friction.coefficient_by_phase && friction.coefficient_law.has_reference()))
       return automatic;
-    const double largest = law.slip_law->largest(flat_speed);
+    const double largest = law.coefficient_law->largest(flat_speed);
     return std::isfinite(largest) ? largest
                                   : automatic; // may depend on more than the slip
   }
@@ -289,14 +289,15 @@ private:
   std::string weakening_text() const
   {
     const FrictionLaw &law = parameters.contact.law;
-    if (!law.slip_law || law.time > 0. || law.node_law || flat_speed == 0.)
+    if (!law.coefficient_law || law.time > 0. || law.node_law || flat_speed == 0.)
       return "";
     SlipPoint at;
     at.slip_rate                 = flat_speed;
     at.pressure                  = pressures.largest_size();
-    at.state                     = law.slip_law->steady_state(flat_speed);
+    at.state                     = law.coefficient_law->steady_state(flat_speed);
     const RateWeakening friction = {
-      at.pressure * std::max(law.slip_law->steepest_fall(), -law.slip_law->slope(at)),
+      at.pressure *
+        std::max(law.coefficient_law->steepest_fall(), -law.coefficient_law->slope(at)),
       scales.shear_impedance, 0., parameters.step.least_beta()};
     if (!friction.is_too_steep())
       return "";

@@ -139,7 +139,7 @@ ContactMapSetup contact_map_setup(const ContactParameters &parameters, const dou
   setup.interval = std::max<std::uint64_t>(1, steps(map.interval));
   setup.first    = steps(map.from);
   setup.end      = std::isnan(map.to) ? steps(1e18 * dt) : steps(map.to) + 1;
-  if (const auto &law = parameters.contact.law.slip_law; law && law->state())
+  if (const auto &law = parameters.contact.law.coefficient_law; law && law->state())
     setup.law_state = *law->state();
   const auto names = map_field_names();
   for (std::size_t k = 0; k < names.size(); ++k)
@@ -275,7 +275,7 @@ std::string crossing_text(const ContactParameters &parameters, const BodyScales 
 std::string undefined_friction(const ContactParameters &p, const double energy)
 {
   return std::isnan(energy) &&
-             p.friction.slip_law.kind == SlipLawParameters::Kind::expression
+             p.friction.coefficient_law.kind == CoefficientLawParameters::Kind::expression
            ? "Friction/Coefficient expression where it is negative or no number; or "
            : "";
 }

@@ -83,7 +83,7 @@ PROBLEMS = [
     ("Friction laws", "every formula and its slopes; velocity weakening and rate and state of order 2 in dt; a step of velocity; slip weakening turns kinetic energy into "
      "work; a block on a spring sticks and slips; Prakash and Clifton's normal stress after a step; each with every regularization of friction and normal stress "
      "against Runge and Kutta's method",
-     [_UNIT + "SlipLaw." + name for name in ("Formulas", "SlopesAndTheirBounds", "VelocityWeakeningIsOfOrderTwo", "SlipWeakeningTurnsKineticEnergyIntoWork",
+     [_UNIT + "CoefficientLaw." + name for name in ("Formulas", "SlopesAndTheirBounds", "VelocityWeakeningIsOfOrderTwo", "SlipWeakeningTurnsKineticEnergyIntoWork",
                                                 "RateAndStateAfterAStepOfVelocity", "RateAndStateIsOfOrderTwo", "SpringAndBlockStickAndSlip")]
      + [_UNIT + "NormalStressMemory.RelaxesAfterAStepOfTheNormalForce", _UNIT + "LawRegularization.EveryLawWithEveryRegularization"]),
     ("Maps of the contact", "a wave travels through the map as the dispersion relation says; a map changes no step",

@@ -4,7 +4,7 @@
 #include "contact/flat/flat_profile.h"
 #include "contact/flat/power_springs.h"
 #include "contact/friction_law.h"
-#include "contact/laws/slip_law.h"
+#include "contact/laws/coefficient_law.h"
 #include "parameters/load_history.h"
 
 #include <array>
@@ -92,7 +92,7 @@ struct ContactSetup
   bool wants_area() const
   {
     return is_compliant() || slips_on_springs() || profile ||
-           (law.slip_law && law.slip_law->looks_around());
+           (law.coefficient_law && law.coefficient_law->looks_around());
   }
 
   /**

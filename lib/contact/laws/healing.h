@@ -1,7 +1,7 @@
 #ifndef mesoslip_contact_laws_healing_h
 #define mesoslip_contact_laws_healing_h
 
-#include "contact/laws/slip_law.h"
+#include "contact/laws/coefficient_law.h"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 #ifndef mesoslip_contact_laws_nodewise_law_h
 #define mesoslip_contact_laws_nodewise_law_h
 
-#include "contact/laws/slip_law.h"
+#include "contact/laws/coefficient_law.h"
 
 #include <cmath>
 
@@ -66,10 +66,10 @@ double solve_slip_rate(const Law &law,
  * solved if mu does not depend on the slip rate.
  */
 template <class Law, bool depends_on_rate = true>
-class NodewiseLaw : public SlipLaw
+class NodewiseLaw : public CoefficientLaw
 {
 public:
-  /** See SlipLaw; calls no functions of the law through pointers. */
+  /** See CoefficientLaw; calls no functions of the law through pointers. */
   void update(const SlipNodes &nodes) const final
   {
     const Law &law = static_cast<const Law &>(*this);

@@ -27,11 +27,11 @@ VariableFriction<dim>::VariableFriction(
   , pressure(area.size())
   , coefficient(coefficients.size())
 {
-  if (law.slip_law)
+  if (law.coefficient_law)
     for (double &f : factor)
       f = f == law.reference ? 1. : f / law.reference;
-  if (law.slip_law && law.slip_law->state())
-    kept.states.assign(factor.size(), law.slip_law->state()->initial);
+  if (law.coefficient_law && law.coefficient_law->state())
+    kept.states.assign(factor.size(), law.coefficient_law->state()->initial);
   if (law.normal_stress.is_given())
     kept.remembered.assign(factor.size(), 0.);
 }
@@ -106,9 +106,9 @@ VariableFriction<dim>::predict(const SurfaceView<dim> &surface,
 template <int dim>
 void VariableFriction<dim>::note_weakening(const double soft, const double share)
 {
-  const double by_rate = soft * law.slip_law->steepest_fall(),
+  const double by_rate = soft * law.coefficient_law->steepest_fall(),
                by_slip = share > 0. ? soft / (share * step.beta2) * step.dt *
-                                        law.slip_law->steepest_fall_in_slip()
+                                        law.coefficient_law->steepest_fall_in_slip()
                                     : 0.;
   kept.weakening       = std::max({kept.weakening, by_rate, by_slip});
 }
@@ -139,10 +139,10 @@ void VariableFriction<dim>::update(const SurfaceView<dim> &surface,
       softness[i]  = node.normal > 0. ? node.softness * pressing * factor[i] : -1.;
       if (!pressure.empty())
         pressure[i] = area[i] != 0. ? node.normal / std::fabs(area[i]) : 0.;
-      if (law.slip_law && softness[i] > 0.)
+      if (law.coefficient_law && softness[i] > 0.)
         note_weakening(softness[i], 1. - contact.column[Arrays::lag][i]);
     }
-  if (law.slip_law)
+  if (law.coefficient_law)
     {
       const auto or_null = [](const std::vector<double> &values) {
         return values.empty() ? nullptr : values.data();
@@ -157,11 +157,11 @@ void VariableFriction<dim>::update(const SurfaceView<dim> &surface,
       nodes.time        = surface.time;
       nodes.state       = kept.states.empty() ? nullptr : kept.states.data();
       nodes.coefficient = coefficient.data();
-      law.slip_law->update(nodes);
+      law.coefficient_law->update(nodes);
     }
   for (std::size_t i = 0; i < n; ++i)
     if (normal[i] > 0.)
-      result[i] = (law.slip_law ? coefficient[i] : 1.) * factor[i] *
+      result[i] = (law.coefficient_law ? coefficient[i] : 1.) * factor[i] *
                   (kept.remembered.empty() ? 1. : kept.remembered[i] / normal[i]);
 }
 

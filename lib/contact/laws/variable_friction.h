@@ -3,7 +3,7 @@
 
 #include "contact/contact_kernel.h"
 #include "contact/friction_law.h"
-#include "contact/laws/slip_law.h"
+#include "contact/laws/coefficient_law.h"
 #include "dynamics/surface_condition.h"
 
 #include <array>
@@ -23,7 +23,7 @@ struct FlatMotion
 
 /**
  * Friction limit that is not a constant times the normal force: the coefficient of a
- * SlipLaw at the slip rate of the same instant, and the memory of the normal stress. Sets
+ * CoefficientLaw at the slip rate of the same instant, and the memory of the normal stress. Sets
  * the coefficient by which the contact kernel multiplies the normal force.
  *
  * With lumped masses each node has its own equation. In a step the force f_n changes the

@@ -25,16 +25,19 @@ public:
   {
   }
 
+  /** Component @p c of the displacements (m) of a row. */
   Number *u(const unsigned int c, const unsigned int row)
   {
     return copies[0].row(c, row);
   }
 
+  /** Component @p c of the velocities of the scheme (m/s) of a row. */
   Number *w(const unsigned int c, const unsigned int row)
   {
     return copies[1].row(c, row);
   }
 
+  /** Numbers from one row to the next. */
   std::size_t stride() const
   {
     return copies[0].stride();
@@ -83,30 +86,36 @@ template <>
 class SweptState<double>
 {
 public:
+  /** @p u (m) and @p w (m/s) must outlive it. */
   SweptState(NodalField<double> &u, NodalField<double> &w)
     : of_body{{&u, &w}}
   {
   }
 
+  /** Component @p c of the displacements (m) of a row. */
   double *u(const unsigned int c, const unsigned int row)
   {
     return of_body[0]->row(c, row);
   }
 
+  /** Component @p c of the velocities of the scheme (m/s) of a row. */
   double *w(const unsigned int c, const unsigned int row)
   {
     return of_body[1]->row(c, row);
   }
 
+  /** Numbers from one row to the next. */
   std::size_t stride() const
   {
     return of_body[0]->stride();
   }
 
+  /** Nothing: there is no copy. */
   void load(unsigned int, unsigned int, unsigned int, unsigned int)
   {
   }
 
+  /** Nothing: there is no copy. */
   void save(unsigned int, unsigned int, unsigned int, unsigned int)
   {
   }

@@ -73,9 +73,10 @@ struct BrickStep
   double alpha;           ///< damping C = alpha M + beta K (1/s)
   double acceleration[3]; ///< body acceleration (m/s^2), in the order of the sweep
 
-  const double *const *inverse_mass; ///< of each row of nodes, [plane][row] (1/kg)
-  const std::uint32_t *held_begin;   ///< begin of each row of nodes, and the end
-  const HeldNode *held;              ///< by row, component, then node
+  const double *const
+    *inverse_mass; ///< inverse masses (1/kg) of each row of nodes, [plane][row]
+  const std::uint32_t *held_begin; ///< begin of each row of nodes, and the end
+  const HeldNode *held;            ///< by row, component, then node
 
   /**
    * Output: forces on the nodes of the first and the last row of all planes, which are

@@ -39,12 +39,12 @@ void add_friction(RunConditions &conditions, const ContactParameters &parameters
   conditions["coefficient_from"] = friction.coefficient_by_phase ? "phases" : "constant";
   if (friction.coefficient_by_phase)
     conditions["node_rule"] = friction.node_rule;
-  else if (friction.has_constant_coefficient() || !parameters.contact.law.slip_law)
+  else if (friction.has_constant_coefficient() || !parameters.contact.law.coefficient_law)
     conditions["friction_coefficient"] = friction.coefficient;
-  if (parameters.contact.law.slip_law)
+  if (parameters.contact.law.coefficient_law)
     conditions["coefficient_law"] =
-      friction.slip_law.text() +
-      (friction.coefficient_by_phase && friction.slip_law.has_reference()
+      friction.coefficient_law.text() +
+      (friction.coefficient_by_phase && friction.coefficient_law.has_reference()
          ? ", reference = " + to_text(friction.coefficient)
          : "");
   if (parameters.contact.law.normal_stress.is_given())

@@ -194,7 +194,7 @@ void write_complex_tables(const ComplexCases<dim> &cases,
   json["normal_stiffness"] = finite_or_null(parameters.contact.normal_spring.stiffness);
   json["sliding_nodes"]    = cases.base.n_sliding;
   json["separated_nodes"]  = cases.base.n_separated;
-  json["steepest_friction_fall"] = parameters.contact.law.slip_law
+  json["steepest_friction_fall"] = parameters.contact.law.coefficient_law
                                      ? nlohmann::json(cases.base.steepest_fall)
                                      : nlohmann::json();
   json["shear_impedance"]        = cases.shear_impedance;

@@ -127,12 +127,12 @@ void check_complex_modes(const ContactParameters &p)
                     ", a memory which changes the vibrations of steady sliding and is "
                     "not among what complex modes linearize; use a transient run, or set "
                     "it to instant for the modes without the memory");
-  if (p.contact.law.slip_law)
+  if (p.contact.law.coefficient_law)
     {
       SlipPoint at;
       at.slip_rate = std::fabs(p.contact.flat_velocity.amplitude());
       at.pressure  = std::fabs(p.top.pressure.amplitude());
-      steady_friction(*p.contact.law.slip_law, at);
+      steady_friction(*p.contact.law.coefficient_law, at);
       if (sweep == ModeSweep::coefficient)
         throw UserError("Complex modes/Sweep is friction coefficient, but there is a "
                         "Friction/Coefficient law, whose coefficient is not that key; "

@@ -34,7 +34,7 @@ std::vector<SteadyFriction> friction_of(const SurfaceNodes<dim> &bottom,
   std::vector<SteadyFriction> result(coefficients.size());
   for (std::size_t k = 0; k < result.size(); ++k)
     {
-      if (!law.slip_law)
+      if (!law.coefficient_law)
         {
           result[k].coefficient = coefficients[k];
           continue;
@@ -48,7 +48,7 @@ std::vector<SteadyFriction> friction_of(const SurfaceNodes<dim> &bottom,
       for (unsigned int c = 0; c + 1 < dim; ++c)
         at.position[c] = body.point(bottom.nodes[k])[c];
       SteadyFriction &node = result[k];
-      node                 = steady_friction(*law.slip_law, at);
+      node                 = steady_friction(*law.coefficient_law, at);
       const double factor  = coefficients[k] / law.reference;
       node.coefficient *= factor;
       node.slopes = {factor * node.slopes.pressure, factor * node.slopes.rate,
@@ -83,7 +83,7 @@ StaticContactSolution settle(const SurfaceNodes<dim> &bottom,
       if (solution && change < 1e-9)
         return *solution;
       solution = solve(mu);
-      if (!law.slip_law || !law.slip_law->looks_around())
+      if (!law.coefficient_law || !law.coefficient_law->looks_around())
         return *solution;
       before = mu;
     }
@@ -150,7 +150,7 @@ SlidingState sliding_state(const ElasticBody<dim> &body,
       state.contact.friction.push_back(nodes[k].coefficient);
       state.contact.normal_force.push_back(solution ? solution->normal_force[k] : 0.);
       state.area.push_back(area_of<dim>(bottom, k));
-      if (flat.law.slip_law)
+      if (flat.law.coefficient_law)
         {
           state.contact.slopes.push_back(nodes[k].slopes);
           if (state.area.back() > 0.)

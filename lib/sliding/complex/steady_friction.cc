@@ -12,7 +12,7 @@ namespace
 constexpr double width = 1e-5; // relative width of finite differences
 
 /** Time constant (s) with which a state near @p steady returns to it. */
-double return_time(const SlipLaw &law, const double steady, const double slip_rate)
+double return_time(const CoefficientLaw &law, const double steady, const double slip_rate)
 {
   SlipStep step;
   step.slip_rate  = slip_rate;
@@ -32,7 +32,7 @@ double return_time(const SlipLaw &law, const double steady, const double slip_ra
 }
 
 /** Whether the state @p steady is constant during sliding. */
-bool stays(const SlipLaw &law, const double steady, const double slip_rate)
+bool stays(const CoefficientLaw &law, const double steady, const double slip_rate)
 {
   SlipStep step;
   step.dt          = 1.;
@@ -51,7 +51,7 @@ void require(const bool holds, const std::string &what)
 }
 } // namespace
 
-SteadyFriction steady_friction(const SlipLaw &law, SlipPoint at)
+SteadyFriction steady_friction(const CoefficientLaw &law, SlipPoint at)
 {
   const auto moved = [&](double SlipPoint::*what, const double factor) {
     SlipPoint other = at;

@@ -1,7 +1,7 @@
 #ifndef mesoslip_sliding_complex_steady_friction_h
 #define mesoslip_sliding_complex_steady_friction_h
 
-#include "contact/laws/slip_law.h"
+#include "contact/laws/coefficient_law.h"
 #include "eigenvalues/complex/sliding_pencil.h"
 
 namespace mesoslip
@@ -19,12 +19,12 @@ struct SteadyFriction
  * state of long sliding. With a state theta, d theta/dt = g(V, theta) and steady
  * theta_s(V), the instantaneous slope is dmu/dV at this theta. The rest of the slope, d
  * mu(V, theta_s(V))/dV minus the instantaneous slope, follows with the time constant
- * -1/(dg/dtheta), which is computed from SlipLaw::next_state(). A state that grows
+ * -1/(dg/dtheta), which is computed from CoefficientLaw::next_state(). A state that grows
  * without bound, such as the slip, is ignored.
  * @throws UserError for a law that depends on time, has no steady state, or is not
  * defined there
  */
-SteadyFriction steady_friction(const SlipLaw &law, SlipPoint at);
+SteadyFriction steady_friction(const CoefficientLaw &law, SlipPoint at);
 } // namespace mesoslip
 
 #endif

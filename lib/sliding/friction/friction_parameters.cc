@@ -62,19 +62,19 @@ void FrictionParameters::bind(Keys &keys, FrictionLaw &law)
             "weighted "
             "with the stiffness D22, in proportion to which they share the pressure, the "
             "plain mean, or one of the two");
-  slip_law.bind(keys);
+  coefficient_law.bind(keys);
   bind_normal_stress(keys, normal_stress, law.normal_stress);
   keys.only_with("Law", {"constant time"}, {"Regularization time"});
   keys.only_with("Law", {"slip rate"}, {"Length", "Reference velocity"});
   keys.only_with("Coefficient from", {"phases"}, {"Node rule"});
-  if (!slip_law.is_given())
+  if (!coefficient_law.is_given())
     keys.only_with("Coefficient from", {"constant"}, {"Coefficient"});
-  keys.only_if(slip_law.has_reference(), {"Coefficient"},
+  keys.only_if(coefficient_law.has_reference(), {"Coefficient"},
                "Coefficient law is a table or an expression, which say it all",
                "choose another law");
-  keys.require(!slip_law.is_given() || !slip_law.has_reference() || coefficient > 0.,
-               "Coefficient",
-               "it is 0, but Coefficient law refers to it; give it above 0");
+  keys.require(
+    !coefficient_law.is_given() || !coefficient_law.has_reference() || coefficient > 0.,
+    "Coefficient", "it is 0, but Coefficient law refers to it; give it above 0");
   if (law_name == "coulomb")
     law.time = 0.;
   if (law_name == "slip rate")
@@ -82,21 +82,23 @@ void FrictionParameters::bind(Keys &keys, FrictionLaw &law)
       std::make_shared<SlipRateRegularization>(slip_length, reference_velocity);
 }
 
-void FrictionParameters::make_slip_law(const Keys &keys, const Use &use, FrictionLaw &law)
+void FrictionParameters::make_coefficient_law(const Keys &keys,
+                                              const Use &use,
+                                              FrictionLaw &law)
 {
-  if (!slip_law.is_given() || !keys.are_read())
+  if (!coefficient_law.is_given() || !keys.are_read())
     return;
   const std::string key = "Friction/Coefficient law";
   const auto require    = [&](const bool holds, const std::string &what) {
     keys.require(holds, key, "it is '" + keys.value(key) + "', " + what);
   };
-  const auto made = slip_law.make(coefficient, use.dim);
+  const auto made = coefficient_law.make(coefficient, use.dim);
   SlipPoint at;
   at.pressure = use.pressure;
   if (use.in_time)
     {
       at.state = made->steady_state(0.);
-      if (!slip_law.has_reference())
+      if (!coefficient_law.has_reference())
         coefficient = made->coefficient(at);
       require(
         std::isfinite(coefficient),
@@ -106,9 +108,9 @@ void FrictionParameters::make_slip_law(const Keys &keys, const Use &use, Frictio
               "which at the speed of the flat and Supports/Top/Pressure has a negative "
               "coefficient "
               "or none");
-      law.slip_law = made;
+      law.coefficient_law = made;
       law.reference =
-        coefficient_by_phase && !slip_law.has_reference() ? 1. : coefficient;
+        coefficient_by_phase && !coefficient_law.has_reference() ? 1. : coefficient;
       return;
     }
   require(
@@ -119,7 +121,8 @@ void FrictionParameters::make_slip_law(const Keys &keys, const Use &use, Frictio
     !made->looks_around(),
     "which depends on pressure, time or place; statics know a coefficient at a slip "
     "rate only, use a transient run");
-  require(slip_law.kind != SlipLawParameters::Kind::rate_and_state || use.speed > 0.,
+  require(coefficient_law.kind != CoefficientLawParameters::Kind::rate_and_state ||
+            use.speed > 0.,
           "which has no coefficient at rest; set Flat/Velocity, whose steady friction is "
           "then taken");
   require(!use.flat_displaced || !made->state(),
@@ -141,7 +144,7 @@ std::string FrictionParameters::memory_text(const NormalStressMemory &memory)
            : "constant time, t_pc = " + to_text(memory.time) + " s";
 }
 
-void ContactParameters::make_slip_law(const Keys &keys)
+void ContactParameters::make_coefficient_law(const Keys &keys)
 {
   FrictionParameters::Use use;
   use.dim      = mesh.mesh.dim;
@@ -150,7 +153,7 @@ void ContactParameters::make_slip_law(const Keys &keys)
   use.in_time  = analysis == ContactAnalysis::transient ||
                 analysis == ContactAnalysis::complex_modes; // which linearizes the law
   use.flat_displaced = static_load.moves_flat();
-  friction.make_slip_law(keys, use, contact.law);
+  friction.make_coefficient_law(keys, use, contact.law);
 }
 
 void ContactParameters::check_contact_map(const Keys &keys) const
@@ -160,7 +163,8 @@ void ContactParameters::check_contact_map(const Keys &keys) const
            std::find(map.fields.begin(), map.fields.end(), name) != map.fields.end();
   };
   const FrictionLaw &law = contact.law;
-  keys.require(!asked("law state") || (law.slip_law && law.slip_law->state()),
+  keys.require(!asked("law state") ||
+                 (law.coefficient_law && law.coefficient_law->state()),
                "Contact map/Fields",
                "it names law state, but the Friction/Coefficient law has none; leave it "
                "out, or choose a slip weakening or rate and state");

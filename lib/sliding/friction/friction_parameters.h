@@ -2,7 +2,7 @@
 #define mesoslip_sliding_friction_friction_parameters_h
 
 #include "contact/friction_law.h"
-#include "sliding/friction/slip_law_parameters.h"
+#include "sliding/friction/coefficient_law_parameters.h"
 
 #include <memory>
 #include <string>
@@ -20,15 +20,15 @@ struct FrictionParameters
   bool coefficient_by_phase = false;           ///< whether taken from phases of rve.h5
   double coefficient        = 0.25;            ///< constant of all nodes; at rest
   std::string node_rule =
-    "stiffness";              ///< stiffness, mean, largest or smallest; see make_body()
-  SlipLawParameters slip_law; ///< law of the coefficient
-  std::string normal_stress = "instant"; ///< or constant time, slip rate
+    "stiffness"; ///< stiffness, mean, largest or smallest; see make_body()
+  CoefficientLawParameters coefficient_law; ///< law of the coefficient
+  std::string normal_stress = "instant";    ///< or constant time, slip rate
 
   /** Whether all nodes have a coefficient of which Friction/Coefficient is the
    * constant. */
   bool has_constant_coefficient() const
   {
-    return !coefficient_by_phase && slip_law.has_reference();
+    return !coefficient_by_phase && coefficient_law.has_reference();
   }
 
   /** Binds the keys of section Friction; puts the regularizations into @p law. */
@@ -50,7 +50,7 @@ struct FrictionParameters
    * flat. Collective.
    * @throws UserError for a law that has no meaning there
    */
-  void make_slip_law(const Keys &keys, const Use &use, FrictionLaw &law);
+  void make_coefficient_law(const Keys &keys, const Use &use, FrictionLaw &law);
 
   /** The constants of the memory of the normal stress, for comparisons; empty: none. */
   static std::string memory_text(const NormalStressMemory &memory);

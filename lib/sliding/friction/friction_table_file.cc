@@ -1,6 +1,6 @@
 #include "base/text.h"
 #include "io/grid_table.h"
-#include "sliding/friction/slip_law_parameters.h"
+#include "sliding/friction/coefficient_law_parameters.h"
 
 #include <string>
 #include <vector>

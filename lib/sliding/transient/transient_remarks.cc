@@ -54,10 +54,10 @@ double largest_coefficient(const TransientResult &run)
   const double largest   = *std::max_element(of_nodes.begin(), of_nodes.end());
   const FrictionLaw &law = run.parameters.contact.law;
   const double speed     = std::fabs(run.parameters.contact.flat_velocity.amplitude());
-  if (!law.slip_law)
+  if (!law.coefficient_law)
     return largest;
   const double factor = law.reference > 0. ? largest / law.reference : 1.;
-  return factor * law.slip_law->largest(2. * speed);
+  return factor * law.coefficient_law->largest(2. * speed);
 }
 
 std::string friction_remark(const TransientResult &run)

@@ -21,7 +21,8 @@ std::string run_identity(const Keys &keys,
                                      "Performance/", "Modal/", "Static contact/",
                                      "Friction homogenization/", "Sweep/"}) +
          "Performance/Instruction set = " + to_string(resolve(parameters.sweep.isa)) +
-         "\n" + contents + "Coefficient law = " + parameters.friction.slip_law.text() +
+         "\n" + contents +
+         "Coefficient law = " + parameters.friction.coefficient_law.text() +
          "\nProgram version = " + version + "\n";
 }
 

@@ -19,9 +19,9 @@ template <class Law>
 ContactSetup
 setup_with(const Law &law, const double reference, const double flat_velocity)
 {
-  ContactSetup setup  = contact_setup(1, reference, flat_velocity, 0.);
-  setup.law.slip_law  = std::make_shared<Law>(law);
-  setup.law.reference = reference;
+  ContactSetup setup        = contact_setup(1, reference, flat_velocity, 0.);
+  setup.law.coefficient_law = std::make_shared<Law>(law);
+  setup.law.reference       = reference;
   return setup;
 }
 
@@ -57,7 +57,7 @@ void expect_order_two(const std::function<double(double)> &error, const double d
 } // namespace
 
 // y = exp(v / V_c) of a block that the law brakes obeys a linear equation.
-TEST(SlipLaw, VelocityWeakeningIsOfOrderTwo)
+TEST(CoefficientLaw, VelocityWeakeningIsOfOrderTwo)
 {
   const Stribeck::Constants c = stribeck_constants();
   const double v0 = 3., ratio = (c.at_rest - c.kinetic) / c.kinetic;
@@ -82,7 +82,7 @@ TEST(SlipLaw, VelocityWeakeningIsOfOrderTwo)
     2e-2);
 }
 
-TEST(SlipLaw, SlipWeakeningTurnsKineticEnergyIntoWork)
+TEST(CoefficientLaw, SlipWeakeningTurnsKineticEnergyIntoWork)
 {
   for (const bool exponential : {false, true})
     {
@@ -110,7 +110,7 @@ TEST(SlipLaw, SlipWeakeningTurnsKineticEnergyIntoWork)
 
 // A held node on a flat that changes its speed: mu jumps by a ln(V_2 / V_1) and falls by
 // b ln(V_2 / V_1) over the slip length.
-TEST(SlipLaw, RateAndStateAfterAStepOfVelocity)
+TEST(CoefficientLaw, RateAndStateAfterAStepOfVelocity)
 {
   const double V1 = 0.2, V2 = 1., dt = 1e-5, jump = 0.2;
   for (const bool aging : {false, true})
@@ -147,7 +147,7 @@ TEST(SlipLaw, RateAndStateAfterAStepOfVelocity)
 }
 
 // Against Runge and Kutta's method with steps of a hundredth.
-TEST(SlipLaw, RateAndStateIsOfOrderTwo)
+TEST(CoefficientLaw, RateAndStateIsOfOrderTwo)
 {
   for (const bool aging : {false, true})
     {
@@ -191,7 +191,7 @@ TEST(SlipLaw, RateAndStateIsOfOrderTwo)
 }
 
 // What the kernel made of the coefficient is the law at the velocity of the same instant.
-TEST(SlipLaw, ForceAndSlipRateBelongTogether)
+TEST(CoefficientLaw, ForceAndSlipRateBelongTogether)
 {
   const Stribeck law(stribeck_constants());
   Points block =
@@ -216,7 +216,7 @@ TEST(SlipLaw, ForceAndSlipRateBelongTogether)
 
 // A block on a spring of which the other end moves: sticks up to mu_s, slips by twice the
 // drop of force (Bowden and Leben 1939) when the kinetic coefficient is reached at once.
-TEST(SlipLaw, SpringAndBlockStickAndSlip)
+TEST(CoefficientLaw, SpringAndBlockStickAndSlip)
 {
   const double k = 50., pulling = 1e-3, dt = 1e-4, N = law_mass * gravity;
   const Stribeck law({0.6, 0.4, 0.002, 1., 0.});
@@ -238,7 +238,7 @@ TEST(SlipLaw, SpringAndBlockStickAndSlip)
   EXPECT_LT(block.contact.variable_friction()->largest_weakening(), 1.);
 }
 
-TEST(SlipLaw, SlipIsForgottenAsHealingSays)
+TEST(CoefficientLaw, SlipIsForgottenAsHealingSays)
 {
   using Kind = Healing::Kind;
   const SlipStep slips{0.1, 2., true, false}, sticks{0.1, 0., true, true},
@@ -261,7 +261,7 @@ TEST(SlipLaw, SlipIsForgottenAsHealingSays)
     }
 }
 
-TEST(SlipLaw, StateBeginsAnewOffTheFlat)
+TEST(CoefficientLaw, StateBeginsAnewOffTheFlat)
 {
   const RateAndState::Constants c = rate_and_state_constants(true);
   Points point(setup_with(RateAndState(c), c.reference, 1.), step_of(1e-4), {law_mass});
@@ -314,10 +314,11 @@ TEST(NormalStressMemory, RelaxesAfterAStepOfTheNormalForce)
     }
 }
 
-TEST(SlipLaw, NotANumberNeverPasses)
+TEST(CoefficientLaw, NotANumberNeverPasses)
 {
   ContactSetup setup = contact_setup(1, 1., 2., 0.);
-  setup.law.slip_law = std::make_shared<FrictionExpression>("0.3 - V", 2, Healing());
+  setup.law.coefficient_law =
+    std::make_shared<FrictionExpression>("0.3 - V", 2, Healing());
   Points point(setup, step_of(1e-4), {law_mass});
   point.load(0, 0., 100.);
   point.advance();

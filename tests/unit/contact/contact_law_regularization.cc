@@ -47,7 +47,7 @@ struct Lag
 struct WrittenLaw
 {
   std::string name;
-  std::shared_ptr<const SlipLaw> law;
+  std::shared_ptr<const CoefficientLaw> law;
   std::function<double(double, double, double)> coefficient;
   std::function<double(double, double)> state_rate; ///< of V and the state
   double first_state = 0.;
@@ -178,11 +178,11 @@ reference(const WrittenLaw &law, const Lag &friction, const Lag &memory)
 std::array<double, 2>
 advanced(const WrittenLaw &law, const Lag &friction, const Lag &memory, const int steps)
 {
-  const double dt     = duration / steps;
-  ContactSetup setup  = contact_setup(1, 0.4, speed_of_flat, friction.time);
-  setup.area          = {block_area};
-  setup.law.slip_law  = law.law;
-  setup.law.reference = 0.4;
+  const double dt           = duration / steps;
+  ContactSetup setup        = contact_setup(1, 0.4, speed_of_flat, friction.time);
+  setup.area                = {block_area};
+  setup.law.coefficient_law = law.law;
+  setup.law.reference       = 0.4;
   if (friction.length > 0.)
     setup.law.node_law =
       std::make_shared<SlipRateRegularization>(friction.length, friction.reference);

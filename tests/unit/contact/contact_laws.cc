@@ -13,7 +13,7 @@ using namespace contact_testing;
 namespace
 {
 /** Slope by a central difference. */
-double difference(const SlipLaw &law, SlipPoint at)
+double difference(const CoefficientLaw &law, SlipPoint at)
 {
   const double h = 1e-5 * at.slip_rate;
   at.slip_rate += h;
@@ -25,7 +25,7 @@ double difference(const SlipLaw &law, SlipPoint at)
 } // namespace
 
 // Numbers of numpy, from the formulas.
-TEST(SlipLaw, Formulas)
+TEST(CoefficientLaw, Formulas)
 {
   const Stribeck exponential(stribeck_constants());
   EXPECT_EQ(exponential.coefficient(at_rate(0.)), 0.6);
@@ -58,14 +58,14 @@ TEST(SlipLaw, Formulas)
               1., 1e-7);
 }
 
-TEST(SlipLaw, SlopesAndTheirBounds)
+TEST(CoefficientLaw, SlopesAndTheirBounds)
 {
   const Stribeck curve({0.6, 0.35, 0.8, 2.5, 0.01}), plain(stribeck_constants());
   const RateAndState state(rate_and_state_constants(true));
   const FrictionTable table({{0., 1., 3.}, {0.}, {0.6, 0.5, 0.1}});
   const FrictionExpression expression("0.3 + 0.2*exp(-V^2)", 2, {});
   for (const double V : {1e-3, 0.1, 0.5, 0.9, 2., 2.7})
-    for (const SlipLaw *law : std::initializer_list<const SlipLaw *>{
+    for (const CoefficientLaw *law : std::initializer_list<const CoefficientLaw *>{
            &curve, &plain, &state, &table, &expression})
       EXPECT_NEAR(law->slope(at_rate(V, 0.3)), difference(*law, at_rate(V, 0.3)),
                   2e-5 * std::fabs(law->slope(at_rate(V, 0.3))) + 1e-7);
@@ -81,7 +81,7 @@ TEST(SlipLaw, SlopesAndTheirBounds)
   EXPECT_NEAR(curve.largest(10.), 0.7, 1e-15);
 }
 
-TEST(SlipLaw, TableIsBilinearAndConstantBeyondItsEnds)
+TEST(CoefficientLaw, TableIsBilinearAndConstantBeyondItsEnds)
 {
   const FrictionTable table({{0.1, 1., 4.}, {1e6, 3e6}, {0.6, 0.5, 0.4, 0.3, 0.2, 0.1}});
   EXPECT_NEAR(table.coefficient(at_rate(1., 0., 1e6)), 0.4, 1e-15);
@@ -94,7 +94,7 @@ TEST(SlipLaw, TableIsBilinearAndConstantBeyondItsEnds)
   EXPECT_EQ(FrictionTable({{0.}, {0.}, {0.3}}).coefficient(at_rate(2.)), 0.3);
 }
 
-TEST(SlipLaw, ExpressionsInAllVariables)
+TEST(CoefficientLaw, ExpressionsInAllVariables)
 {
   SlipPoint at = at_rate(2., 1e-3, 5e6);
   at.time      = 0.25;

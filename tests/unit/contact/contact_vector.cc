@@ -151,7 +151,7 @@ void expect_turned(const FrictionLaw &law, const double flat_velocity, const dou
       (straight.contact.sums().sticking > 0. ? stuck : slipped) = true;
     }
   EXPECT_TRUE(slipped);
-  EXPECT_TRUE(stuck || law.slip_law); // rests too shortly where friction falls
+  EXPECT_TRUE(stuck || law.coefficient_law); // rests too shortly where friction falls
   const BoundaryWork expected = straight.contact.work(), found = turned.contact.work();
   EXPECT_NEAR(found.friction, expected.friction, 1e-10);
   EXPECT_NEAR(found.external, expected.external, 1e-10);
@@ -164,9 +164,9 @@ TEST(FrictionVector, TurnsWithPullAndFlat)
   FrictionLaw slip_rate;
   slip_rate.node_law = std::make_shared<SlipRateRegularization>(0.01, 0.1);
   FrictionLaw curve = relaxing_in(0.), weakening = relaxing_in(0.03);
-  curve.slip_law =
+  curve.coefficient_law =
     std::make_shared<Stribeck>(Stribeck::Constants{point_mu, 0.2, 0.3, 2., 0.02});
-  weakening.slip_law = std::make_shared<SlipWeakening>(
+  weakening.coefficient_law = std::make_shared<SlipWeakening>(
     SlipWeakening::Constants{point_mu, 0.2, 0.2, true, {Healing::Kind::sticking, 0.}});
   weakening.normal_stress = {0.02, 0., 0.};
   for (FrictionLaw *law : {&curve, &weakening})
@@ -182,9 +182,9 @@ TEST(FrictionVector, TurnsWithPullAndFlat)
 TEST(FrictionVector, SlowsDownAsTheLawSaysInAnyDirection)
 {
   const Stribeck law({point_mu, 0.1, 0.3, 1., 0.});
-  FrictionLaw friction = relaxing_in(0.);
-  friction.slip_law    = std::make_shared<Stribeck>(law);
-  friction.reference   = point_mu;
+  FrictionLaw friction     = relaxing_in(0.);
+  friction.coefficient_law = std::make_shared<Stribeck>(law);
+  friction.reference       = point_mu;
   const double v0 = 0.8, dt = 1e-4, g = weight / point_mass,
                ratio = (point_mu - 0.1) / 0.1;
   for (const double angle : {0., 0.7, M_PI / 2., 2.5})

@@ -39,7 +39,7 @@ double static_coefficient(const std::string &lines, const double speed)
   FrictionParameters::Use use;
   use.speed   = speed;
   use.in_time = false;
-  friction.make_slip_law(keys, use, law);
+  friction.make_coefficient_law(keys, use, law);
   return friction.coefficient;
 }
 } // namespace

@@ -209,7 +209,7 @@ TEST(Energy, ClosesOnSpringsAlongTheFlat)
   setup.contact.normal_spring.stiffness = 2e13;
   setup.contact.flat_velocity           = LoadHistory(V, "2*cos(2*pi*5e4*t)");
   setup.contact.law.reference           = setup.friction;
-  setup.contact.law.slip_law =
+  setup.contact.law.coefficient_law =
     std::make_shared<Stribeck>(Stribeck({setup.friction, 0.2, 0.5, 1.5, 0.02}));
   setup.contact.law.normal_stress = {0., 2e-6, 0.1};
   expect_closed(setup, "springs along the flat, Stribeck");
@@ -267,7 +267,7 @@ TEST(Energy, ClosesUnderEveryLawOfTheCoefficient)
   FrictionLaw &law              = setup.contact.law;
   law.reference                 = setup.friction;
   const auto expect_closed_with = [&](const auto &of_coefficient, const char *name) {
-    law.slip_law =
+    law.coefficient_law =
       std::make_shared<std::decay_t<decltype(of_coefficient)>>(of_coefficient);
     for (const double time : {0., 1e-6})
       for (const NormalStressMemory &memory :

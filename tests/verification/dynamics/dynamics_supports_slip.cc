@@ -91,14 +91,15 @@ struct StickSlip
 StickSlip pulled(const double critical_slip, const double kinetic, const bool far_end)
 {
   constexpr double speed = 0.05, height = 4e-3, mass = 100.;
-  BodySetup s                = column(8, height);
-  s.energy_interval          = 0;
-  s.history_interval         = 20;
-  s.contact.gap              = 0.;
-  s.friction                 = 0.3;
-  s.contact.law.time         = 0.;
-  s.contact.law.slip_law     = std::make_shared<SlipWeakening>(SlipWeakening::Constants{
-    0.3, kinetic, critical_slip, false, {Healing::Kind::sticking, 0.}});
+  BodySetup s        = column(8, height);
+  s.energy_interval  = 0;
+  s.history_interval = 20;
+  s.contact.gap      = 0.;
+  s.friction         = 0.3;
+  s.contact.law.time = 0.;
+  s.contact.law.coefficient_law =
+    std::make_shared<SlipWeakening>(SlipWeakening::Constants{
+      0.3, kinetic, critical_slip, false, {Healing::Kind::sticking, 0.}});
   s.contact.law.reference    = 0.3;
   s.top.is_platen            = true;
   s.top.platen_mass          = mass * s.spacing[0];

@@ -143,9 +143,9 @@ TEST(FlatAskew, TurnsTheSolution)
           }
         else
           {
-            c.setup.contact.law.reference     = c.friction;
-            c.setup.contact.law.normal_stress = {0., 1e-6, 0.1};
-            c.setup.contact.law.slip_law      = std::make_shared<SlipWeakening>(
+            c.setup.contact.law.reference       = c.friction;
+            c.setup.contact.law.normal_stress   = {0., 1e-6, 0.1};
+            c.setup.contact.law.coefficient_law = std::make_shared<SlipWeakening>(
               SlipWeakening::Constants{c.friction, 0.1, 2e-6, true, Healing()});
           }
         const auto straight = moved(c, 0.);

@@ -118,10 +118,10 @@ BodySetup with_pressure()
 /** The same with rate-and-state friction and a memory of the normal stress. */
 BodySetup with_states()
 {
-  BodySetup setup                 = with_pressure();
-  setup.contact.law.normal_stress = {1e-7, 0., 0.};
-  setup.contact.law.reference     = setup.friction;
-  setup.contact.law.slip_law      = std::make_shared<RateAndState>(
+  BodySetup setup                   = with_pressure();
+  setup.contact.law.normal_stress   = {1e-7, 0., 0.};
+  setup.contact.law.reference       = setup.friction;
+  setup.contact.law.coefficient_law = std::make_shared<RateAndState>(
     RateAndState::Constants{setup.friction, 0.01, 0.02, 1e-6, 1e-3, 1e-3, true});
   return setup;
 }

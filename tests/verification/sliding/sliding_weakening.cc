@@ -47,7 +47,7 @@ struct Column
     std::ostringstream law;
     law << std::setprecision(17) << mu << " - " << r * rho * c / P << "*(V - " << V
         << ")";
-    result.contact.law.slip_law =
+    result.contact.law.coefficient_law =
       std::make_shared<FrictionExpression>(law.str(), 2, Healing());
     result.contact.law.reference = mu;
     result.contact.law.time      = delta;

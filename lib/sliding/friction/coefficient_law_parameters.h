@@ -1,5 +1,5 @@
-#ifndef mesoslip_sliding_friction_slip_law_parameters_h
-#define mesoslip_sliding_friction_slip_law_parameters_h
+#ifndef mesoslip_sliding_friction_coefficient_law_parameters_h
+#define mesoslip_sliding_friction_coefficient_law_parameters_h
 
 #include "contact/laws/friction_table.h"
 #include "contact/laws/healing.h"
@@ -15,7 +15,7 @@ namespace mesoslip
 class Keys;
 
 /** The law of the coefficient of friction in section Friction. */
-struct SlipLawParameters
+struct CoefficientLawParameters
 {
   /** Law of the coefficient. */
   enum class Kind
@@ -56,7 +56,8 @@ struct SlipLawParameters
    * The law with mu_s or f_0 = @p reference; null when it is constant. Reads a table on rank
    * 0. Collective. @throws UserError
    */
-  std::shared_ptr<const SlipLaw> make(const double reference, const unsigned int dim);
+  std::shared_ptr<const CoefficientLaw> make(const double reference,
+                                             const unsigned int dim);
 
   /** Name and all constants except mu_s or f_0, for comparisons: "Stribeck: mu_k = 0.2,
    * ..."; call it after make(). */

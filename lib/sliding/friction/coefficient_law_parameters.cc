@@ -1,4 +1,4 @@
-#include "sliding/friction/slip_law_parameters.h"
+#include "sliding/friction/coefficient_law_parameters.h"
 
 #include "base/digest.h"
 #include "base/errors.h"
@@ -61,7 +61,7 @@ std::string healing_text(const Healing &healing)
 }
 } // namespace
 
-void SlipLawParameters::bind(Keys &keys)
+void CoefficientLawParameters::bind(Keys &keys)
 {
   keys.bind("Coefficient law", kind, law_names,
             "Friction coefficient mu, V being the slip rate and D the accumulated slip "
@@ -125,8 +125,8 @@ void SlipLawParameters::bind(Keys &keys)
                "it is empty; name the CSV file of Coefficient law = table");
 }
 
-std::shared_ptr<const SlipLaw> SlipLawParameters::make(const double reference,
-                                                       const unsigned int dim)
+std::shared_ptr<const CoefficientLaw>
+CoefficientLawParameters::make(const double reference, const unsigned int dim)
 {
   stribeck.at_rest = weakening.at_rest = state.reference = reference;
   weakening.kinetic                                      = stribeck.kinetic;
@@ -171,7 +171,7 @@ std::shared_ptr<const SlipLaw> SlipLawParameters::make(const double reference,
     }
 }
 
-std::string SlipLawParameters::text() const
+std::string CoefficientLawParameters::text() const
 {
   const auto number = [](const std::string &name, const double value,
                          const std::string &unit) {

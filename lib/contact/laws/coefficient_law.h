@@ -1,5 +1,5 @@
-#ifndef mesoslip_contact_laws_slip_law_h
-#define mesoslip_contact_laws_slip_law_h
+#ifndef mesoslip_contact_laws_coefficient_law_h
+#define mesoslip_contact_laws_coefficient_law_h
 
 #include <array>
 #include <cstddef>
@@ -57,10 +57,10 @@ struct SlipNodes
  * its state. Write one small class per law: derive it from NodewiseLaw<Law>, which adds
  * the loop over the nodes.
  */
-class SlipLaw
+class CoefficientLaw
 {
 public:
-  virtual ~SlipLaw() = default;
+  virtual ~CoefficientLaw() = default;
 
   /** mu; NaN where it is undefined, which stops a run. */
   virtual double coefficient(const SlipPoint &at) const = 0;
