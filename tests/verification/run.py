@@ -139,7 +139,7 @@ def write(measured, pin):
     orders = [[series, f"{predicted:g}", f"{measured.order((test, series)):.2f}", f"{min(measured.series[test, series].values()):.1e}"]
               for (predicted, _), names in problems.ORDERS.items() for test, series in measured.series if series in names]
     write_page(doc, "verification.md", problems.PAGE.format(
-        problems=table(["problem", "what has to come out", "test", "observed"], rows),
+        problems=table(["problem", "expected result", "test", "observed"], rows),
         orders=table(["series", "predicted order", "observed", "finest error"], orders),
         pin=table(["", *(f"{n} rank{'s' * (n > 1)}" for n in mesh_pin.RANKS)],
                   [[what, *(f"{value:.0e}" for value in values)] for what, values in pin.items()])))

@@ -15,7 +15,7 @@ import sys
 
 from mode_participation import BLACK, COLOURS, above_all, lettered
 from mode_participation import picture as picture_of_runs
-from pages import plt, save_picture, table, wrapped
+from pages import plt, save_picture, table, write_page
 
 TOP = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", ".."))
 EXAMPLE = os.path.join(TOP, "prm", "examples", "complex_modes.prm")
@@ -103,30 +103,29 @@ def page(programs, runs, folder):
     missing += sum(case["missing_modes"] for one in (swept, softer) for case in summary(one)["sweep"])
     text = [
         "# Modes of steady sliding that grow", "",
-        "Which vibrations of the paper's pin grow while it slides steadily, what changes them, and which of them a transient run shows. For",
-        "other bodies start from",
-        "[complex_modes.prm](../../prm/examples/complex_modes.prm) and the [guide to squeal](../guide/squeal.md).", "",
-        "All results are from `Analysis = complex modes` of `contact_dynamics` ([theory](../theory.md), section 11), up to 200 kHz: homogenized",
-        "stiffness of the paper's eq. (10), mu = 0.25, delta = 1500 ns, beta = 4.4 ns, a platen.",
+        "This page shows which vibrations of the paper's pin grow in steady sliding, what changes their growth, and which of them a transient",
+        "run shows. For other bodies start from [complex_modes.prm](../../prm/examples/complex_modes.prm) and the",
+        "[guide to squeal](../guide/squeal.md).", "",
+        "The modes come from `Analysis = complex modes` of `contact_dynamics` ([theory](../theory.md), section 11), up to 200 kHz, with the",
+        "stiffness of the paper's eq. (10), mu = 0.25, delta = 1500 ns, beta = 4.4 ns and a platen.",
         "`applications/tools/studies/complex_modes.py` writes this page.", "",
         "## On three grids", "",
-        "Frequencies (kHz) and growth rates (1/s) of the modes that grow, by edge of the cells:", "",
+        "Frequencies (kHz) and growth rates (1/s) of the growing modes, by size of the cells:", "",
         table(headings, rows), "",
-        f"The argument principle finds {missing or 'no'} missing modes in the runs of this page. Contact nodes that are separated in the",
-        f"static state are free: {separated}. Where their number changes with the grid, growth rates need not converge smoothly.", "",
+        f"The argument principle finds {missing or 'no'} missing modes in the runs of this page. Contact nodes that are separated in the static",
+        f"state are free: {separated}. Growth rates need not converge smoothly if this number changes with the grid.", "",
         "## Over the friction coefficient", "",
         f"![Frequency and growth rate of modes over the friction coefficient]({name})", "",
-        "Cells of 0.8 mm; modes that decay by at most 6000 1/s. Coloured modes grow at some coefficient (legend: their last frequency), grey",
-        "modes at none. A curve ends where its mode decays faster, or meets another mode and changes its shape by more than half.", "",
+        "Cells of 0.8 mm, modes that grow or decay by at most 6000 1/s. Coloured: growth at some coefficient (legend: last frequency); grey: at",
+        "none. A curve ends where its mode decays faster, or meets another mode and changes its shape by more than half.", "",
         "## Over the stiffness of the contact", "",
         f"![Frequency and growth rate of modes over the stiffness of the contact]({name_of_softer})", "",
-        "The same with springs between pin and flat (`Flat/Normal stiffness`), as from asperities of rough surfaces. The pressure of 5 MPa",
-        "compresses them by 5 nm at 1e15 Pa/m and by 0.5 micrometres at 1e13 Pa/m.",
-        f"The largest growth rate is {fastest:.1f} 1/ms, at {at_stiffness:.2g} Pa/m: squeal depends on the stiffness of the contact, too.", ""]
+        "The same pin with springs between pin and flat (`Flat/Normal stiffness`), which stand for the asperities of rough surfaces. 5 MPa",
+        "compress them by 5 nm at 1e15 Pa/m and by 0.5 micrometres at 1e13 Pa/m. Growth depends on this stiffness:",
+        f"the largest growth rate is {fastest:.1f} 1/ms, at {at_stiffness:.2g} Pa/m.", ""]
     text += participation_text(picked, facts)
-    with open(os.path.join(folder, "README.md"), "w", encoding="utf-8") as file:
-        paragraphs = re.sub(r"(?<=[^\n|])\n(?=[^\n|#!])", " ", "\n".join(text))
-        file.write(wrapped(paragraphs).rstrip() + "\n")
+    paragraphs = re.sub(r"(?<=[^\n|])\n(?=[^\n|#!])", " ", "\n".join(text))
+    write_page(folder, "README.md", paragraphs.rstrip() + "\n")
 
 
 def participation_text(name, facts):
@@ -137,12 +136,12 @@ def participation_text(name, facts):
     return [
         "## Which of them a run picks", "",
         f"![Amplitudes of modes in the snapshots of two runs]({name})", "",
-        "Two transient runs on cells of 0.8 mm. Modes that grow (coloured) and modes that decay by at most 3000 1/s (grey) are fitted to the",
-        "snapshots by least squares in windows of 0.1 ms (`mesoslip.participation`). Below: share of the squared motion that the fit explains.",
-        "Dotted line: the first node sticks or separates after the smooth start.", "",
-        f"* **Smooth start.** All nodes slide until {1e3 * change:.2f} ms, and each mode grows or decays at its own rate, the fastest at",
-        f"{growth:.0f} 1/s. The mode that grows fastest prevails, whatever its amplitude after the start. Once nodes separate, modes",
-        f"are coupled. In the last millisecond the fit finds {ends['smooth']}; all modes together explain {shares['smooth']}.", "",
+        "Amplitudes of modes in two transient runs on cells of 0.8 mm: modes that grow (coloured) and modes that decay by at most 3000 1/s",
+        "(grey), fitted to the snapshots by least squares in windows of 0.1 ms (`mesoslip.participation`). Below: share of the squared motion",
+        "that the fit explains. Dotted: the first node sticks or separates after the smooth start.", "",
+        f"* **Smooth start.** All nodes slide until {1e3 * change:.2f} ms. Until then each mode grows or decays at its own rate, the fastest at",
+        f"{growth:.0f} 1/s, and the fastest mode prevails, whatever its first amplitude. Once nodes separate, modes are coupled.",
+        f"In the last millisecond the fit finds {ends['smooth']}; all modes together explain {shares['smooth']}.", "",
         "* **Pressure at once.** The pin is thrown off the flat, mostly in the mode of 41.7 kHz. The run ends with",
         f"{ends['at-once']} ({shares['at-once']}).", ""]
 

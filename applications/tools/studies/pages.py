@@ -72,7 +72,8 @@ def wrapped(text, width=120):
             lines.append(line)
         else:
             indent = " " * len(re.match(r" *(\* )?", line)[0])
-            lines += textwrap.wrap(line, width, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False)
+            kept = re.sub(r" (?=(?:\d+[.)]|[-+]) )", "\0", line)  # at the start of a line these would begin an item
+            lines += [part.replace("\0", " ") for part in textwrap.wrap(kept, width, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False)]
     return "\n".join(lines)
 
 

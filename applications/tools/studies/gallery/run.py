@@ -18,13 +18,14 @@ from study import parse_arguments  # noqa: E402
 
 PAGE = """# Gallery of examples
 
-Every `.prm` file of [prm/examples](../prm/examples), with a picture and, in brackets, its time on one core. Run the
-commands in the top folder. A chain writes its report (not in its time); make the report of a single file by
+This page shows every `.prm` file of [prm/examples](../prm/examples) with a picture. The time in brackets is for one
+core, without reports. Run the commands in the top folder. `./run.sh` with a folder also writes a report. Make the
+report of a single file, whose results are in `output/NAME`, by
 
-    /usr/bin/python3 applications/tools/report/make_report.py FOLDER --output report.html
+    /usr/bin/python3 applications/tools/report/make_report.py output/NAME --output report.html
 
-`./run.sh gallery` runs all examples and writes this page. The pictures are from the reports, except those of the five
-laws, the tribometer with a dashpot, the disc, the blocks and the pulse.
+The pictures are from the reports, except five: the laws of friction, the tribometer with a dashpot, the disc, the
+blocks and the pulse. `./run.sh gallery` runs all examples and writes this page.
 
 {examples}
 """

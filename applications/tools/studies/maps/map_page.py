@@ -25,24 +25,26 @@ PAGE = """# Maps of the paper's pin
 
 ## What homogenization gets right
 
-The table compares two pins over the map. One homogenized pin cannot know the morphology. Where it differs from the pin with fibres (first row) no more than two morphologies differ (last row), \
-it is as good as a pin with another morphology of the same material.
+The table compares two pins over the map. If homogenized pin and pin with fibres (first row) differ no more than two morphologies with fibres (last \
+row), the homogenized pin is as good as a pin with another morphology of the same material.
 
 {comparison}
 
 ![Friction](pin_friction.png)
 
-*Global interface friction coefficient over the coefficient of the nodes: lines homogenized, points with fibres, bars the 95 % half widths that the runs state.*
+*Global interface friction coefficient over the friction coefficient of the nodes. Lines: homogenized; points: with fibres; bars: 95 % half widths of \
+the runs.*
 
 ## How it was obtained
 
-`./run.sh maps` makes {maps} [maps](../maps.md) over pressure and friction coefficient, {runs} runs of contact_dynamics: {n} points, {seeds} morphologies, each pin with all fibres \
-(560 x 160 cells) and homogenized (140 x 40 cells, effective stiffness of its own morphology). The pin is the paper's, 56 x 16 mm with 10 % of stiff fibres. It starts with 0.5 m/s along x on a flat that moves at \
-2 m/s. Numbers are from the second half of {end:g} ms; the regime is that of the node in the middle of the contact. [pin.csv](pin.csv) has all points.
+`./run.sh maps` makes {maps} [maps](../maps.md) over pressure and friction coefficient, {runs} runs of `contact_dynamics`: {n} points, {seeds} \
+morphologies, each pin with all fibres (560 x 160 cells) and homogenized (140 x 40 cells, effective stiffness of its own morphology). The pin is the \
+paper's, 56 x 16 mm with 10 % of stiff fibres. It starts with 0.5 m/s along x on a flat that moves at 2 m/s. Results are from the second half of \
+{end:g} ms; the regime is that of the middle contact node. [pin.csv](pin.csv) has all points.
 
 ## Limits
 
-{reached} of the {runs} runs reached a limit cycle within {end:g} ms. A vibration that grows slowly, as at high pressure, may still be replaced by another one.
+Only {reached} of the {runs} runs reached a limit cycle within {end:g} ms. Another vibration that grows slowly may still follow, as at high pressure.
 """
 
 
@@ -111,8 +113,9 @@ def write_of(folder, maps, seeds, end):
     n = pairs[0][0].status.size
     comparison = table(["", "same regime", "mu_inter, median", "mu_inter, largest", "main frequency, median", "share of separation, mean"], rows)
     reached = int(sum(np.nansum(one[REACHED]) for one in maps.values()))
-    summary = (f"**The homogenized pin is in the regime of the pin with fibres at {rows[0][1]} of the points. Two pins with fibres of different morphology are in the same regime at {rows[2][1]} of the points.** "
-               f"The median difference of mu_inter is {rows[0][2]} between the homogenized pin and the pin with fibres, and {rows[2][2]} between two morphologies with fibres.")
+    summary = (f"**The homogenized pin has the regime of the pin with fibres at {rows[0][1]} of the points; two morphologies "
+               f"with fibres agree at {rows[2][1]}.** The median difference of mu_inter is {rows[0][2]} between the homogenized "
+               f"pin and the pin with fibres, {rows[2][2]} between two morphologies with fibres.")
     columns = ["body", "pressure [Pa]", "friction [-]", "regime", *(f"{name} [{'Hz' if name == 'main_frequency' else '-'}]" for name in NUMBERS)]
     write_csv(folder, "pin.csv", columns, [[name, float(p), float(mu), one["regime"][i, j], *(float(one[key][i, j]) for key in NUMBERS)]
                                            for name, one in maps.items() for i, p in enumerate(one.axes["pressure"]) for j, mu in enumerate(one.axes["friction"])])

@@ -31,8 +31,8 @@ def regimes(fragment, runs, names):
             rows.append((f"{what}, regime {number}", fixed(reference[number], digits), fixed(ours(run), digits),
                          relative(ours(run), reference[number])))
     fragment.table(["", "paper", "ours", "difference"], rows)
-    fragment.text("The apparent friction coefficient is the ratio of the forces at the top at each instant. Its mean can differ from mu_inter, because instants of small normal force count as much as others. "
-                  "The paper's speeds explain its large amplitude: 0.8 m/s of the contact in the first mode is a shear stress of ρ c_T 0.8 m/s = 4 MPa at the top, eight times P.")
+    fragment.text("The mean of mu_app differs from mu_inter because instants of small normal force have the same weight as all others. The large amplitude agrees with the paper's speeds: a "
+                  "contact that moves at 0.8 m/s in the first mode causes a shear stress of ρ c_T 0.8 m/s = 4 MPa at the top, eight times P.")
     fragment.figure(_apparent(found, REGIME_LABELS, (BLUE, ORANGE)), "Apparent friction coefficient in both regimes",
                     "(a) Transient, (b) last periods, (c) means over five periods (pale: over the steady part).")
 
@@ -79,7 +79,8 @@ def energy(fragment, runs, names):
     rows = [(f"mu_inter, regime {number}", fixed(paper.INTERFACE_FRICTION[number]), mu_text(run),
              relative(mu(run), paper.INTERFACE_FRICTION[number])) for number, run in zip((1, 2), found)]
     fragment.table(["", "paper", "ours", "difference"], rows)
-    fragment.text("The energies are divided by the pressure times the contact length, so that both pressures share the line EPS. mu_inter is the slope over V, by least squares over whole periods of the steady part.")
+    fragment.text("Energies are divided by pressure and contact length, so that both pressures have the same line EPS. mu_inter is the slope (least squares over whole periods of the steady "
+                  "part), divided by V.")
     figure, (axes,) = panels(1, 3.6)
     end = 0.0
     for run, label, colour in zip(found, REGIME_LABELS, (BLUE, ORANGE)):
@@ -105,5 +106,5 @@ def by_phase(fragment, runs, names):
     found = [runs[name] for name in names]
     labels = [r"heterogeneous 1, $\mu$ = 0.3 and 0.12, $\delta$ = 1500 ns"]
     labels += [rf"homogeneous, $\mu$ = {run.number('friction_coefficient'):g}, $\delta$ = {1e9 * run.number('regularization_time'):.0f} ns" for run in found[1:]]
-    fragment.text("The paper prints no number for the curves; mu_inter of the runs is in the table above. Panels as in figure 6.")
+    fragment.text("The paper prints no number. Panels as in figure 6; mu_inter is in the table above.")
     fragment.figure(_apparent(found, labels, (BLACK, BLUE, ORANGE)), "Apparent friction coefficient")

@@ -33,10 +33,12 @@ def stiffness(fragment, runs, names):
                      *[f"{values[entry][c].mean() / 1e9:.3f}" for c in CONDITIONS], f"{100 * deviation:.1f} %"])
     covered = [runs[name].summary["phases"][1]["volume_fraction"] for name in names]
     fragment.table(["", "paper", "ours", "difference", "KUBC", "SUBC", "deviation"], rows)
-    fragment.text(f"The standard deviation over both conditions and all morphologies is at most {100 * largest:.1f} % (paper: {100 * paper.STIFFNESS_DEVIATION:.1f} %).")
+    fragment.text(f"Deviation: standard deviation over both conditions and all morphologies, at most {100 * largest:.1f} "
+                  f"% (paper: {100 * paper.STIFFNESS_DEVIATION:.1f} %).")
     fragment.text(
-        f"Mean of {len(names)} morphologies of 56 x 16 mm on 560 x 160 cells, under uniform strain (KUBC) and stress (SUBC) on the contour. Fibres are 0.1 mm wide, 1.2 to 3.6 mm tall, [placed "
-        f"independently](reading.md) and cut by the border; they cover {100 * min(covered):.1f} to {100 * max(covered):.1f} %.")
+        f"Ours: mean over KUBC, SUBC and {len(names)} morphologies of 56 x 16 mm on 560 x 160 cells. Fibres are "
+        "0.1 mm wide, 1.2 to 3.6 mm tall, [placed independently](reading.md#placement-of-the-fibres) and cut by the border; they cover "
+        f"{100 * min(covered):.1f} to {100 * max(covered):.1f} % of the area.")
     figure, axes = panels(1, 2.9)
     for k, c in enumerate(CONDITIONS):
         for i, entry in enumerate(ENTRIES):
@@ -65,8 +67,9 @@ def modes(fragment, runs, names):
     fragment.table(["first mode [Hz]", "paper", "ours, eq. (10)", "difference", "heterogeneous (1)",
                     "eq. (10), top free in y"], rows)
     fragment.text(
-        "The top is a rigid platen, which these modes leave at rest. The last column is the literal reading, u_x = 0 and a top that is free in y; it is the reason for the platen in all contact runs. "
-        f"The running contact of regime 1 vibrates at {frequency(contact):.0f} Hz (paper: {paper.MAIN_FREQUENCY[1]:.0f} Hz), close to BC2.")
+        "The top is a rigid platen, at rest in these modes. The last column takes the paper's text literally: u_x = 0, free in y. It misses the paper's frequencies; therefore all "
+        f"contact runs have the platen. In regime 1 the contact vibrates at {frequency(contact):.0f} Hz (paper: {paper.MAIN_FREQUENCY[1]:.0f} "
+        "Hz), close to BC2.")
     figure, axes = plt.subplots(2, 2, figsize=(9.0, 4.2))
     for row, (run, label) in enumerate([(homogeneous, "homogeneous"), (heterogeneous, "heterogeneous")]):
         with h5py.File(os.path.join(run.folder, "modal.h5")) as file:

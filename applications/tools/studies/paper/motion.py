@@ -23,7 +23,7 @@ def trajectory(fragment, runs, names):
     fragment.table(["largest distance of M from the flat in a period, on average [µm]", "paper", "ours", "difference"],
                    [[label, *((fixed(1e6 * paper.SEPARATION, 1), f"{1e6 * height(run):.2f}", relative(height(run), paper.SEPARATION)) if label in LABELS[:2] else ("-", f"{1e6 * height(run):.2f}", "-"))]
                     for label, run in zip(LABELS, found)])
-    fragment.text("Node M is in the middle of the contact. The paper shows regime 1, which is that of 0.5 MPa.")
+    fragment.text("The paper shows regime 1, here at 0.5 MPa.")
     figure, axes = plt.subplots(1, 3, figsize=(9.0, 3.4), sharey=True)
     for axis, run, label, colour in zip(axes, found, LABELS, (BLUE, ORANGE, GREEN)):
         _, u, _, _ = reference(run, run.number("simulated_time") - SHOWN_PERIODS / frequency(run))
@@ -51,7 +51,7 @@ def convergence(fragment, runs, names):
             ["mu_inter", "-", *[mu_text(run) for run in (coarse, fine)]],
             ["slip of node M", "70 %", *[f"{100 * run.number('reference_node', 'slip'):.0f} %" for run in (coarse, fine)]]]
     fragment.table(["", "paper", *labels], rows)
-    fragment.text("0.5 MPa and 1 ms, of which the paper's steady part, from 0.25 ms on, counts. The two pairs of cell and time step are the paper's.")
+    fragment.text("Runs of 1 ms at 0.5 MPa; statistics from 0.25 ms on, as in the paper. Cells and time steps are the paper's.")
     figure, axes = plt.subplots(1, 3, figsize=(9.0, 3.6), gridspec_kw={"width_ratios": [1.4, 1, 1.2]})
     for run, label, colour, width in zip((coarse, fine), labels, (BLUE, ORANGE), (1.6, 1.0)):
         time, u, _, _ = reference(run, 0.0)

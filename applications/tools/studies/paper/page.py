@@ -6,17 +6,19 @@ import pages
 
 INTRODUCTION = """# The paper's tables and figures
 
-This page sets mesoslip beside every table and figure with a number or a curve in Peillex, Baillet, Berthier, *Homogenization in non linear dynamics due to frictional contact*, \
-Int. J. Solids Structures (2008).
+This page compares mesoslip with each table and figure that has a number or a curve in Peillex, Baillet, Berthier, *Homogenization in non linear \
+dynamics due to frictional contact*, Int. J. Solids Structures (2008).
 
-Effective stiffness, modes, static contact and friction by phase agree with the paper. Both regimes of the sliding pin appear at the printed pressures if the pin starts with a push along x, \
-which the paper does not mention. In table 3 two of four models are in regime 2 where the paper has regime 1. In regime 1 node M leaves the flat by about half the paper's distance. Localized stresses come \
-close to the paper's bounds in the middle of the pin (figure 15) and miss them at the contact (figure 14).
+* Effective stiffness, modes, static contact and friction by phase agree with the paper.
+* Both regimes of the sliding pin appear at the printed pressures if the pin starts with a velocity along x, a push; the paper mentions no push.
+* Table 3: two of four models are in regime 2 where the paper has regime 1.
+* Figure 4: in regime 1 node M leaves the flat by about half the paper's distance.
+* Figures 14 and 15: localized stresses miss the paper's bounds at the contact and come close to them in the middle of the pin.
 
 {differences}
 
-`./run.sh paper` makes this page from the files of [prm/paper](../../prm/paper). Only the paper's numbers are typed in (`applications/tools/report/runs/paper_values.py`); nothing is read off \
-its figures. [How the paper was read](reading.md) gives the reasons for the settings.
+`./run.sh paper` makes this page from the files of [prm/paper](../../prm/paper). The paper's numbers are in \
+`applications/tools/report/runs/paper_values.py`; none is read off a figure. [How the paper was read](reading.md) gives the reasons for the settings.
 """
 
 

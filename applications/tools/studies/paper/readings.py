@@ -29,19 +29,26 @@ def regime_runs(cases):
 def regimes(fragment, runs, names):
     columns, pushes = names
     fragment.text(
-        "The paper does not say how the motion starts, and the start decides the regime ([why](reading.md#pressure-and-start)). This page takes **the pressures as printed, pressure and flat that act at once, "
-        f"and a pin that starts with {PUSHED.start:g} m/s along x**. The push is the one number that is ours. Its ratio to the pressure counts: {PUSHED.start * 1e6 / P1:g} (m/s)/MPa at 0.5 MPa, in regime 1, "
-        f"and {PUSHED.start * 1e6 / P2:g} at 0.4 MPa, in regime 2.")
+        "The paper does not say how the motion starts, and the start decides the regime ([why](reading.md#pressure-and-start)). Here **the pressures are the printed ones, "
+        f"pressure and flat act from the first step on, and the pin starts with {PUSHED.start:g} m/s along x (the "
+        f"push)**. The ratio of push to pressure decides: {PUSHED.start * 1e6 / P1:g} (m/s)/MPa at 0.5 MPa leads "
+        f"to regime 1, {PUSHED.start * 1e6 / P2:g} (m/s)/MPa at 0.4 MPa to regime 2.")
     found = {case: runs[name] for case, name in pushes.items()}
     _by_push(fragment, found)
     _in_the_long_run(fragment, found)
     _table(fragment, [runs[name] for name in columns])
     fragment.text(
-        "The last column is another reading, ten times the printed pressure. More: [regimes](regimes.md) over pressure, δ and start, [prediction](prediction.md) of δ, the pin in 3D ([thickness](thickness.md)).")
+        "The last column has ten times the printed pressure, another reading of the paper. More: [regimes](regimes.md) over pressure, δ and start, [prediction](prediction.md) of "
+        "δ, [thickness](thickness.md) of the pin.")
     fragment.text(
-        "Unless a section says otherwise, runs have this push, the printed pressure, a rigid platen, 560 x 160 cells of 0.1 mm (280 x 80 in the two pictures above), μ = 0.25, δ = 1500 ns, V = 2 m/s, "
-        f"β = 4.4 ns, β₂ = 1/2, 95 % of the critical time step and {1e3 * PUSHED.end:g} ms, of which the last {1e3 * (PUSHED.end - PUSHED.steady_from):g} ms count. The homogeneous pin has eq. (10). ± is the 95 % "
-        "interval of the mean in time. The regime is that of node M: 1 up to half of its time separated, 2 beyond half, none below 10 %.")
+        "Settings, unless a section names others:\n"
+        "\n"
+        "* load: V = 2 m/s, μ = 0.25, δ = 1500 ns\n"
+        "* body: rigid platen, 560 x 160 cells of 0.1 mm (280 x 80 in the two pictures above), homogeneous: eq. (10)\n"
+        f"* time: {1e3 * PUSHED.end:g} ms in steps of 95 % of the critical time step, β = 4.4 ns, β₂ = 1/2\n"
+        f"* statistics: last {1e3 * (PUSHED.end - PUSHED.steady_from):g} ms; ± is the 95 % interval of the mean "
+        "in time\n"
+        "* regime: 2 if node M is separated more than half of the time, 1 from 10 % on, none below")
 
 
 def _table(fragment, found):
@@ -74,7 +81,7 @@ def _by_push(fragment, found):
     lettered(axes)
     above_all(figure, axes[0].get_legend_handles_labels()[0], columns=4)
     fragment.figure(figure, f"Homogeneous pin of both pressures against the velocity with which it starts, over the pressure; from {1e3 * end / 3:.0f} to {1e3 * end:.0f} ms",
-                    f"Homogeneous pin against its push over the pressure, from {1e3 * end / 3:.0f} to {1e3 * end:.0f} ms.", "-pushes")
+                    f"Homogeneous pin, {1e3 * end / 3:.0f} to {1e3 * end:.0f} ms.", "-pushes")
     _plateaus(fragment, [{**state, "push": 1e6 * push / pressure, "drift": drift[pressure, push]} for (pressure, push), state in seen.items()])
 
 
@@ -87,11 +94,11 @@ def _plateaus(fragment, seen):
     span = lambda group, key, scale, digits: f"{scale * min(s[key] for s in group):.{digits}f} to {scale * max(s[key] for s in group):.{digits}f}"
     begin = min(s["push"] for s in second)
     others = sum(s["push"] >= begin for s in seen) - len(second)
-    fragment.table(["regime", "starts", "push / P [(m/s)/MPa]", "M slips [%]", "main frequency [kHz]", "mu_inter", "drift of mu_inter in a run"], [
+    fragment.table(["regime", "number of starts", "push / P [(m/s)/MPa]", "M slips [%]", "main frequency [kHz]", "mu_inter", "largest drift of mu_inter in a run"], [
         ["1", str(len(first)), span(first, "push", 1, 1), span(first, "slip", 100, 0), "-", span(first, "mu", 1, 3), f"{max(s['drift'] for s in first):.4f}"],
         ["2", str(len(second)), f"from {begin:.4g} on", span(second, "slip", 100, 0), span(second, "frequency", 1e-3, 1), span(second, "mu", 1, 3), f"{max(s['drift'] for s in second):.3f}"]])
-    fragment.text(f"Both pressures lie on one line, except mu_inter in regime 2, which is no plateau but scatters. {others} of the starts beyond {begin:.4g} (m/s)/MPa had left regime 2 by then. Smaller pushes lead to "
-                  "cycles between regime 1 and a third cycle, of small amplitude, which the pin reaches without a push.")
+    fragment.text(f"Both pressures lie on one line, except mu_inter in regime 2, which scatters. {others} more starts from {begin:.4g} "
+                  "(m/s)/MPa on do not stay in regime 2. Smaller pushes lead to cycles between regime 1 and a third cycle, of small amplitude, which the pin reaches without a push.")
 
 
 def _in_the_long_run(fragment, found):
@@ -105,15 +112,15 @@ def _in_the_long_run(fragment, found):
     axes.margins(x=0)
     above(axes, columns=3)
     fragment.figure(figure, "Share of time in which node M is separated, in the long run, at 0.5 MPa",
-                    f"0.5 MPa and three pushes over {1e3 * LONG_END:g} ms. " + _end_of_regime_2(*shares[max(LONG)]), "-long")
+                    f"0.5 MPa, three pushes, {1e3 * LONG_END:g} ms. {_end_of_regime_2(*shares[max(LONG)])}", "-long")
 
 
 def _end_of_regime_2(time, share):
     high = np.flatnonzero(share > 0.5)
     if len(high) and high[-1] + 1 < len(time):
         left = time[high[-1]]
-        return (f"Regime 2 is left for regime 1 after {1e3 * left:.1f} ms, {left * paper.MAIN_FREQUENCY[2]:.0f} periods; the other cycles last.")
-    return "No cycle is left."
+        return (f"The pin leaves regime 2 for regime 1 after {1e3 * left:.1f} ms, {left * paper.MAIN_FREQUENCY[2]:.0f} periods; its other cycles last.")
+    return "The pin leaves none of its cycles."
 
 
 def _separated(run, width):

@@ -58,9 +58,9 @@ def table(fragment, results, names):
             rows.append([f"{label}, {method}", fixed(value / unit, 2), fixed(ours[key] / unit), relative(ours[key], value), spread])
     fragment.table(["", "paper", "ours at 10 % on the contact", "difference", f"mean and deviation of {len(found)} morphologies"], rows)
     fragment.text(
-        "0.5 MPa (static pressures scale with P), all nodes slipping, friction by phase. In the paper's morphology fibres cover 10 % of the contact, "
-        f"in ours {100 * share.min():.1f} to {100 * share.max():.1f} %. At 10 %, SPR is from eq. (19) and SCA from a straight line through our morphologies. "
-        "P_h and P_m are the means of −σ_yy over the cells of fibres and matrix at the contact.")
+        "P_h and P_m are the means of −σ_yy over the cells of fibres and matrix at the contact under 0.5 MPa (static pressures are proportional to P); all nodes slip, with "
+        f"friction by phase. In the paper's morphology fibres cover 10 % of the contact, in ours {100 * share.min():.1f} "
+        f"to {100 * share.max():.1f} %. At 10 %, our SPR is eq. (19) and our SCA a straight line through the morphologies.")
     figure, axes = panels(2, 5.2, sharex=True)
     shown = np.linspace(min(share.min(), 0.07), max(share.max(), 0.105), 50)
     for axis, phase in zip(axes, PHASES):

@@ -24,7 +24,7 @@ def _write(fragment, runs, rows, title):
     fragment.table(["mu_inter", "paper", "ours", "difference", "M slips [%]"],
                    [[row.label, fixed(row.value), mu_text(run), relative(mu(run), row.value), f"{100 * slip(run):.0f}"] for row, run in zip(rows, found)])
     seen = sorted({regime(run) for run in found})
-    fragment.text(f"All are in regime {seen[0]}." if len(seen) == 1 else "The regimes are " + ", ".join(regime(run) for run in found) + ".")
+    fragment.text(f"All models are in regime {seen[0]}." if len(seen) == 1 else "The regimes are " + ", ".join(regime(run) for run in found) + ".")
     figure, (axes,) = panels(1, 1.1 + 0.3 * len(rows))
     y = -np.arange(len(rows))
     axes.plot([row.value for row in rows], y, "x", color=ORANGE, ms=9, mew=2.2, label="paper")
@@ -38,8 +38,9 @@ def _write(fragment, runs, rows, title):
 
 def _spread(fragment, runs, rows, reference):
     values = [mu(runs[row.name]) for row in rows]
-    fragment.text(f"Mean and standard deviation over the {len(values)} morphologies are {np.mean(values):.3f} ± {np.std(values, ddof=1):.3f}, in the paper {np.mean(reference):.3f} ± {np.std(reference, ddof=1):.3f}. "
-                  "The paper's morphologies are not published; ours are seeds 1, 2, 4 and 6 of the same statistics.")
+    fragment.text(f"Mean and standard deviation over the {len(values)} morphologies: {np.mean(values):.3f} ± {np.std(values, ddof=1):.3f} "
+                  f"(paper: {np.mean(reference):.3f} ± {np.std(reference, ddof=1):.3f}). The paper's morphologies are not "
+                  "published; ours are seeds 1, 2, 4 and 6.")
 
 
 def _models(cases, table, pressure):
@@ -76,8 +77,8 @@ def table_3(fragment, runs, names):
     changes = {_change({v: regime(runs[members[k]]) for v, members in pushes.items()}) for k in range(len(rows))}
     link = fragment.csv(["model", "push [m/s]", "regime", "mu_inter [-]", "from [ms]", "to [ms]"],
                         [[row.label, f"{v:g}", regime(runs[members[k]]), f"{mu(runs[members[k]]):.3f}", *(f"{1e3 * t:g}" for t in _window(v))] for k, row in enumerate(rows) for v, members in pushes.items()])
-    fragment.text("In the paper heterogeneous model 1 and the homogeneous model with 1500 ns are in regime 2, the two others in regime 1. Here the regime changes with the push" + (
-        f", {changes.pop()} for all four models ({link}); none of the pushes separates them as in the paper." if len(changes) == 1 else f" ({link}): {'; '.join(sorted(changes))}."))
+    fragment.text("In the paper heterogeneous model 1 and the homogeneous model with 1500 ns are in regime 2, the two other models in regime 1. Here the regime changes with the push" + (
+        f", {changes.pop()} for all four models ({link}); no push gives these models different regimes." if len(changes) == 1 else f" ({link}): {'; '.join(sorted(changes))}."))
 
 
 def _window(push):
@@ -101,4 +102,4 @@ def by_phase_runs(table, cases):
 def by_phase(number, fragment, runs, rows):
     _write(fragment, runs, rows, f"Global interface friction coefficients of table {number}")
     if number == 5:
-        fragment.text("At 0.5 MPa. The coefficient is 0.3 at fibres and 0.12 at the matrix; a node between both takes the mean weighted with the stiffness.")
+        fragment.text("At 0.5 MPa. The coefficient of friction is 0.3 at fibres and 0.12 at the matrix; a node between both has their mean, weighted with the stiffness.")

@@ -82,11 +82,13 @@ def section(found):
     # Left: less friction at the end than the errors of both windows explain.
     left = min(d22 for d22, line in over_d22(found).items() if line[1].mu - line[-1].mu > 2 * (line[1].mu_error + line[-1].mu_error))
     return ["## How long the cycle of regime 1 lasts",
-            f"With eq. (10) the cycle lasts {END * 1e3:g} ms at least. From D22 = {left / 1e9:g} GPa on, {100 * (left / float(PAPER_STIFFNESS[2]) - 1):.1f} % above eq. (10), the pin leaves it within {END * 1e3:g} ms, "
-            f"the sooner the larger D22 is, for a modulated cycle with less friction. D22 of the shipped pin is {SHIPPED['D22'] / 1e9:.1f} GPa. The runs have {LOAD.label}, eq. (10) except for the entries named, "
-            "and cells of 0.4 mm; [cycle_life.csv](regimes/cycle_life.csv) has more stiffnesses, cells of 0.2 mm and every millisecond.",
+            f"With eq. (10) the cycle lasts {END * 1e3:g} ms at least. From D22 = {left / 1e9:g} GPa on, {100 * (left / float(PAPER_STIFFNESS[2]) - 1):.1f} "
+            f"% above eq. (10), the pin changes within {END * 1e3:g} ms, the sooner the larger D22 is, to a modulated "
+            f"cycle with less friction. The shipped pin has D22 = {SHIPPED['D22'] / 1e9:.1f} GPa. Runs: {LOAD.label}, "
+            "eq. (10) except for the entries named, cells of 0.4 mm; [cycle_life.csv](regimes/cycle_life.csv) has more stiffnesses, cells of 0.2 mm and every millisecond.",
             table(["stiffness [GPa]", "μ_inter, 2 to 3 ms", "9 to 10 ms", "M separated, 9 to 10 ms"], rows),
             "![mu_inter over time for each D22, and at the end over D22](regimes/cycle_life.png)",
-            "The normal force vibrates at twice the main frequency, just above the first mode along y, sqrt(D22 / rho) / (4 H) "
-            f"({2 * eq_10.frequency / 1e3:.2f} and {vertical_mode(float(PAPER_STIFFNESS[2])) / 1e3:.2f} kHz with eq. (10)). A larger D22 brings the two nearer; a larger D33 raises the main frequency "
-            "and keeps the cycle. But a smaller D33 at D22 = 47.26 GPa brings them as near and does not end the cycle, so nearness alone is not the reason."]
+            f"The normal force vibrates at twice the main frequency ({2 * eq_10.frequency / 1e3:.2f} kHz with eq. (10)), "
+            f"just above the first mode along y, sqrt(D22 / rho) / (4 H) ({vertical_mode(float(PAPER_STIFFNESS[2])) / 1e3:.2f} "
+            "kHz). A larger D22 brings the two frequencies nearer; a larger D33 raises the main frequency and keeps the cycle. But a smaller D33 at D22 = 47.26 GPa brings them as "
+            "near and does not end the cycle: nearness alone is not the reason."]

@@ -40,19 +40,21 @@ def regimes_section(found, runs):
     start = found.paper[AT]
     fastest, slow = max(start, key=lambda s: s.real), min(start, key=lambda s: abs(kilohertz(s) - 41.6))
     return ["## Growth of steady sliding",
-            f"At 1500 ns the fastest mode, at {kilohertz(fastest):.2f} kHz, grows by {fastest.real:.0f} 1/s. The mode at {kilohertz(slow):.2f} kHz, near the paper's main frequency, grows by {slow.real:.0f} 1/s (time constant {1e3 / slow.real:.1f} ms), "
-            f"{fastest.real / slow.real:.0f} times more slowly. What a run of 1 ms shows near 41 kHz is therefore mostly what the start put there; other modes take over later. "
-            "Growth depends neither on P nor on V. The picture and its [table](regimes/growth.csv) have the modes of the pin of eq. (10) on cells of "
-            f"{cell_size(growth.CELLS)}, followed over δ by the overlap of their shapes.",
+            f"At 1500 ns the fastest mode, at {kilohertz(fastest):.2f} kHz, grows by {fastest.real:.0f} 1/s, the mode "
+            f"at {kilohertz(slow):.2f} kHz, near the paper's main frequency, by {slow.real:.0f} 1/s (time constant {1e3 / slow.real:.1f} "
+            f"ms), {fastest.real / slow.real:.0f} times more slowly. Motion near 41 kHz in a run of 1 ms therefore "
+            "comes mostly from the start; other modes take over later. Growth depends neither on P nor on V. Picture and [table](regimes/growth.csv): eq. (10), cells of "
+            f"{cell_size(growth.CELLS)}, modes followed over δ by the overlap of their shapes.",
             "![Growth rates over delta; strokes beside 1500 ns: the ten morphologies of the page on prediction](regimes/growth.png)",
             *_search(found), *_beside_runs(found, runs)]
 
 
 def _search(found):
-    return ["The modes come from `Analysis = complex modes` of `contact_dynamics`, which finds every mode that grows up to a frequency "
-            f"([theory](../theory.md#11-complex-modes-libeigenvaluescomplex)), here {found.searched / 1e3:.0f} kHz; the argument principle counts {found.missing or 'no'} others. "
-            f"No mode above {found.bound / 1e3:.0f} kHz can grow at 1500 ns on these cells; between the two frequencies nothing was searched. Contact nodes that are separated in the static state "
-            f"(at most {max(found.separated.values())}) are free. [growth_bodies.csv](regimes/growth_bodies.csv) has the same modes in a transient run, on finer cells and with the mean stiffness of the morphologies."]
+    return ["`Analysis = complex modes` of `contact_dynamics` ([theory](../theory.md#11-complex-modes-libeigenvaluescomplex)) finds all growing modes up to "
+            f"{found.searched / 1e3:.0f} kHz; the argument principle counts {found.missing or 'no'} others. Above {found.bound / 1e3:.0f} "
+            "kHz no mode can grow at 1500 ns on these cells; between the two frequencies nothing was searched. Contact nodes that are separated in the static state (at most "
+            f"{max(found.separated.values())}) are free. [growth_bodies.csv](regimes/growth_bodies.csv) has these modes "
+            "in a transient run, on finer cells and with the mean stiffness of the morphologies."]
 
 
 def write_bodies(folder, found):
@@ -89,9 +91,11 @@ def _beside_runs(found, runs):
     near = [delta for delta, difference in apart.items() if difference < 0.05]
     if growth.START not in near or max(apart) in near:
         raise RuntimeError("the text of this page on ramped runs is not what they show")
-    return [f"After a ramped start growth alone chooses the mode. Ramped runs at {' and '.join(f'{p / 1e6:g}' for p in SHOWN)} MPa vibrate from {regime_map.LATE[0] * 1e3:g} to "
-            f"{regime_map.LATE[1] * 1e3:g} ms at the frequency of the fastest mode within {100 * max(apart[d] for d in near):.0f} % for δ = {min(near) * 1e9:g} to {max(near) * 1e9:g} ns; nodes that stick or "
-            f"leave the flat shift it. At {max(apart) * 1e9:g} ns, where growth is slowest, the mode near 41.6 kHz that the ramp excited is still the largest."]
+    return [f"After a ramped start growth alone chooses the mode. Ramped runs at {' and '.join(f'{p / 1e6:g}' for p in SHOWN)} "
+            f"MPa vibrate from {regime_map.LATE[0] * 1e3:g} to {regime_map.LATE[1] * 1e3:g} ms at the frequency of "
+            f"the fastest mode within {100 * max((apart[d] for d in near)):.0f} % for δ = {min(near) * 1e9:g} to {max(near) * 1e9:g} "
+            f"ns; nodes that stick or leave the flat shift it. At {max(apart) * 1e9:g} ns, where growth is slowest, "
+            "the mode near 41.6 kHz from the ramp is still the largest."]
 
 
 def write_correlations(folder, found, keys, runs):
@@ -127,23 +131,23 @@ def prediction_section(data, keys, runs):
     every = [float(value) for values in correlations(found, keys, runs).values() for value in values]
     level = _significant(len(lines))
     return ["## Growth rates of steady sliding",
-            f"Table 3. All growing eigenvalues of the sliding pin at 1500 ns on cells of {cell_size(growth.CELLS)}, with the mean stiffness and with each morphology, found as in "
-            "[regimes](regimes.md#growth-of-steady-sliding). A mode of a morphology belongs to the homogeneous mode with the most similar shape (overlap 1: equal shapes). "
-            "δ* is where the homogeneous mode grows as the mode of the morphology, by the slope over δ at 1500 ns; for the fastest mode, along its curve. "
-            f"{search_of_morphologies(found)}.",
+            f"Table 3. All growing eigenvalues of the sliding pin at 1500 ns on cells of {cell_size(growth.CELLS)}, "
+            "with the mean stiffness and with each morphology, found as in [regimes](regimes.md#growth-of-steady-sliding). A mode of a morphology belongs to the homogeneous mode with "
+            "the most similar shape (overlap 1: equal shapes). At δ* the homogeneous mode grows as the mode of the morphology, by the slope over δ at 1500 ns; for the fastest mode, "
+            f"along its curve. {search_of_morphologies(found)}.",
             table(["kHz, homogeneous", "kHz, morphologies", "overlap", "growth, homogeneous [1/s]", "growth, morphologies [1/s]", "deviation", "δ* [ns]", "deviation"], rows),
-            f"{counts[0]} to {counts[-1]} modes grow in each morphology; the fastest is near "
-            f"{' or '.join(f'{kilohertz(found.mean[AT][k]):.0f} kHz ({n})' for k, n in near.items() if n)} (number of morphologies). "
-            "The frequencies agree within a per cent and the effective stiffnesses within some tenths of a per cent, but the growth rates differ widely. "
-            "A growth rate is a small difference between the energy that friction feeds in and the energy that is lost. So morphologies differ here that are equal in statics and in free "
-            f"vibration; the paper found no such difference (section 3.6.2). {sum(abs(value) > level for value in every)} of the {len(every)} rank correlations of growth with mu_inter "
+            f"In each morphology {counts[0]} to {counts[-1]} modes grow; the fastest is near "
+            f"{' or '.join(f'{kilohertz(found.mean[AT][k]):.0f} kHz ({n})' for k, n in near.items() if n)} (number "
+            "of morphologies). Frequencies agree within a per cent and effective stiffnesses within some tenths of a per cent. Growth rates differ widely, as each is a small "
+            "difference between energy supplied by friction and energy lost; the paper found no such difference (section 3.6.2). "
+            f"{sum(abs(value) > level for value in every)} of the {len(every)} rank correlations of growth with mu_inter "
             f"([table](prediction/growth_correlations.csv)) exceed {level:.2f}, the 5 % level of a single one."]
 
 
 def search_of_morphologies(found):
     others = f"counts {found.missing} others in all runs" if found.missing else "counts no others there"
-    return (f"The modes of the morphologies were searched up to {found.searched_morphologies / 1e3:.0f} kHz; the argument principle {others}. Contact nodes that "
-            f"are separated in the static state are free: {by_seed({seed: found.separated[seed] for seed in found.morphologies})}")
+    return (f"The modes of the morphologies were searched up to {found.searched_morphologies / 1e3:.0f} kHz; the argument "
+            f"principle {others}. Contact nodes that are separated in the static state are free: {by_seed({seed: found.separated[seed] for seed in found.morphologies})}")
 
 
 def by_seed(numbers):

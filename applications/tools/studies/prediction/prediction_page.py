@@ -69,25 +69,33 @@ def _summary(data, keys, errors):
     pushed = _pushed(keys)
     beyond = [k for k in pushed if _exceeds(_fine_stars(data, k).values(), seeds.DELTA)]
     return ["# Can the regularization time of the homogeneous model be predicted?",
-            "**Yes, within 1 to 3 % of mu_inter, from other morphologies under the same load. No rule works across pressures.** The regularization time with which the homogeneous pin has "
-            "the mu_inter of the heterogeneous pin, which has all fibres, is called δ*. At the same δ the homogeneous pin has more friction, and its mu_inter falls with δ. Therefore δ* lies above the "
-            f"{seeds.DELTA * 1e9:g} ns of the heterogeneous pin, as in the paper (1700 ns in table 2, 1750 ns in table 3). On cells of 0.1 mm the difference exceeds its 95 % interval in "
-            f"{len(beyond)} of {len(pushed)} cases (table 1). At these pressures the paper's eq. (13) with T_G over all nodes gives a δ* below {seeds.DELTA * 1e9:g} ns. Growth rates of steady sliding do not predict δ* "
-            f"(better than δ* = δ in {_better(errors, pushed, 'growth, fastest mode')} cases). A coarse run of the morphology is better than δ* = δ in {_better(errors, pushed, 'coarse run')} cases "
-            "(table 2), but the mu_inter of the coarse run is then as good an answer. The programs offer no rule for δ*.",
+            "**Yes, within 1 to 3 % of mu_inter, from other morphologies under the same load. No rule works across pressures.**\n"
+            "\n"
+            "δ* is the δ with which the homogeneous pin has the mu_inter of the heterogeneous pin, which has all fibres. A case is a load and a window of time; only cases with a push "
+            "are counted.\n"
+            "\n"
+            "* At the same δ the homogeneous pin has more friction, and mu_inter falls with δ. Therefore δ* exceeds the "
+            f"{seeds.DELTA * 1e9:g} ns of the heterogeneous pin, as in the paper (1700 and 1750 ns). On cells of 0.1 "
+            f"mm the difference exceeds its 95 % interval in {len(beyond)} of {len(pushed)} cases (table 1).\n"
+            f"* The paper's eq. (13), with T_G over all nodes, gives a δ* below {seeds.DELTA * 1e9:g} ns.\n"
+            f"* Growth rates of steady sliding predict better than δ* = δ in {_better(errors, pushed, 'growth, fastest mode')} "
+            f"cases, a coarse run of the morphology in {_better(errors, pushed, 'coarse run')} (table 2). But mu_inter "
+            "of the coarse run is then as good an answer.\n"
+            "* The programs offer no rule for δ*.",
             "![mu_inter over delta: morphologies at 1500 ns and the homogeneous pin, for each load and window](prediction/mu_over_delta.png)"]
 
 
 def _obtained(data, keys):
     n = len(data.heterogeneous(seeds.LOADS[0], seeds.LATE))
     return ["## How it was obtained",
-            "The paper ends section 4 with the statement that its contact homogenization is not predictive, because δ* is read from the heterogeneous run that the homogeneous run should "
-            "replace. This study tries rules that need less. `./run.sh prediction` runs it and writes this page; every number except the paper's comes from its runs.",
-            f"* Bodies: {n} morphologies of `prm/prediction` (seeds {min(seeds.SEEDS)} to {max(seeds.SEEDS)}) on cells of {56 / seeds.COARSE[0]:g} mm, each the mixture of four cells of 0.1 mm "
-            "(`mixture.py`). The homogeneous pin has the mean of their effective stiffnesses and the same cells.\n"
-            f"* Settings: V = 2 m/s, mu = 0.25, δ = {seeds.DELTA * 1e9:g} ns in the heterogeneous pin; pressure and flat act at once.\n"
-            "* Loads: 0.5 and 0.4 MPa as printed, with a pin that starts with 0.5 m/s along x ([regimes 1 and 2 of the paper](README.md)); and 5 MPa from rest.\n"
-            f"* Windows: early, {seeds.EARLY[0] * 1e3:g} to {seeds.EARLY[1] * 1e3:g} ms; late, {seeds.LATE[0] * 1e3:g} to {seeds.LATE[1] * 1e3:g} ms.",
+            "According to the paper (section 4) its contact homogenization is not predictive, because δ* is read from the heterogeneous run that it should replace. This study tries "
+            "rules that need less. `./run.sh prediction` makes the runs and this page.",
+            f"* Bodies: {n} morphologies of `prm/prediction` (seeds {min(seeds.SEEDS)} to {max(seeds.SEEDS)}) on cells "
+            f"of {56 / seeds.COARSE[0]:g} mm, each cell the mixture of four cells of 0.1 mm (`mixture.py`); the homogeneous "
+            "pin has the mean of their effective stiffnesses\n"
+            f"* Settings: V = 2 m/s, mu = 0.25, δ = {seeds.DELTA * 1e9:g} ns in the heterogeneous pin; pressure and "
+            "flat act at once\n"
+            "* Loads: 0.5 and 0.4 MPa with a start of 0.5 m/s along x ([regimes 1 and 2 of the paper](README.md)); 5 MPa from rest",
             "Errors of each morphology, by rule:",
             "\n\n".join(f"![Errors, {_case(key)}](prediction/rules_{key[0].key}_{key[1]}.png)" for key in keys)]
 
@@ -104,9 +112,9 @@ def _exceeds(values, limit):
 
 def _theory():
     return ["## Theory",
-            "While a node slips in one direction, eq. (7) is linear in the normal force. The sum over the nodes of a patch of contact therefore obeys the same law with the same δ: "
-            "d(Σ f_t)/dt = -(Σ f_t - mu Σ f_n)/δ. So δ* = δ while all nodes slip, as far as a homogeneous body can replace the heterogeneous one. Only nodes that separate or "
-            "stick at different times can require another δ*. The growth rates test the first statement, the runs test the second."]
+            "While nodes slip in one direction, eq. (7) is linear in the normal force, so that its sum over a patch of contact has the same δ: d(Σ f_t)/dt = -(Σ f_t - mu Σ f_n)/δ. "
+            "Therefore δ* = δ while all nodes slip, as far as a homogeneous body can replace the heterogeneous one; growth rates test this. Only nodes that separate or stick at "
+            "different times can require another δ*; runs test this."]
 
 
 def _scatter(data, keys, sweeps, runs, tried):
@@ -118,11 +126,14 @@ def _scatter(data, keys, sweeps, runs, tried):
                      *(_mean([1e9 * d for d in of.values()], 0) for of in stars), *["–"] * (2 - len(stars))])
     late = " and ".join(f"{_spread([m.middle[2] for m in runs[k].values()], 0, 100)} % of the time at {k[0].pressure / 1e6:g} MPa" for k in _pushed(keys) if k[1] == "late")
     return ["## Morphologies and the homogeneous pin",
-            f"Table 1. mu_inter at δ = {seeds.DELTA * 1e9:g} ns on cells of 0.2 mm, and the best δ* on both sizes of cells. ± is the 95 % confidence interval of the mean over the morphologies "
-            "(Student's t); for the homogeneous pin it is the interval of the mean in time.",
+            f"Table 1. mu_inter at δ = {seeds.DELTA * 1e9:g} ns on cells of 0.2 mm, and the best δ* on both sizes of "
+            f"cells; early: {seeds.EARLY[0] * 1e3:g} to {seeds.EARLY[1] * 1e3:g} ms, late: {seeds.LATE[0] * 1e3:g} "
+            f"to {seeds.LATE[1] * 1e3:g} ms. ± is the 95 % interval of the mean over the morphologies (Student's t), "
+            "for the homogeneous pin of the mean in time.",
             table(["case", "μ_inter, morphologies", "homogeneous", "δ* [ns], 0.2 mm", "δ* [ns], 0.1 mm"], rows),
-            f"In the first four cases every morphology is in the regime of the homogeneous pin: late, M is separated for {late}. The paper has 0.2145 (mean of four) and 0.220 at 0.5 MPa (table 2). "
-            "[comparison.csv](prediction/comparison.csv) adds deviations, slip, frequencies and the runs on cells of 0.1 mm."]
+            "In the four pushed cases every morphology is in the regime of the homogeneous pin: late, node M is separated for "
+            f"{late}. The paper's table 2 (0.5 MPa) has 0.2145 (mean of four) and 0.220. [comparison.csv](prediction/comparison.csv) "
+            "adds deviations, slip, frequencies and the runs on cells of 0.1 mm."]
 
 
 def _at_delta(sweep):
@@ -230,21 +241,24 @@ def _rules(data, keys, tried, errors, runs):
         return " and ".join(_case(k) for k, (mean, _, half) in gains.items() if mean > half) or "nowhere"
 
     return ["## The rules",
-            "Table 2. Root mean square over the morphologies of the error of mu_inter, homogeneous pin with δ* minus heterogeneous pin. The cost is the CPU time of the new runs that one morphology "
-            "needs, over the time of its full heterogeneous run. Runs that are made once for all are not counted (the sweep of the homogeneous pin, the full runs of *other morphologies*); "
-            "eigenvalues were not timed. Eq. (13) and the best δ* predict nothing, because they need the full run.",
+            "Table 2. Error of mu_inter, homogeneous pin with δ* minus heterogeneous pin: root mean square over the morphologies. Cost: CPU time of the runs that a new morphology "
+            "needs, over the time of its full heterogeneous run, without runs that are made once for all (sweep of the homogeneous pin, full runs of *other morphologies*); "
+            "eigenvalues were not timed. Eq. (13) and the best δ* need the full run and predict nothing.",
             table(["rule", "δ*", "cost", *map(_case, keys)], rows),
-            f"*Other morphologies* is better than δ* = δ in {_better(errors, keys, 'other morphologies')} cases, *other pressure* in {_better(errors, keys, 'other pressure')}: δ* belongs to the "
-            f"composite under its load and has to be found anew for another pressure. The gain over δ* = δ exceeds its 95 % interval for *other morphologies* at {significant('other morphologies')}, "
-            f"and for *coarse run* at {significant('coarse run')}. [rule_errors.csv](prediction/rule_errors.csv) adds the runs from rest, bootstrap intervals, gains and errors of slip and "
-            "frequency; [rules.csv](prediction/rules.csv) has each δ*."]
+            f"*Other morphologies* is better than δ* = δ in {_better(errors, keys, 'other morphologies')} cases, *other "
+            f"pressure* in {_better(errors, keys, 'other pressure')}: δ* has to be found anew for another pressure. "
+            f"The gain over δ* = δ exceeds its 95 % interval for *other morphologies* at {significant('other morphologies')}, "
+            f"and for *coarse run* at {significant('coarse run')}. [rule_errors.csv](prediction/rule_errors.csv) adds "
+            "the runs from rest, bootstrap intervals, gains and errors of slip and frequency; [rules.csv](prediction/rules.csv) has each δ*."]
 
 
 def _limits(errors, runs):
     rest = (seeds.LOADS[2], "late")
     return ["## Limits",
-            "* The error that the better rules leave is the scatter of the morphologies or less. In this sense the contact homogenization is predictive for the composite once it is calibrated at one "
-            "load.\n"
-            f"* From rest under 5 MPa the morphologies reach several cycles (late, with the number of morphologies: {_lines(runs[rest].values())} kHz). Even the best δ* leaves an rms error of "
-            f"{_rms(errors, rest, 'best δ*'):.4f}, because the homogeneous pin has some of these mu_inter at no δ from {delta_rules.RANGE[0] * 1e9:g} to {delta_rules.RANGE[1] * 1e9:g} ns.\n"
-            "* The better rules were picked on the same morphologies, so their errors are flattering."]
+            "* The better rules leave an error of about the scatter of the morphologies. In this sense the contact homogenization is predictive for the composite once it is "
+            "calibrated under the same load.\n"
+            "* From rest under 5 MPa the morphologies reach several cycles (late, with the number of morphologies: "
+            f"{_lines(runs[rest].values())} kHz). Even the best δ* leaves an rms error of {_rms(errors, rest, 'best δ*'):.4f}, "
+            f"because the homogeneous pin has some of these mu_inter at no δ from {delta_rules.RANGE[0] * 1e9:g} to {delta_rules.RANGE[1] * 1e9:g} "
+            "ns.\n"
+            "* The better rules were picked on the same morphologies, which flatters them."]

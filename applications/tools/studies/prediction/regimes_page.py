@@ -73,7 +73,7 @@ def write(folder, found, choice_results, lives, data):
 
 
 def _sections(found, choices, choice_results, lives, data):
-    return [*_summary(found, choices, data), *_both(choices, data), *_search(found), *_obtained(), *_coexistence(found), *_identity(found), *_over_delta(data),
+    return [*_summary(found, choices, data), *_both(choices, data), *_search(found), *_obtained(), *_coexistence(found), *_identity(found),
             *growth_page.regimes_section(data.growth, found), *cycle_life.section(lives), *_choices(choices), *_placements(choice_results), *_limits()]
 
 
@@ -95,13 +95,19 @@ def _summary(found, choices, data):
     rest = sum(start in AT_REST for _, _, start in met)
     starts = dict.fromkeys(s for s in regime_map.STARTS if s in {p[2] for p in met})
     return ["# Regimes of the homogeneous pin",
-            "**The paper's regime 2 exists under the printed equations and pressures, if the pin starts with a push.** Starts that scale with the pressure give the same motion at 0.4 and 0.5 MPa, larger or smaller. "
-            "A given velocity does not scale: pushed at 0.5 m/s along x, the pin comes to regime 1 at 0.5 MPa and to regime 2 at 0.4 MPa (table 1). "
-            f"In the map over pressure, δ and start, {len(met)} of {len(found)} runs have the three marks of regime 2 (below) from 0.25 to 1 or from 2 to 3 ms, with P = {_span([p for p, _, _ in met], 1e6)} MPa at 2 m/s, "
-            f"δ = {_span([d for _, d, _ in met], 1e-9)} ns and the starts {' and '.join(f'*{s}*' for s in starts)}; {rest or 'none'} of them starts from rest. "
-            f"Regime 2 is one end of a branch: in {len(branch)} runs the middle contact node M is separated 70 to 90 % of the time from 2 to 3 ms, at {_span([round(m.frequency / 1e3, 1) for m in branch])} kHz, with mu_inter from "
-            f"{max(m.mu for m in branch):.2f} (small δ) to {min(m.mu for m in branch):.2f} (large δ). From rest and at higher P/V the pin also has cycles near 124 and 176 kHz, where steady sliding has "
-            f"faster growing modes. The fastest mode is {growth_page.fastest_branches(data.growth)}.",
+            "**The paper's regime 2 exists under the printed equations and pressures, if the pin starts with a push.**\n"
+            "\n"
+            "* At 0.4 and 0.5 MPa the motion is proportional to the pressure if the start is. A given velocity is not: 0.5 m/s along x leads to regime 1 at 0.5 MPa and to regime 2 at "
+            "0.4 MPa (table 1).\n"
+            f"* The map over pressure, δ and start has {len(found)} runs. {len(met)} of them have the three marks of "
+            f"regime 2 (below) from 0.25 to 1 or from 2 to 3 ms, with P = {_span([p for p, _, _ in met], 1e6)} MPa "
+            f"at 2 m/s, δ = {_span([d for _, d, _ in met], 1e-9)} ns and the starts {' and '.join(f'*{s}*' for s in starts)}; {rest or 'none'} "
+            "of them starts from rest.\n"
+            f"* In {len(branch)} runs node M is separated 70 to 90 % of the time from 2 to 3 ms, at {_span([round(m.frequency / 1e3, 1) for m in branch])} "
+            f"kHz, with mu_inter from {max(m.mu for m in branch):.2f} (small δ) to {min(m.mu for m in branch):.2f} "
+            "(large δ).\n"
+            "* From rest and at higher P/V there are also cycles near 124 and 176 kHz, where modes of steady sliding grow faster. The fastest mode is "
+            f"{growth_page.fastest_branches(data.growth)}.",
             "![Separation of M and mu_inter in all runs of the map, early and late; stars: the two regimes of the paper](regimes/regime2_search.png)"]
 
 
@@ -117,45 +123,49 @@ def _both(choices, data):
 
     high, low, other = seeds.LOADS
     return ["## Both regimes",
-            "Table 1. State from 1 to 2 ms. The homogeneous pin has cells of 0.4 mm; the heterogeneous pins are those of [prediction](prediction.md).",
+            "Table 1. From 1 to 2 ms. The homogeneous pin has cells of 0.4 mm; the heterogeneous pins are those of [prediction](prediction.md).",
             table(["", "mu_inter", "kHz", "M separated"], [
                 ["paper, regime 1", "0.21", "41.2", "30 %"], row(high.label, choices["printed-pushed"][1]), pins(high),
                 ["paper, regime 2", "0.17", "39.6", "80 %"], row(low.label, choices["lower-pushed"][1]), pins(low), pins(other)]),
-            "In table 3 of the paper one of two heterogeneous pins is in regime 2 at 0.4 MPa (0.173 and 0.213); here all are. How long regime 2 lasts is on the page [paper](README.md#how-the-loading-was-read-both-regimes)."]
+            "In table 3 of the paper one of two heterogeneous pins is in regime 2 at 0.4 MPa (0.173 and 0.213), here all. [Paper](README.md#how-the-loading-was-read-both-regimes) "
+            "tells how long regime 2 lasts."]
 
 
 def _identity(found):
     total, slipping, equal, mu = scaling(found)
     low, high = regime_map.PRESSURES[:2]
     return ["## Scaling with P and V",
-            "If the flat touches from the start, (u, P, V) → (s u, s P, s V) takes solutions into solutions, so that P and V count by P/V alone. While no node sticks or reverses its slip, V does "
-            f"not count either, and the motion scales with P. In {slipping} of {total} pairs of runs at {low / 1e6:g} and {high / 1e6:g} MPa no node stuck in the early or late window; {equal} of these agree to {EQUAL:.0e} in the "
-            f"share of slip and mean apparent friction. mu_inter falls with P/V, by up to {mu:.4f} there: it is the "
-            "power of friction with the relative velocity, and part of the work of the flat goes into the pin. So mean mu_app and mu_inter differ, unlike in remark 1 of the paper."]
+            "If body and flat touch from the start, (s u, s P, s V) is a solution wherever (u, P, V) is one: only P/V counts. While no node sticks or reverses its slip, the motion "
+            f"does not depend on V and is proportional to P. In {slipping} of {total} pairs of runs at {low / 1e6:g} "
+            f"and {high / 1e6:g} MPa no node stuck in the early or late window; {equal} of these pairs agree to {EQUAL:.0e} "
+            f"in the share of slip and mean apparent friction. Their mu_inter falls with P/V, by up to {mu:.4f}, because "
+            "it is the power of friction with the relative velocity, and part of the work of the flat goes into the pin. So mean mu_app and mu_inter differ, unlike in remark 1 of the "
+            "paper."]
 
 
 def _obtained():
     return ["## How it was obtained",
-            "`./run.sh prediction` makes the runs and this page; every number except the paper's comes from its runs. "
-            f"The pin has the stiffness of eq. (10), mu = 0.25, beta = 4.4 ns, beta2 = 0.5 and cells of {56 / regime_map.CELLS[0]:g} mm unless said otherwise. "
-            "The early window is 0.25 to 1 ms, where the paper has its steady state. "
-            f"In the map the late window is {regime_map.LATE[0] * 1e3:g} to {regime_map.LATE[1] * 1e3:g} ms. ± is twice the standard error of eight block means. The starts are:",
-            "* *at once*: P and V act from the first step.\n"
+            "`./run.sh prediction` makes the runs and this page. The pin has the stiffness of eq. (10), mu = 0.25, beta = 4.4 ns, beta2 = 0.5 and cells of "
+            f"{56 / regime_map.CELLS[0]:g} mm unless said otherwise. The early window is 0.25 to 1 ms, the paper's "
+            f"steady state; the late window of the map is {regime_map.LATE[0] * 1e3:g} to {regime_map.LATE[1] * 1e3:g} "
+            "ms. ± is twice the standard error of eight block means. The starts are:",
+            "* *at once*: P and V act from the first step on.\n"
             "* *ramped*: P grows in 0.2 ms under the moving flat.\n"
-            "* *pressed, then dragged*: P grows in 0.2 ms on the flat at rest, and V acts from 0.3 ms on.\n"
-            "* pushes: at once, and the pin starts with P / (rho c_T) times " + ", ".join(f"{push:g} (*{name}*)" for name, push in regime_map.PUSHES.items())
-            + " along x. The 0.5 m/s of table 1 are 4.94 at 0.5 MPa and 6.2 at 0.4 MPa.",
-            "In both pictures grey means that all nodes slide and nothing vibrates. [regime_map.csv](regimes/regime_map.csv) has all runs.",
+            "* *pressed, then dragged*: P grows in 0.2 ms on the flat at rest; V acts from 0.3 ms on.\n"
+            f"* pushes: at once, and the pin starts with P / (rho c_T) times {', '.join((f'{push:g} (*{name}*)' for name, push in regime_map.PUSHES.items()))} "
+            "along x. The 0.5 m/s of table 1 are 4.94 at 0.5 MPa and 6.2 at 0.4 MPa.",
+            "Grey: all nodes slide and nothing vibrates. [regime_map.csv](regimes/regime_map.csv) has all runs.",
             "![Late state of the runs from rest over P/V and delta](regimes/regime_map_rest.png)", "![Late state of the pushed runs over P/V and delta](regimes/regime_map_pushed.png)"]
 
 
 def _search(found):
     largest = max((pair[w].middle[2], point, w) for point, pair in found.items() for w in (0, 1))
     return ["## Search for regime 2",
-            "In regime 2 of the paper M slips 20 % and is separated 80 % of the time, mu_inter is 0.17 to 0.18 and the main frequency 39.6 kHz. Runs of the map with these marks:",
+            "In the paper's regime 2 node M slips 20 % and is separated 80 % of the time, mu_inter is 0.17 to 0.18 and the main frequency 39.6 kHz. Runs of the map with these marks:",
             table(["mark of regime 2"] + [f"{w[0] * 1e3:g} to {w[1] * 1e3:g} ms" for w in (regime_map.EARLY, regime_map.LATE)], counts(found)),
-            f"M is separated at most {100 * largest[0]:.0f} % of the time (P = {largest[1][0] / 1e6:g} MPa at 2 m/s, δ = {largest[1][1] * 1e9:g} ns, *{largest[1][2]}*). Hard pushes give early values above "
-            "mu = 0.25, because friction takes the energy of the push as well."]
+            f"M is separated at most {100 * largest[0]:.0f} % of the time (P = {largest[1][0] / 1e6:g} MPa at 2 m/s, "
+            f"δ = {largest[1][1] * 1e9:g} ns, *{largest[1][2]}*). Hard pushes give early mu_inter above mu = 0.25, "
+            "because friction takes the energy of the push as well."]
 
 
 def _coexistence(found):
@@ -164,30 +174,17 @@ def _coexistence(found):
     ends = " to ".join(f"{most[s].mu:.3f} at {most[s].frequency / 1e3:.0f} kHz (*{s}*)" for s in (choose(most, key=lambda s: most[s].mu) for choose in (max, min)))
     points = len({(p, d) for p, d, _ in found})
     return ["## States that depend on the start",
-            f"At {len(states)} of {points} points (P, δ) the late mu_inter differs between starts by more than 0.01 and four standard errors. "
-            f"Some of these states are coexisting cycles; others have not reached their end after 3 ms, as after a ramp with slow growth. The largest range is "
-            f"{ends} at {p / 1e6:g} MPa and δ = {d * 1e9:g} ns; the pictures above show the others."]
-
-
-def _over_delta(data):
-    def ends(load):
-        sweep = data.sweep(load, seeds.LATE)
-        return f"from {sweep.measures[0].mu:.3f} to {sweep.measures[-1].mu:.3f}"
-
-    first, second, rest = seeds.LOADS
-    deltas = data.sweep(first, seeds.LATE).deltas
-    return ["## mu_inter over delta, as in fig. 11",
-            "The paper says that the slope of its curve changes sign at 300 Δt = 1500 ns and explains this by the change from regime 2 to regime 1. Here a pushed pin keeps its regime at every δ, and "
-            f"mu_inter falls: between {deltas[0] * 1e9:g} and {deltas[-1] * 1e9:g} ns {ends(first)} at 0.5 MPa and {ends(second)} at 0.4 MPa (cells of {56 / seeds.COARSE[0]:g} mm, late). "
-            f"From rest at 5 MPa it rises {ends(rest)}, where the pin slides steadily ([table](prediction/homogeneous.csv), [picture](prediction/mu_over_delta.png))."]
+            f"At {len(states)} of {points} points (P, δ) the late mu_inter of two starts differs by more than 0.01 "
+            "and four standard errors. Some of these states are coexisting cycles, others have not reached their end after 3 ms, as after a ramp with slow growth. The largest range "
+            f"is {ends} at {p / 1e6:g} MPa and δ = {d * 1e9:g} ns."]
 
 
 def _choices(choices):
     rows = [[label, *short(choices[name][1])[:3]] for name, (label, _) in open_choices.CHOICES.items() if name in choices and not name.endswith("-pushed")]
     return ["## The open choices",
-            f"Each row changes one choice of the first run; {open_choices.LATE[0] * 1e3:g} to {open_choices.LATE[1] * 1e3:g} ms. The paper has 0.21 (0.22 in table 2), 41.2 kHz and 70 / 30 % in regime 1. "
-            "[open_choices.csv](regimes/open_choices.csv) adds the early window, the velocity of M along x (paper: -0.80 to +0.80 m/s, from its relative velocity) and its lift (paper: 0.2 µm). "
-            "With u_x free on top the flat carries the pin away.",
+            f"Each row changes one choice of the first run; {open_choices.LATE[0] * 1e3:g} to {open_choices.LATE[1] * 1e3:g} "
+            "ms. The paper's regime 1 has 0.21 (0.22 in table 2), 41.2 kHz and 70 / 30 %. [open_choices.csv](regimes/open_choices.csv) adds the early window and velocity (paper: "
+            "-0.80 to +0.80 m/s, from its relative velocity) and lift (paper: 0.2 µm) of M. If u_x is free on top, the flat carries the pin away.",
             table(["choice", "μ_inter", "kHz", "M slips / separated [%]"], rows)]
 
 
@@ -195,12 +192,13 @@ def _placements(results):
     rows = [[label, f"{100 * area:.1f}", f"{100 * line:.1f}"] + [f"{100 * d:+.1f}" for d in differences]
             for (label, _), (area, line, differences) in zip(open_choices.PLACEMENTS.values(), open_choices.placements(results).values())]
     return ["## Placement of the fibres",
-            f"Means over seeds {min(open_choices.PLACEMENT_SEEDS)} to {max(open_choices.PLACEMENT_SEEDS)}. D11 to D33: difference of the stiffness, mean of KUBC and SUBC, from eq. (10) in %.",
+            f"Means over seeds {min(open_choices.PLACEMENT_SEEDS)} to {max(open_choices.PLACEMENT_SEEDS)}. D11 to D33: "
+            "mean of KUBC and SUBC, difference from eq. (10) in %.",
             table(["placement", "area [%]", "contact line [%]", "D11", "D12", "D22", "D33"], rows),
-            "With all fibres inside, hardly any fibre reaches the contact; the paper's element A is a fibre there."]
+            "With all fibres inside, hardly any fibre reaches the contact; but the paper's element A is a fibre at the contact."]
 
 
 def _limits():
     return ["## Limits",
-            "The platen and the push are readings, not results. The two modes of fig. 8 speak for the platen; both regimes at both printed pressures speak for the push ([how the paper was "
-            "read](reading.md))."]
+            "The platen and the push are [readings of the paper](reading.md), not results: the two modes of fig. 8 are evidence for the platen, both regimes at the printed pressures "
+            "for the push."]

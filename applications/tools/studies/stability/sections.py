@@ -42,21 +42,23 @@ def summary(folder):
 SUMMARY = """
 # Stability under stress
 
-This page shows where runs of `contact_dynamics` are stable, and how much their results depend on cells, delta, beta and beta2. \
-`./run.sh stability` writes it with all its numbers; the test `verification/stability` is a short form of the first three parts. \
-A run has to end stable, or the program has to stop it with exit status 3 and name step, time, place and likely cause. \
-A run is stable if all its data are finite, its energy balance closes to round-off and the body never holds more energy than was put in.
+This page shows where runs of `contact_dynamics` are stable, and how their results depend on cells, delta, beta and beta2. `./run.sh stability` \
+writes it; the test `verification/stability` is a short form of the first three parts.
 
-* The observed limit of the time step is {low:.4f} to {high:.4f} times the predicted one, and {tall:.4f} times on a grid of four tall rows.
+A run is stable if all its data are finite, its energy balance closes to round-off and the body never holds more energy than was put in. If a run \
+cannot be stable, the program has to stop it with exit status 3 and name step, time, place and likely cause.
+
+* The observed limit of the time step is {low:.4f} to {high:.4f} times the predicted one, {tall:.4f} times on a grid of four tall rows.
 * Of {runs} runs with one setting far beyond the paper's, {stable} are stable and {stopped} are stopped, as they should be.
-* At the end of a million steps without damping the energy balance is off by at most {error:.1e} of the largest energy.
-* With the paper's beta = 4.4 ns results converge on finer cells: mu_inter changes by {damped:.1%} between the two finest grids. With beta = 0 it changes by {bare:.0%}.
-* mu_inter depends on all three parameters: {delta_low:.3f} to {delta_high:.3f} over delta, {beta2_low:.3f} to {beta2_high:.3f} over beta2, {beta_low:.3f} to {beta_high:.3f} over beta. \
-Most of it are jumps from one motion to another.
+* After a million steps without damping the energy balance is off by at most {error:.1e} of the largest energy.
+* With the paper's beta = 4.4 ns results converge on finer cells: mu_inter changes by {damped:.1%} between the two finest grids. With beta = 0 it \
+changes by {bare:.0%}.
+* mu_inter is {delta_low:.3f} to {delta_high:.3f} over delta, {beta2_low:.3f} to {beta2_high:.3f} over beta2 and {beta_low:.3f} to {beta_high:.3f} \
+over beta, mostly by jumps from one motion to another.
 
 ![refinement](refinement.png)
 
-Results on finer cells with and without delta and beta; the lines without beta are dashed.
+Results on finer cells with and without delta and beta; dashed: without beta.
 """
 
 
@@ -83,25 +85,23 @@ def limit_part(study, page):
     page.text("limit", f"""
 ## Time step: predicted and observed limit
 
-The program predicts the critical time step from the largest frequency of the free grid ([theory](../theory.md), section 2). \
-The observed limit comes from a bisection, whose last interval is {(limit.HIGH - limit.LOW) / 2 ** limit.ROUNDS:.2%} wide. \
-In each of its runs the pin slides on the flat for {limit.STEPS} steps without the check of the time step. \
-The ratio observed / predicted has to be above 1 (safe) and below 1.01 (sharp). \
-The last column compares with the exact largest frequency of the body as platen and flat hold it (`held_body.py`).
+The program predicts the critical time step from the largest frequency of the free grid ([theory](../theory.md), section 2). The observed limit comes \
+from a bisection down to an interval of {(limit.HIGH - limit.LOW) / 2 ** limit.ROUNDS:.2%}, whose runs slide on the flat for {limit.STEPS} steps \
+without the check of the time step. Observed / predicted has to be above 1 (safe) and below 1.01 (sharp). The last column compares with the exact \
+largest frequency of the body as platen and flat hold it (`held_body.py`).
 
 {table(["body", "beta2", "beta (ns)", "observed / predicted", "observed / exact, as held"], rows)}
 
-The observed limit is within {max(others):.2%} of the predicted one for all bodies but one, and within {max(abs(x - 1) for x in held):.2%} of the exact one. \
-The exception is a grid of four rows of cells that are ten times as tall as wide (1:10). \
-There the platen holds a large part of the stiffest mode, so that the limit is {max(tall):.1%} higher. \
-The program does not use this reserve, which falls with the square of the number of rows.
+The observed limit is within {max(abs(x - 1) for x in held):.2%} of the exact one, and within {max(others):.2%} of the predicted one except on a grid \
+of four rows of cells that are ten times as tall as wide (1:10). There the platen holds a large part of the stiffest mode, and the limit is \
+{max(tall):.1%} above the predicted one. The program does not use this reserve, which falls with the square of the number of rows.
 
 ![time step](time_step.png)
 
-Picture (a) has time steps from 0.5 to 1.1 of the critical one, for the homogeneous pin without damping. Below the limit the energy balance closes to \
-{max(v.residual for v in stable):.1e}; above it every run is stopped, after {min(v.step for v in sweep.values() if v.step)} to {max(v.step for v in sweep.values() if v.step)} steps. \
-Picture (b) has the last interval of each bisection; within a body beta grows downwards. \
-Data: [time_step.csv](time_step.csv), [time_step_sweep.csv](time_step_sweep.csv).
+(a) Time steps from 0.5 to 1.1 of the critical one, homogeneous pin without damping. Below the limit the energy balance closes to \
+{max(v.residual for v in stable):.1e}; above it every run is stopped, after {min(v.step for v in sweep.values() if v.step)} to \
+{max(v.step for v in sweep.values() if v.step)} steps. (b) The last interval of each bisection; within a body beta grows downwards. Data: \
+[time_step.csv](time_step.csv), [time_step_sweep.csv](time_step_sweep.csv).
 """)
     return [v for v in sweep.values()], ([f"{x.body}: observed / predicted {x.observed:.4f}" for x in limits
                                           if not 0.999 <= x.observed <= 1.01 and x.body != limit.FEW_ROWS]
@@ -128,8 +128,8 @@ def stress_part(study, page):
     page.text("stress", f"""
 ## One setting at a time, far beyond the paper's
 
-{len(verdicts)} runs of the pin on 70 x 20 cells for 0.5 ms change one setting each. Every data set of every `dynamics.h5` is finite. \
-No stable run ever holds more energy than was put in by the start and by top and flat, less the losses by friction and impacts.
+{len(verdicts)} runs of the pin on 70 x 20 cells for 0.5 ms change one setting each. All data of every `dynamics.h5` are finite. No stable run ever \
+holds more energy than start, top and flat supplied, less the losses by friction and impacts.
 
 {table(["group", "values", "outcome"], rows)}
 
@@ -139,7 +139,7 @@ Under each of the last three pressures the whole contact opens and closes again 
 
 ![energy](energy.png)
 
-The picture shows the error of the energy balance over the largest energy, one dot a run. Data: [stress.csv](stress.csv).
+Error of the energy balance over the largest energy, one dot a run. Data: [stress.csv](stress.csv).
 """)
     wrong = [f"{group} {value}: {v.outcome}" for (group, value), v in verdicts.items()
              if (v.outcome == "stopped") != (group == "to be stopped")]
@@ -165,14 +165,13 @@ def long_part(study, page):
     page.text("long", f"""
 ## A million steps
 
-28 x 8 cells move without any damping (beta = 0, beta2 = 0.5), so that a loss or gain by the scheme would show. \
-The table has the error of the energy balance over the largest energy.
+28 x 8 cells move without damping (beta = 0, beta2 = 0.5), so that a loss or gain by the scheme would show. The table has the error of the energy \
+balance over the largest energy.
 
 {table(headings[:5], [[cell if isinstance(cell, str) else number(cell, 2) for cell in row[:5]] for row in rows])}
 
-The error is the round-off of a million sums, at most {max(curve[1].max() for curve in curves.values()):.1e}. \
-It is largest where the flat carries the body away ({bounce}: {travelled:.2g} m), \
-as strains are then differences of large displacements.
+The error is the round-off of a million sums, at most {max(curve[1].max() for curve in curves.values()):.1e}. It is largest where the flat carries \
+the body away ({bounce}: {travelled:.2g} m): strains are then differences of large displacements.
 
 ![million steps](million_steps.png)
 
@@ -236,28 +235,29 @@ def refinement_part(study, page):
 REFINEMENT = """
 ## What regularization buys: refinement with and without delta
 
-The homogeneous pin (5 MPa, 2 m/s, mu = 0.25, time step auto) is evaluated from {steady:g} to {end:g} ms on ever finer cells. \
-The main frequency is that on cells of 0.1 mm; the last two columns compare the two finest grids.
+The homogeneous pin (5 MPa, 2 m/s, mu = 0.25, time step auto) on ever finer cells, from {steady:g} to {end:g} ms. The main frequency is that on cells \
+of 0.1 mm; the last two columns compare the two finest grids.
 
 {numbers}
 
 ![figure 5](figure_5.png)
 
-The picture repeats the paper's figure 5 for the middle contact node, beta = 4.4 ns: u_x over the last {last:g} ms (a, b), \
-phase diagrams of the last {cycles:g} ms on cells of {finer:g} mm and less (c, d), and the spectrum of u_x (e, f).
+The picture repeats the paper's figure 5 for the middle contact node, beta = 4.4 ns: u_x over the last {last:g} ms (a, b), phase diagrams of the last \
+{cycles:g} ms on cells of {finer:g} mm and less (c, d), spectrum of u_x (e, f).
 
-The growth rates (1/s) of steady sliding by wavelength explain this. They come from the exact dispersion relation of a layer as tall and stiff as the pin; \
-a dash means that the wave does not grow.
+The growth rates (1/s) of steady sliding by wavelength explain the results. They come from the exact dispersion relation of a layer as tall and stiff \
+as the pin; a dash means no growth.
 
 {rates}
 
-* With plain Coulomb friction and without damping, short waves grow as fast as long ones, so that refinement has no limit. \
-A wave of 3.3 cells, which only the grid has, grows at a rate proportional to 1/h ([theory](../theory.md#3-contact-and-friction-libcontactcontact_kernelcc)).
-* delta = 1500 ns lets only long waves grow. It also decides which motion follows.
-* beta makes the runs converge: it stops the growth of waves shorter than some millimetres, for both laws of friction. \
-Without it, nodes that land excite fast motion that nothing damps, and results change with the cells even with delta.
+* Without delta and beta, short waves grow as fast as long ones, so that refinement has no limit. A wave of 3.3 cells, which only the grid has, grows \
+at a rate proportional to 1/h ([theory](../theory.md#3-contact-and-friction-libcontactcontact_kernelcc)).
+* With delta = 1500 ns only long waves grow. delta also decides which motion follows.
+* beta makes the runs converge: it stops the growth of waves shorter than some millimetres, with and without delta. Without beta, nodes that land \
+excite fast motion that nothing damps, and results change with the cells even with delta.
 
-The first {end:g} ms, as in the paper's figure 5, are a transient. From {late_steady:g} to {late_end:g} ms, where the limit cycle is reached with the paper's beta, mu_inter takes these values:
+The first {end:g} ms, as in the paper's figure 5, are a transient. From {late_steady:g} to {late_end:g} ms, where the limit cycle is reached with the \
+paper's beta, mu_inter is:
 
 {late}
 
@@ -286,15 +286,15 @@ def sensitivity_part(study, page):
     page.text("sensitivity", f"""
 ## Sensitivity to delta, beta2 and beta
 
-The homogeneous pin (5 MPa from rest, 140 x 40 cells of 0.4 mm, time step 25 ns) is evaluated from {sensitivity.STEADY * 1e3:g} to {sensitivity.END * 1e3:g} ms. \
+The homogeneous pin (5 MPa from rest, 140 x 40 cells of 0.4 mm, time step 25 ns), from {sensitivity.STEADY * 1e3:g} to {sensitivity.END * 1e3:g} ms. \
 One parameter changes at a time; the others keep the paper's values, delta = 1500 ns, beta = 4.4 ns and beta2 = 0.5.
 
 {table(["parameter (delta and beta in s)"] + names, spans)}
 
-The large ranges are jumps from one motion to another. The main frequency stays within 5 % for {"; ".join(near)}.
+Ranges are large where one motion gives way to another. The main frequency stays within 5 % for {"; ".join(near)}.
 
 ![sensitivity](sensitivity.png)
 
-Dotted lines show the paper's value. Data, with the scatter of three starts that differ by 0.1 mm/s: [sensitivity.csv](sensitivity.csv).
+Dotted: the paper's value. Data, with the scatter of three starts that differ by 0.1 mm/s: [sensitivity.csv](sensitivity.csv).
 """)
     return [], []

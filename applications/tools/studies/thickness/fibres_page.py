@@ -45,7 +45,8 @@ def fibre_table(rows, cells, load):
 
 def fibre_verdict(rows):
     every = [d for load in (0.5, 0.4) for body in dict.fromkeys(r["body"] for r in rows) for d in differences(rows, body, 0.5, load)]
-    return (f"Fibres of 0.5 mm change mu_inter by {min(every):.3f} to {max(every):.3f} against the homogenized pin, because a start may fall to another regime with fibres than without (table 2).")
+    return (f"Fibres of 0.5 mm change mu_inter by {min(every):.3f} to {max(every):.3f} against the homogenized pin "
+            "(table 2), because the same start may lead to another regime.")
 
 
 def has_fine(folder):
@@ -59,14 +60,17 @@ def fibres(folder):
     if has_fine(folder):
         fine = read(folder, "fine.csv")
         lines += fibre_table(fine, 0.1, 0.5) + fibre_table(fine, 0.1, 0.4)
-        thin = (" The fibres of 0.1 mm are the paper's, seed 1, in plane strain and as bars through a pin of 0.4 mm with free faces, of which one half is computed. They were pushed at 0.5 m/s only and took "
+        thin = ("\n"
+                "* Fibres of 0.1 mm: the paper's, seed 1, in plane strain and as bars through a pin of 0.4 mm with free faces (one half is computed); push of 0.5 m/s only; "
                 f"{sum(values(fine, 'cpu [s]')) / 60:.0f} min on one core.")
     return [
         "## Pins with every fibre",
-        "The fibres of 0.5 mm are five times as wide as the paper's; they are 1.5 to 3.5 mm tall, nominally 10 %, in pins of 2 mm. Long bars go through the thickness and repeat the cells of the plane. "
-        "Short bars are 0.5 x 0.5 mm and lie along z in the whole pin, without a plane of symmetry. The homogenized pins have the stiffness under PBC, because KUBC would hold faces that are free in the pin. "
-        f"The pins were pushed at 0.45, 0.5 and 0.55 m/s (smallest to largest; differences start by start).{thin}",
-        f"Table 2. Pressure, width of the fibres (one cell) and body. No node sticks; the half width of mu_inter is at most {max(values(rows, HALF)):.4f}.",
+        "* Fibres of 0.5 mm: five times as wide as the paper's, 1.5 to 3.5 mm tall, nominally 10 %, in pins of 2 mm; pushes of 0.45, 0.5 and 0.55 m/s (smallest to largest; "
+        "differences start by start)\n"
+        "* Long bars go through the thickness and repeat the cells of the plane. Short bars, 0.5 x 0.5 mm, lie along z in the whole pin, without a plane of symmetry.\n"
+        f"* Homogenized pins have the stiffness under PBC, because KUBC would hold faces that are free in the pin.{thin}",
+        "Table 2. Cases: pressure, width of the fibres (one cell), body. No node sticks; the half width of mu_inter is at most "
+        f"{max(values(rows, HALF)):.4f}.",
         table(["case", "mu_inter, fibres", "homogenized", "difference", "separated [%], fibres", "homogenized"], lines, right=True)]
 
 
@@ -76,13 +80,15 @@ def fine_verdict(folder):
         return []
     rows = read(folder, "fine.csv")
     plane, thin = (chosen(rows, body, "heterogeneous", 0.1, 0.5)[0] for body in ("plane strain", "long bars"))
-    return [f"With the paper's fibres of 0.1 mm as bars through a pin of 0.4 mm, mu_inter is {float(thin[MU]):.4f}, in plane strain {float(plane[MU]):.4f}."]
+    return [f"With the paper's fibres of 0.1 mm mu_inter is {float(thin[MU]):.4f} for bars through a pin of 0.4 mm, {float(plane[MU]):.4f} "
+            "in plane strain."]
 
 
 def modes_verdict(folder):
     thick = read(folder, "modes.csv")[:-1]
     first = [float(r["first out of plane [kHz]"]) for r in thick]
-    return f"Below the mode of shear along x lie modes out of the plane, from {min(first):.1f} kHz on (table 3), which all runs of half a pin leave out."
+    return (f"Below the shear mode along x there are modes out of the plane, from {min(first):.1f} kHz on (table 3); "
+            "runs of half a pin leave these out.")
 
 
 def modes(folder):
@@ -93,6 +99,6 @@ def modes(folder):
         lines.append([f"{float(thickness):g} mm" if across else thickness, *[f"{float(v):.2f}" if v else "-" for v in (across, beam, shear)], below or "-"])
     return [
         "## Modes in 3D",
-        "Table 3. The whole homogeneous pin, bottom held in z. Out of plane are the modes that half a pin with a plane of symmetry does not have. The thin beam lies along z, without shear, clamped by the "
-        "platen; its lower end does not turn.",
+        "Table 3. The whole homogeneous pin, bottom held in z. *Out of plane*: modes that half a pin with a plane of symmetry does not have. *Thin beam*: along z, without shear, "
+        "clamped by the platen, its lower end does not turn.",
         table(["body", "first out of plane [kHz]", "thin beam [kHz]", "shear along x [kHz]", "out of plane below it"], lines, right=True)]

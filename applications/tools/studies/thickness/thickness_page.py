@@ -95,37 +95,45 @@ def text(folder):
     cost = read(folder, "cost.csv")[0]
     return "\n\n".join([
         "# The pin as a body of finite thickness",
-        f"**Plane strain gives mu_inter and the main frequency within a regime at 0.5 MPa. It does not give the border between the regimes.** At 0.5 MPa, on cells of 0.5 mm, mu_inter of pins of "
-        f"0.5 to 8 mm differs from plane strain ({mean(strain):.4f}) by at most {largest:.4f} and the main frequency by at most {100 * frequency:.1f} %; plane stress has {mean(stress):.4f}. "
-        f"The border lies at a start of 0.56 m/s in plane strain. Pushed at 0.55 m/s, on cells of 1 mm, plane strain is in regime 1 (mu_inter {span(straight)}); plane stress and all pins up to {max(thin):g} mm "
-        f"are separated most of the time (mu_inter {span(hard)}). " + " ".join([fibres_page.fibre_verdict(read(folder, "fibres.csv")), *fibres_page.fine_verdict(folder), fibres_page.modes_verdict(folder)]),
+        "**Within a regime, plane strain gives mu_inter and the main frequency at 0.5 MPa. It does not give the border between the regimes.**\n"
+        "\n"
+        f"* At 0.5 MPa, on cells of 0.5 mm, pins of 0.5 to 8 mm differ from plane strain (mu_inter {mean(strain):.4f}) "
+        f"by at most {largest:.4f} in mu_inter and {100 * frequency:.1f} % in the main frequency; plane stress "
+        f"has {mean(stress):.4f}.\n"
+        "* In plane strain the border lies at a start of 0.56 m/s. Pushed at 0.55 m/s, on cells of 1 mm, plane strain is in regime 1 (mu_inter "
+        f"{span(straight)}); plane stress and all pins up to {max(thin):g} mm are separated most of the time (mu_inter {span(hard)}).\n"
+        + "\n".join("* " + verdict for verdict in [fibres_page.fibre_verdict(read(folder, "fibres.csv")), *fibres_page.fine_verdict(folder), fibres_page.modes_verdict(folder)]),
         "![mu_inter over the thickness, and the mean contact pressure across it](thickness/thickness.png)",
-        "*(a) Cells of 1 mm; lines: start of 0.5 m/s. The blue triangles at 0.186 are runs that a start of 0.55 m/s brings into the other limit cycle, at 39.5 kHz. The pin under 0.4 MPa is in this cycle "
-        "as well. (b) 0.5 MPa, cells of 0.5 mm: mean over x and over 1 ms.*",
+        "*(a) Cells of 1 mm; lines: start of 0.5 m/s. The blue triangles at 0.186 are pins that a start of 0.55 m/s brings into the other limit cycle, at 39.5 kHz; at 0.4 MPa all "
+        "pins are in this cycle. (b) 0.5 MPa, cells of 0.5 mm: mean over x and over 1 ms.*",
         "## From plane strain to plane stress",
-        "Table 1. Cells of 0.5 mm pushed at 0.5 m/s; cells of 1 mm pushed at 0.45, 0.5 and 0.55 m/s (smallest to largest of three runs). No node sticks. The half width of the mean in time is at most "
-        f"{widest([*strain, *free, *stress])} on cells of 0.5 mm, {widest([r for r in rows if float(r['cells [mm]']) == 1 and float(r['P [MPa]']) == 0.5])} on cells of 1 mm at 0.5 MPa and "
-        f"{widest([r for r in rows if float(r['cells [mm]']) == 1 and float(r['P [MPa]']) == 0.4])} at 0.4 MPa.",
+        "Table 1. Cells of 0.5 mm: push of 0.5 m/s. Cells of 1 mm: smallest to largest of the pushes 0.45, 0.5 and 0.55 m/s. No node sticks. The half width of the mean in time is "
+        f"at most {widest([*strain, *free, *stress])} on cells of 0.5 mm, {widest([r for r in rows if float(r['cells [mm]']) == 1 and float(r['P [MPa]']) == 0.5])} "
+        f"on cells of 1 mm at 0.5 MPa and {widest([r for r in rows if float(r['cells [mm]']) == 1 and float(r['P [MPa]']) == 0.4])} "
+        "at 0.4 MPa.",
         table(["body", "mu_inter, 0.5 MPa, 0.5 mm", "kHz", "mu_inter, 0.5 MPa, 1 mm", "separated [%]", "mu_inter, 0.4 MPa, 1 mm", "separated [%]"], bodies(rows), right=True),
         *fibres_page.fibres(folder),
         *fibres_page.modes(folder),
         "## How it was obtained",
-        f"`./run.sh thickness` makes this page from the files of [prm/thickness](../../prm/thickness): {cost['runs']} runs, {cost['processor time [s]']} s of processor time. "
-        "The body is the homogeneous pin of eq. (10), 56 x 16 mm, with free faces, under a rigid platen that also holds its top across the plane. Half of it is computed, with symmetry about its middle "
-        "plane. The push is that of the page [paper](README.md), along x; statistics are from 1 to 2 ms. Tables: [runs](thickness/runs.csv), [profile](thickness/profile.csv) of the contact pressure, "
-        "[fibres](thickness/fibres.csv)" + (", [fibres of 0.1 mm](thickness/fine.csv) (`./run.sh thickness fine`)" if fibres_page.has_fine(folder) else "") + ", [modes](thickness/modes.csv).",
-        "Stiffness across the plane: bars through the thickness, seed 1 of the paper's morphologies, one layer under PBC ([moduli](thickness/moduli.csv)). Both phases have Poisson's ratio 0.2, so that "
-        "three entries follow from those in the plane; the pin has them from eq. (10) with 10 % of fibres, and the two shear moduli as computed.",
-        f"One layer of bricks between faces with u_y = 0 moves as the plane grid: at the end of the run the two differ by {float(layer[-1]['relative difference [-]']):.1e} of the largest displacement of "
-        "node M ([layer](thickness/layer.csv), [means](thickness/layer_means.csv)).",
+        f"`./run.sh thickness` makes this page from the files of [prm/thickness](../../prm/thickness): {cost['runs']} "
+        f"runs, {cost['processor time [s]']} s of processor time. The body is the homogeneous pin of eq. (10), "
+        "56 x 16 mm, with free faces, under a rigid platen that also holds its top across the plane. One half of it is computed, with symmetry about the middle plane. Statistics "
+        "are from 1 to 2 ms. Tables: [runs](thickness/runs.csv), [profile](thickness/profile.csv) of the contact pressure, [fibres](thickness/fibres.csv)"
+        + (", [fibres of 0.1 mm](thickness/fine.csv) (`./run.sh thickness fine`)" if fibres_page.has_fine(folder) else "") + ", [modes](thickness/modes.csv).",
+        "Stiffness across the plane: computed for bars through the thickness, seed 1 of the paper's morphologies, one layer under PBC ([moduli](thickness/moduli.csv)). Both "
+        "phases have Poisson's ratio 0.2, so that three entries follow from the entries in the plane; the pin has these from eq. (10) with 10 % of fibres, and the two shear "
+        "moduli as computed.",
+        "One layer of bricks between faces with u_y = 0 moves as the plane grid: their difference at the end is "
+        f"{float(layer[-1]['relative difference [-]']):.1e} of the largest displacement of node M ([layer](thickness/layer.csv), "
+        "[means](thickness/layer_means.csv)).",
         "## Limits",
-        "* Half a pin leaves bending out of the plane out.\n"
-        "* The spread over the starts is the scatter within which a difference means nothing.\n"
-        f"* Two sizes of cells show no order of convergence: cells of 1 mm move mu_inter by {min(map(abs, both)):.4f} to {max(map(abs, both)):.4f}. The border and the pins under 0.4 MPa were computed on cells of 1 mm only.\n"
+        "* Half a pin has no bending out of the plane; only modes were computed with it.\n"
+        "* Differences within the spread over the starts mean nothing.\n"
+        f"* Two sizes of cells show no order of convergence. Cells of 1 mm change mu_inter by {min(map(abs, both)):.4f} to {max(map(abs, both)):.4f}. Border and 0.4 MPa: cells of 1 mm only.\n"
         "* Fibres: one seed and one size of cells; for 0.1 mm also one start.\n"
-        "* Low-order bricks lock where a cell is much longer than it is thick, so that the thinnest pins of table 3 come out too stiff.\n"
-        "* Not done: " + ("short bars of 0.1 mm" if fibres_page.has_fine(folder) else "fibres of 0.1 mm in 3D (`./run.sh thickness fine` runs them)")
-        + ", further seeds, growth in 3D, stress across the plane, runs of homogeneous pins with bending out of the plane."]) + "\n"
+        "* Low-order bricks lock where a cell is much longer than thick: the thinnest pins of table 3 are too stiff.\n"
+        "* Not done: " + ("" if fibres_page.has_fine(folder) else "fibres of 0.1 mm in 3D (`./run.sh thickness fine` runs them), ")
+        + "further seeds, growth in 3D, stress across the plane."]) + "\n"
 
 
 def write(doc):
