@@ -1,4 +1,5 @@
 #include "base/errors.h"
+#include "base/text.h"
 #include "material/stiffness_derivatives.h"
 #include "morphology/phases/phase_parameters.h"
 
@@ -125,9 +126,17 @@ std::vector<PhaseConstant<dim>> PhaseParameters::constants() const
         derivative(row, column) = derivative(column, row) = 1.;
         add(entry, coefficients[list.size()], derivative);
       }
-  for (std::size_t k = 0; k < list.size() && !deviations.empty(); ++k)
-    list[k].deviation =
-      std::abs(list[k].value) * deviations[deviations.size() == 1 ? 0 : k];
+  // A wrong number of deviations is refused by check_deviations().
+  const bool for_all = deviations.size() == 1;
+  for (std::size_t k = 0; k < list.size() && (for_all || k < deviations.size()); ++k)
+    {
+      const double share = deviations[for_all ? 0 : k];
+      list[k].deviation  = std::abs(list[k].value) * share;
+      if (!for_all && share > 0. && list[k].value == 0.)
+        throw UserError("'Phases/" + name + "/Relative deviation' gives " +
+                        to_text(share) + " for the constant " + list[k].name +
+                        ", which is 0 and has no share that deviates; give 0 for it");
+    }
   return list;
 }
 

@@ -15,7 +15,7 @@ import independent_finite_elements as plane
 from macroscopic_loads import close, run
 
 from mesh_files import Box
-from scenes import Folder
+from scenes import Folder, prm
 
 SEED = 45
 VOXELS = np.random.default_rng(SEED).choice(3, size=(3, 4, 5))
@@ -135,6 +135,10 @@ def check_laminate(folder):
         slope = np.subtract(*(end["engineering_constants"][name] for end in ends)) / (2 * step)
         close(found[name]["standard_deviation"], deviation * abs(slope), 1e-6, f"standard deviation of {name}")
         assert found[name]["largest_contribution"] == "matrix E", found[name]
+    for deviations, ratio, words in (("0.03, 0.01", 0, "constant nu, which is 0"), ("0.03, 0.01, 0", 0.2, "has 3 numbers")):
+        folder.write("refused.prm", prm({**LAYERS, "Phases/matrix/Poisson ratio": ratio, "Phases/matrix/Relative deviation": deviations}))
+        said = folder.run(2, "rve_homogenization", "refused.prm", "--validate")
+        assert words in said, said
 
 
 def complex_effective(phases, C, condition):

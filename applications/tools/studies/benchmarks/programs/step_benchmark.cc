@@ -84,16 +84,12 @@ double fused(const std::array<unsigned int, 2> cells,
     for (unsigned int i = 0; i < material.n_columns(); ++i)
       u.row(1, l)[i] = 1e-9 * std::sin(0.1 * i + 0.05 * (rows.first() + l));
   MPIHalo halo(material.n_columns(), rows.ghosts, MPI_COMM_WORLD);
-  ExplicitStepper stepper({material,
-                           {dt, beta2, beta, {}},
-                           u,
-                           w,
-                           nullptr,
-                           nullptr,
-                           rows,
-                           &halo,
-                           MPI_COMM_WORLD},
-                          {}, options);
+  StepParameters step;
+  step.dt    = dt;
+  step.beta2 = beta2;
+  step.beta  = beta;
+  ExplicitStepper stepper(
+    {material, step, u, w, nullptr, nullptr, rows, &halo, MPI_COMM_WORLD}, {}, options);
   const double n_cells     = material.grid().n_cells();
   const unsigned int depth = stepper.steps_at_once();
   const unsigned int n_steps =

@@ -13,7 +13,7 @@ SCENES = {
     "pin from rest, 5 MPa": (HOMOGENEOUS, {**PIN, "Body/Cells": [140, 40], "Time/End time": 8e-3, "Supports/Top/Pressure": 5e6,
                                            "Body/Initial velocity": [0, 0]}),
     "pin, fine": (HOMOGENEOUS, {**PIN, "Body/Cells": [560, 160], "Time/End time": 1e-3}),
-    "pin with fibres": (HETEROGENEOUS, {"Body/RVE file": "{rve}/rve.h5", "Body/Cells": [280, 80], "Time/End time": 1e-3, "Observation/Steady from": "auto",
+    "pin with fibres": (HETEROGENEOUS, {"Body/RVE file": "{rve}/rve.h5", "Body/Cells": [560, 160], "Time/End time": 1e-4, "Observation/Steady from": "auto",
                                         "Observation/Stop at limit cycle": False, "Snapshots/From": 0, "Snapshots/To": "auto", "Snapshots/Interval": 0}),
     "stick-slip on springs": ("examples/tribometer.prm", {}),
     "rough pin": ("examples/rough_pin.prm", {}),
