@@ -53,12 +53,12 @@ void bind_time(Keys &keys, ContactParameters &p)
                  "critical time step; one value, or one for each phase, with which steps "
                  "take two to three times as long [s]");
   std::string precision = "double";
-  keys.bind(
-    "Precision", precision, {"double", "single"},
-    "Precision of the motion of a plane grid between its contact and its top; "
-    "single: steps take half as long, and the run says how much of the largest "
-    "strain rounding takes: bodies that move far and tiny vibrations want double; "
-    "contact, friction, supports, sums and energies are always in double");
+  keys.bind("Precision", precision, {"double", "single"},
+            "Precision of the motion of a plane grid between its contact and its top; "
+            "single: steps of the pin are 1.5 to 1.7 times as fast, and the run says how "
+            "much of the largest strain rounding takes: bodies that move far and tiny "
+            "vibrations want double; contact, friction, supports, sums and energies are "
+            "always in double");
   p.sweep.single_precision = precision == "single";
   keys.bind("Check time step", p.time.check_time_step,
             "Refuse a Time step above the critical one; false is for studies of unstable "

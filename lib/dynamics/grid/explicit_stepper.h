@@ -5,6 +5,7 @@
 #include "elasticity/uniform_grid_operator.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cstdint>
 #include <memory>
 #include <stdexcept>
@@ -29,7 +30,7 @@ namespace mesoslip
  * least two owned rows, and at least as many as there are ghost rows.
  *
  * Between calls, the owned rows of the fields and the boundary rows are the complete
- * state. After step() the nearest ghost rows hold u_n and w_n; after advance() they are
+ * state; they may be set before the first call, not after it. After step() the nearest ghost rows hold u_n and w_n; after advance() they are
  * undefined.
  */
 class ExplicitStepper : public Stepper
@@ -74,7 +75,9 @@ public:
     unsigned int n = steps_of_sweep(n_done);
     if (n == 0)
       return;
-    sweeps->load();
+    if (!loaded)
+      sweeps->load();
+    assert(sweeps->is_current());
     sweeps->send(n);
     while (n > 0)
       {
@@ -84,6 +87,7 @@ public:
         n = n_next;
       }
     sweeps->save();
+    loaded = true;
   }
 
   void multiply(NodalField<double> &Kx, NodalField<double> &x) const override
@@ -140,6 +144,7 @@ private:
     sweeps->save();
     for (PlatenColumn *platen : platens)
       platen->advance(n_done);
+    loaded = false;
   }
 
   /** The material, after a check that everything fits it. */
@@ -219,6 +224,8 @@ private:
   FreeSurface<2> free_surface;
   const UniformGridOperator op;
   const std::unique_ptr<Sweeps> sweeps;
+  bool loaded =
+    false; ///< whether the sweeps have the state; nothing may change the fields then
 };
 } // namespace mesoslip
 

@@ -66,6 +66,17 @@ public:
     });
   }
 
+  /** Whether load() of @p n_rows rows with @p n columns would change nothing. */
+  bool is_current(const unsigned int row, const unsigned int n_rows, const unsigned int n)
+  {
+    bool same = true;
+    for_each_piece(row, n_rows, [&](const double *of_body, const Number *copy) {
+      for (unsigned int i = 0; i < n; ++i)
+        same = same && static_cast<Number>(of_body[i]) == copy[i];
+    });
+    return same;
+  }
+
 private:
   template <typename Action>
   void
@@ -118,6 +129,12 @@ public:
   /** Nothing: there is no copy. */
   void save(unsigned int, unsigned int, unsigned int, unsigned int)
   {
+  }
+
+  /** True: there is no copy. */
+  bool is_current(unsigned int, unsigned int, unsigned int)
+  {
+    return true;
   }
 
 private:

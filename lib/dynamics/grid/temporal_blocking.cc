@@ -84,6 +84,13 @@ void TemporalBlocking<Number>::save()
   save(body.rows.begin, body.rows.end);
 }
 
+template <typename Number>
+bool TemporalBlocking<Number>::is_current()
+{
+  return state.is_current(body.rows.local(body.rows.begin),
+                          body.rows.end - body.rows.begin, body.material.n_columns());
+}
+
 /** Writes the inner rows from @p begin to before @p end (global indices) to the fields. */
 template <typename Number>
 void TemporalBlocking<Number>::save(const unsigned int begin, const unsigned int end)
@@ -195,8 +202,7 @@ void TemporalBlocking<Number>::start(Stage &stage,
   stage.sweep.reset();
 }
 
-/** The first stage advances by @p stride rows; the bottom row belongs to its
- * SurfaceCondition, not to the kernel. */
+/** The first stage advances by @p stride rows, besides the bottom row. */
 template <typename Number>
 unsigned int TemporalBlocking<Number>::first_limit(const unsigned int stride) const
 {

@@ -61,6 +61,9 @@ public:
   /** Writes the state to the fields of the body. */
   virtual void save() = 0;
 
+  /** Whether load() would change nothing. */
+  virtual bool is_current() = 0;
+
   /** Sends the neighbours the rows for the next @p n_steps steps. */
   virtual void send(const unsigned int n_steps) = 0;
 
@@ -107,6 +110,7 @@ public:
 
   void load() override;
   void save() override;
+  bool is_current() override;
   void send(const unsigned int n_steps) override;
   void run(const std::uint64_t first,
            const unsigned int n_steps,
