@@ -5,7 +5,7 @@ from report.base.common_scales import comparable, same_scale
 from report.base.page import escape, quantities, quantity
 from report.bodies import contact_surface, field_errors, fields, loads, maps, mesh_maps
 from report.bodies import points as volumes
-from report.runs import analyses, complex_modes, contact_states, energies, key_numbers, paper, probes, reference_node, sweep_map, verdict, vibrating_modes, waves, what_was_run
+from report.runs import analyses, complex_modes, contact_states, energies, heat, key_numbers, paper, probes, reference_node, sweep_map, verdict, vibrating_modes, waves, what_was_run
 
 
 def plan(chain, surface_times=()):
@@ -20,6 +20,9 @@ def plan(chain, surface_times=()):
         result.append(("Beside the paper", [(key_numbers.beside_the_paper, run) for run in pins]))
     if chain.rve:
         result.append(("Stiffness", [(key_numbers.stiffness_table, run) for run in chain.rve]))
+    warm = [run for run in chain.rve if heat.is_there(run)]
+    if warm:
+        result.append(("Expansion and conductivity", [(heat.heat, run) for run in warm]))
     shown = fields.parts(chain)
     if shown:
         result.append(("Morphology and von Mises stress", shown))

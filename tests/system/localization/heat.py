@@ -1,13 +1,19 @@
 """Stresses of a change of temperature in localization: those of the load of the same temperature in the volume that expands freely, beside those of
 the run. In 2D on a grid and a mesh with sigma_zz, in 3D on voxels; probes; on 1 and 2 ranks."""
 
+import re
+import sys
 import tempfile
 
 import h5py
 import numpy as np
 
 from mesh_files import Box
-from scenes import Folder, prm
+from scenes import TOOLS, Folder, prm
+
+sys.path.append(TOOLS)
+from report.base.data import Run  # noqa: E402
+from report.runs import heat  # noqa: E402
 
 SEED, HEATING = 453, -80
 PHASES = {"Phases/Names": "soft, stiff", "Phases/soft/Young modulus": 3e9, "Phases/soft/Poisson ratio": 0.35, "Phases/soft/Density": 1200,
@@ -34,6 +40,7 @@ def close(found, expected, tolerance, what):
 def check(folder, kind, volume, position):
     write(folder, "rve", {**PHASES, **volume})
     folder.run(0, "rve_homogenization", "rve.prm", "--output", "rve", "--quiet")
+    check_reported(folder)
     dim = volume.get("Dimension", 2)
     body = {"Mesh/File": volume["Mesh/File"], "Mesh/Scale": 1e-3} if "Mesh/File" in volume else {}
     write(folder, "run", {**({"Dimension": 3} if dim == 3 else {}), **RUN, **body, "Observation/inner/Position": position})
@@ -69,6 +76,17 @@ def check(folder, kind, volume, position):
     folder.run(0, "rve_homogenization", "none.prm", "--output", "none", "--quiet")
     write(folder, "without", {**settings, "Input/RVE file": "none/rve.h5", "Localization/Temperature change": 10})
     assert "Thermal expansion" in folder.run(2, "stress_localization", "without.prm", "--output", "without")
+
+
+def check_reported(folder):
+    """The report has a row for each component, with the effective value last."""
+    summary = folder.summary("rve")
+    html = heat.heat(None, Run(folder("rve"), summary))
+    rows = [[re.sub("<[^>]+>", "", cell) for cell in re.findall("<td.*?</td>", row)] for row in re.findall("<tr>.*?</tr>", html) if "<td" in row]
+    effective = np.array(summary["expansion"]["effective"])
+    assert len(rows) == len(effective) and list(summary["expansion"])[-1] == "effective", (rows, summary["expansion"])
+    found = np.array([float(row[-1].replace("−", "-")) for row in rows])
+    close(1e-6 * found, effective, 1e-3, "effective expansion in the report")
 
 
 def main():
