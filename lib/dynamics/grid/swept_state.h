@@ -67,13 +67,20 @@ public:
   }
 
   /** Whether load() of @p n_rows rows with @p n columns would change nothing. */
-  bool is_current(const unsigned int row, const unsigned int n_rows, const unsigned int n)
+  bool is_current(const unsigned int row,
+                  const unsigned int n_rows,
+                  const unsigned int n) const
   {
     bool same = true;
-    for_each_piece(row, n_rows, [&](const double *of_body, const Number *copy) {
-      for (unsigned int i = 0; i < n; ++i)
-        same = same && static_cast<Number>(of_body[i]) == copy[i];
-    });
+    for (unsigned int l = row; l < row + n_rows; ++l)
+      for (unsigned int field = 0; field < 2; ++field)
+        for (unsigned int c = 0; c < 2; ++c)
+          same =
+            same &&
+            std::equal(of_body[field]->row(c, l), of_body[field]->row(c, l) + n,
+                       copies[field].row(c, l), [](const double x, const Number copy) {
+                         return static_cast<Number>(x) == copy;
+                       });
     return same;
   }
 
@@ -132,7 +139,7 @@ public:
   }
 
   /** True: there is no copy. */
-  bool is_current(unsigned int, unsigned int, unsigned int)
+  bool is_current(unsigned int, unsigned int, unsigned int) const
   {
     return true;
   }

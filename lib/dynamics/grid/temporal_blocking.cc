@@ -85,7 +85,7 @@ void TemporalBlocking<Number>::save()
 }
 
 template <typename Number>
-bool TemporalBlocking<Number>::is_current()
+bool TemporalBlocking<Number>::is_current() const
 {
   return state.is_current(body.rows.local(body.rows.begin),
                           body.rows.end - body.rows.begin, body.material.n_columns());

@@ -62,7 +62,7 @@ public:
   virtual void save() = 0;
 
   /** Whether load() would change nothing. */
-  virtual bool is_current() = 0;
+  virtual bool is_current() const = 0;
 
   /** Sends the neighbours the rows for the next @p n_steps steps. */
   virtual void send(const unsigned int n_steps) = 0;
@@ -110,7 +110,7 @@ public:
 
   void load() override;
   void save() override;
-  bool is_current() override;
+  bool is_current() const override;
   void send(const unsigned int n_steps) override;
   void run(const std::uint64_t first,
            const unsigned int n_steps,
