@@ -31,15 +31,16 @@ def plan(chain, surface_times=()):
         result.append(("Macroscopic loads", loads.parts(loaded)))
     if chain.transient:
         result += transient_sections(chain.transient, surface_times)
-    for heading, make, runs in [("Map", sweep_map.maps, chain.maps), ("Modes of vibration", analyses.modes, chain.modal),
-                                ("Modes of steady sliding", complex_modes.complex_modes, chain.complex),
-                                ("Modes that vibrate", vibrating_modes.vibrating_modes, vibrating_modes.pairs(chain)),
-                                ("Static contact", analyses.static_contact, chain.static),
-                                ("Homogenized friction law", analyses.friction_law, chain.friction_law)]:
-        if runs:
-            result.append((heading, [(make, *run) if isinstance(run, tuple) else (make, run) for run in runs]))
+    alone = lambda runs: [(run,) for run in runs]  # noqa: E731
+    for heading, make, parts in [("Map", sweep_map.maps, alone(chain.maps)), ("Modes of vibration", analyses.modes, alone(chain.modal)),
+                                 ("Modes of steady sliding", complex_modes.complex_modes, alone(chain.complex)),
+                                 ("Modes that vibrate", vibrating_modes.vibrating_modes, vibrating_modes.pairs(chain)),
+                                 ("Static contact", analyses.static_contact, alone(chain.static)),
+                                 ("Homogenized friction law", analyses.friction_law, alone(chain.friction_law)),
+                                 ("Localization", probes.localization, alone(chain.localization))]:
+        if parts:
+            result.append((heading, [(make, *part) for part in parts]))
     if chain.localization:
-        result.append(("Localization", [(probes.localization, run) for run in chain.localization]))
         surfaces = [(localized_pressure, run, chain.dynamics) for run in chain.localization
                     if run.is_solid() and run.get("/mean_stress") is not None]
         means = [(mean_von_mises, run, chain.dynamics) for run in chain.localization]

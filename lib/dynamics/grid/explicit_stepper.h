@@ -30,8 +30,8 @@ namespace mesoslip
  * least two owned rows, and at least as many as there are ghost rows.
  *
  * Between calls, the owned rows of the fields and the boundary rows are the complete
- * state; they may be set before the first call, not after it. After step() the nearest ghost rows hold u_n and w_n; after advance() they are
- * undefined.
+ * state; they may be set before the first call, not after it. After step() the nearest
+ * ghost rows hold u_n and w_n; after advance() they are undefined.
  */
 class ExplicitStepper : public Stepper
 {
@@ -224,8 +224,7 @@ private:
   FreeSurface<2> free_surface;
   const UniformGridOperator op;
   const std::unique_ptr<Sweeps> sweeps;
-  bool loaded =
-    false; ///< whether the sweeps have the state; nothing may change the fields then
+  bool loaded = false; ///< whether the sweeps have the state of the fields
 };
 } // namespace mesoslip
 
