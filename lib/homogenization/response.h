@@ -105,7 +105,7 @@ struct HomogenizedResponse
    * scale of scaled_difference(): zero when x, y (and z) are axes of orthotropy. */
   double coupling = 0.;
 
-  /** See VolumeSums::energy. */
+  /** Volume mean of strain_k . C strain_l of unit loads (Pa, for SUBC 1/Pa). */
   VoigtMatrix<dim> energy = VoigtMatrix<dim>::Zero();
 
   /**

@@ -12,7 +12,7 @@ namespace mesoslip
 /** A complex number derived from the effective stiffness, and its unit. */
 struct ComplexResult
 {
-  std::string name;           ///< as VariedResult::name
+  std::string name;           ///< such as D11 or E_x
   std::string unit;           ///< "Pa" or "1"
   std::complex<double> value; ///< in that unit
 };

@@ -59,7 +59,7 @@ private:
 
   const UniformGrid<dim> grid;
   const CellPlanes cells;
-  std::vector<ElasticPhase<3>> phases;                   ///< as 3D phases
+  std::vector<ElasticPhase<3>> phases; ///< stiffness and density of phases, in 3D
   BoundaryCondition condition = BoundaryCondition::KUBC; ///< solved last
   std::unique_ptr<voxel::Solver> solver;                 ///< solver of `condition`
 };

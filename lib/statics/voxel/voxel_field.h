@@ -32,7 +32,7 @@ public:
     return &numbers[(voxels.node_row(j, k) * n_components + c) * stride];
   }
 
-  /** The same row, read only. */
+  /** Numbers of component @p c at the nodes of row @p j, @p k, to be read only. */
   const Number *
   row(const unsigned int c, const unsigned int j, const unsigned int k) const
   {
