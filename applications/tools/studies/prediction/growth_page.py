@@ -42,19 +42,16 @@ def regimes_section(found, runs):
     return ["## Growth of steady sliding",
             f"At 1500 ns the fastest mode, at {kilohertz(fastest):.2f} kHz, grows by {fastest.real:.0f} 1/s, the mode "
             f"at {kilohertz(slow):.2f} kHz, near the paper's main frequency, by {slow.real:.0f} 1/s (time constant {1e3 / slow.real:.1f} "
-            f"ms), {fastest.real / slow.real:.0f} times more slowly. Motion near 41 kHz in a run of 1 ms therefore "
-            "comes mostly from the start; other modes take over later. Growth depends neither on P nor on V. Picture and [table](regimes/growth.csv): eq. (10), cells of "
-            f"{cell_size(growth.CELLS)}, modes followed over δ by the overlap of their shapes.",
-            "![Growth rates over delta; strokes beside 1500 ns: the ten morphologies of the page on prediction](regimes/growth.png)",
+            "ms). Motion near 41 kHz in a run of 1 ms therefore comes mostly from the start. Growth depends neither on P nor on V. Picture and [table](regimes/growth.csv): eq. (10), "
+            f"cells of {cell_size(growth.CELLS)}, modes followed over δ by the overlap of their shapes.",
+            "![Growth rates over delta; strokes: ten morphologies](regimes/growth.png)",
             *_search(found), *_beside_runs(found, runs)]
 
 
 def _search(found):
     return ["`Analysis = complex modes` of `contact_dynamics` ([theory](../theory.md#11-complex-modes-libeigenvaluescomplex)) finds all growing modes up to "
             f"{found.searched / 1e3:.0f} kHz; the argument principle counts {found.missing or 'no'} others. Above {found.bound / 1e3:.0f} "
-            "kHz no mode can grow at 1500 ns on these cells; between the two frequencies nothing was searched. Contact nodes that are separated in the static state (at most "
-            f"{max(found.separated.values())}) are free. [growth_bodies.csv](regimes/growth_bodies.csv) has these modes "
-            "in a transient run, on finer cells and with the mean stiffness of the morphologies."]
+            "kHz no mode can grow at 1500 ns on these cells; between both nothing was searched. [growth_bodies.csv](regimes/growth_bodies.csv) has these modes in a transient run, on finer cells and with the mean stiffness of the morphologies."]
 
 
 def write_bodies(folder, found):
@@ -91,11 +88,10 @@ def _beside_runs(found, runs):
     near = [delta for delta, difference in apart.items() if difference < 0.05]
     if growth.START not in near or max(apart) in near:
         raise RuntimeError("the text of this page on ramped runs is not what they show")
-    return [f"After a ramped start growth alone chooses the mode. Ramped runs at {' and '.join(f'{p / 1e6:g}' for p in SHOWN)} "
+    return [f"Ramped runs at {' and '.join(f'{p / 1e6:g}' for p in SHOWN)} "
             f"MPa vibrate from {regime_map.LATE[0] * 1e3:g} to {regime_map.LATE[1] * 1e3:g} ms at the frequency of "
             f"the fastest mode within {100 * max((apart[d] for d in near)):.0f} % for δ = {min(near) * 1e9:g} to {max(near) * 1e9:g} "
-            f"ns; nodes that stick or leave the flat shift it. At {max(apart) * 1e9:g} ns, where growth is slowest, "
-            "the mode near 41.6 kHz from the ramp is still the largest."]
+            f"ns. At {max(apart) * 1e9:g} ns, where growth is slowest, the mode near 41.6 kHz from the ramp is still the largest."]
 
 
 def write_correlations(folder, found, keys, runs):
