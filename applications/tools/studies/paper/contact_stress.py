@@ -53,7 +53,7 @@ def mean_friction(mu_local, delta, duration):
 
 def sweep(fragment, runs, names):
     figure, axes = panels(2, 6.2, sharex=True)
-    kept, rows = [], []
+    kept = []
     for axis, pressure in zip(axes, names):
         found, fine = ([runs[name] for name in members] for members in names[pressure])
         deltas, inter, error = _columns(found)
@@ -74,15 +74,13 @@ def sweep(fragment, runs, names):
             columns += [[fixed(m) for m in mean_friction(mu_local, deltas, duration)], [fixed(1e6 * t, 1) for t in duration]]
         columns.append([f"{100 * slip(run):.0f}" for run in found])
         kept += [[f"{pressure / 1e6:g}", f"{1e9 * d:.0f}", *line] for d, line in zip(deltas, zip(*columns))]
-        rows.append([f"mu_inter, {LABELS[pressure]}", *columns[0]])
     axes[1].set_xlabel(r"$\delta$ (ns)")
     above(axes[0], columns=2)
-    fragment.table(["δ [ns]", *[f"{d:.0f}" for d in SWEEP]], rows)
     link = fragment.csv(["P [MPa]", "delta [ns]", "mu_inter [-]", "eq. (13), T_G of node M [-]", "T_G of node M [µs]", "eq. (13), T_G of all nodes [-]", "T_G of all nodes [µs]", "M slips [%]"], kept)
     fragment.text(
         "Homogeneous pin on cells of 0.2 mm; the second half of each run of 3 ms counts. In the paper the slope changes sign near 1500 ns, where regime 2 changes to regime 1. Here "
         f"the regime does not depend on δ (0.5 MPa: regime {_regimes(runs, names[P1])}, 0.4 MPa: regime {_regimes(runs, names[P2])}), and both curves fall. Eq. (13) lies below "
-        f"mu_inter, with T_G of node M (as in the paper) and of all nodes ({link}), because a period has several contacts of different length.")
+        f"mu_inter, with T_G of node M (as in the paper) and of all nodes, because a period has several contacts of different length. {link} has the values.")
     fragment.figure(figure, "mu_inter and eq. (13) over δ")
 
 

@@ -63,7 +63,6 @@ def _by_push(fragment, found):
     """`found` {(pressure, push): run}."""
     end = min(run.number("simulated_time") for run in found.values())
     seen = {case: within(run, end / 3, end) for case, run in found.items()}
-    drift = {case: abs(np.subtract(*[within(run, a * end, b * end)["mu"] for a, b in ((1 / 3, 2 / 3), (2 / 3, 1))])) for case, run in found.items()}
     figure, axes = plt.subplots(1, 3, figsize=(9.0, 3.6))
     for axis, quantity, table, label, scale in (
             (axes[0], "slip", paper.SLIP, "share of slip of M (%)", 100), (axes[1], "mu", paper.INTERFACE_FRICTION, r"$\mu_\mathrm{inter}$", 1),
@@ -78,11 +77,11 @@ def _by_push(fragment, found):
     above_all(figure, axes[0].get_legend_handles_labels()[0], columns=4)
     fragment.figure(figure, "Slip of M, mu_inter and main frequency over push / P",
                     f"Homogeneous pin, {1e3 * end / 3:.0f} to {1e3 * end:.0f} ms.", "-pushes")
-    _plateaus(fragment, [{**state, "push": 1e6 * push / pressure, "drift": drift[pressure, push]} for (pressure, push), state in seen.items()])
+    _plateaus(fragment, [{**state, "push": 1e6 * push / pressure} for (pressure, push), state in seen.items()])
 
 
 def _plateaus(fragment, seen):
-    """What _by_push shows; `seen` of within(), with the push over the pressure in (m/s)/MPa and the drift of mu."""
+    """What _by_push shows; `seen` of within(), with the push over the pressure in (m/s)/MPa."""
     first, second = ([state for state in seen if low <= state["slip"] <= high] for low, high in ALIKE.values())
     if not first or not second or max(s["push"] for s in first) > min(s["push"] for s in second):
         fragment.text("At these pushes the two regimes are not apart.")
@@ -90,11 +89,11 @@ def _plateaus(fragment, seen):
     span = lambda group, key, scale, digits: f"{scale * min(s[key] for s in group):.{digits}f} to {scale * max(s[key] for s in group):.{digits}f}"
     begin = min(s["push"] for s in second)
     others = sum(s["push"] >= begin for s in seen) - len(second)
-    fragment.table(["regime", "number of starts", "push / P [(m/s)/MPa]", "M slips [%]", "main frequency [kHz]", "mu_inter", "largest drift of mu_inter in a run"], [
-        ["1", str(len(first)), span(first, "push", 1, 1), span(first, "slip", 100, 0), "-", span(first, "mu", 1, 3), f"{max(s['drift'] for s in first):.4f}"],
-        ["2", str(len(second)), f"from {begin:.4g} on", span(second, "slip", 100, 0), span(second, "frequency", 1e-3, 1), span(second, "mu", 1, 3), f"{max(s['drift'] for s in second):.3f}"]])
-    fragment.text(f"Both pressures lie on one line, but mu_inter scatters in regime 2. {others} more starts from {begin:.4g} "
-                  "(m/s)/MPa on leave regime 2. Smaller pushes lead to cycles between regime 1 and the cycle of small amplitude without a push.")
+    fragment.text(f"Regime 1: {len(first)} starts of {span(first, 'push', 1, 1)} (m/s)/MPa; M slips {span(first, 'slip', 100, 0)} %, mu_inter is {span(first, 'mu', 1, 3)}. "
+                  f"Regime 2: {len(second)} starts from {begin:.4g} (m/s)/MPa on; M slips {span(second, 'slip', 100, 0)} %, mu_inter is {span(second, 'mu', 1, 3)}, the main frequency "
+                  f"{span(second, 'frequency', 1e-3, 1)} kHz. {others} more starts from {begin:.4g} on leave regime 2. Smaller pushes lead to cycles between regime 1 and the cycle of "
+                  "small amplitude without a push.")
+
 
 
 def _in_the_long_run(fragment, found):

@@ -5,7 +5,7 @@ import os
 
 from pages import table
 
-MU, HALF, SEPARATED = "mu_inter [-]", "half width [-]", "separated [-]"
+MU, HALF = "mu_inter [-]", "half width [-]"
 
 
 def read(folder, name):
@@ -38,8 +38,7 @@ def fibre_table(rows, cells, load):
     lines = []
     for body in dict.fromkeys(r["body"] for r in rows):
         pair = [chosen(rows, body, material, cells, load) for material in ("heterogeneous", "homogeneous")]
-        lines.append([body, f"{load:g}", f"{cells:g}", *(interval(values(some, MU), 3) for some in pair), interval(differences(rows, body, cells, load), 3),
-                      *(interval(values(some, SEPARATED, 100), 0) for some in pair)])
+        lines.append([body, f"{load:g}", f"{cells:g}", *(interval(values(some, MU), 3) for some in pair), interval(differences(rows, body, cells, load), 3)])
     return lines
 
 
@@ -70,7 +69,7 @@ def fibres(folder):
         f"* Homogenized pins have the stiffness under PBC, because KUBC would hold faces that are free in the pin.{thin}",
         "Table 2. Fibres are one cell wide. The half width of mu_inter is at most "
         f"{max(values(rows, HALF)):.4f}.",
-        table(["body", "P [MPa]", "fibres [mm]", "mu_inter, fibres", "homogenized", "difference", "separated [%], fibres", "homogenized"], lines, right=True)]
+        table(["body", "P [MPa]", "fibres [mm]", "mu_inter, fibres", "homogenized", "difference"], lines, right=True)]
 
 
 def fine_verdict(folder):
