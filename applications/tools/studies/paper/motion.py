@@ -29,7 +29,7 @@ def trajectory(fragment, runs, names):
         axis.set_title(label, loc="left")
     axes[0].set_ylabel("$u_y$ (µm)")
     lettered(axes)
-    fragment.figure(figure, f"Trajectory of node M over {SHOWN_PERIODS} periods", "Last periods. u_y = 0 is the rigid flat; dashed: the paper's distance.")
+    fragment.figure(figure, f"Trajectory of node M over {SHOWN_PERIODS} periods", "Last periods. u_y = 0 is the rigid flat; dashed: the paper's largest distance (table above).")
 
 
 def convergence_runs(cases):
