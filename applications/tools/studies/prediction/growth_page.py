@@ -51,7 +51,8 @@ def regimes_section(found, runs):
 def _search(found):
     return ["`Analysis = complex modes` of `contact_dynamics` ([theory](../theory.md#11-complex-modes-libeigenvaluescomplex)) finds all growing modes up to "
             f"{found.searched / 1e3:.0f} kHz; the argument principle counts {found.missing or 'no'} others. Above {found.bound / 1e3:.0f} "
-            "kHz no mode can grow at 1500 ns on these cells; between both nothing was searched. [growth_bodies.csv](regimes/growth_bodies.csv) has these modes in a transient run, on finer cells and with the mean stiffness of the morphologies."]
+            "kHz no mode can grow at 1500 ns on these cells; between both nothing was searched. "
+            "[growth_bodies.csv](regimes/growth_bodies.csv) has these modes in a transient run, on finer cells and with the mean stiffness of the morphologies."]
 
 
 def write_bodies(folder, found):
