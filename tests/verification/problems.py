@@ -12,10 +12,10 @@ PROBLEMS = [
      [_SERIAL + "Rectangle.FrequenciesConvergeWithOrderTwo", _SERIAL + "Rectangle.MotionConvergesWithOrderTwoInSpaceAndTime",
       _SERIAL + "Rectangle.OrderInTime", _SERIAL + "Rectangle.DecaysByBetaAndByBeta2", _SERIAL + "Rectangle.EnergyBoundedWithoutTrend",
       _SERIAL + "Modes.OfTheRectangleConvergeWithOrderTwo"]),
-    ("Bar on a rigid wall", "contact from 0.5 to 1.1667, pressure rho c v, leaves with its initial speed (Doyen, Ern, Piperno 2011); energy lost O(h) at beta2 = 1/2, "
+    ("Bar on a rigid wall", "contact from 0.5 to 1.1667, pressure rho c v, initial speed afterwards (Doyen, Ern, Piperno 2011); energy lost O(h) at beta2 = 1/2, "
      "O(sqrt h) at beta2 = 1",
      [_SERIAL + "Bar.HitsTheWallAndLeaves", _SERIAL + "Bar.EnergyLossOfOneImpact"]),
-    ("Box of bricks on a rigid wall", "the same bar in 3D with the orders of the plane bar: impact, energy lost, first bounce under gravity",
+    ("Box of bricks on a rigid wall", "impact, energy lost and first bounce under gravity as for the plane bars, with equal orders",
      [_SERIAL + "BoxBar." + name for name in ("HitsTheWallAndLeaves", "EnergyLossOfOneImpact", "FirstBounceUnderGravity")]),
     ("Bar bouncing under gravity", "pressure rho c (v + g t) and impulse of the first bounce; later bounces gain no energy",
      [_SERIAL + "Bar.FirstBounceUnderGravity", _SERIAL + "Bar.BouncingUnderGravityGainsNoEnergy"]),
@@ -23,7 +23,7 @@ PROBLEMS = [
      [_UNIT + "FrictionLaw.RelaxesAfterANormalStressStepAsFigure2", _UNIT + "FrictionLaw.LagsBehindARamp",
       _UNIT + "FrictionLaw.MeanOverAContactIsThatOfEquation11", _UNIT + "FrictionLaw.SlipRateThatChangesFromStepToStep",
       _UNIT + "FrictionLaw.FiltersAHarmonicNormalForce", _UNIT + "FrictionLaw.CoulombAtOnce", _UNIT + "Block.ThrownOnAPlane"]),
-    ("Column thrown along the flat", "slides with v - a, v - 3 a, ... (a = mu P / (rho c)), each for a round trip of the shear wave, then sticks and vibrates; slip of order 1 "
+    ("Column thrown along the flat", "slides with v - a, v - 3 a, ... (a = mu P / (rho c)) for a round trip of the shear wave each, then sticks; slip of order 1 "
      "(wave fronts), work of friction mu P times the slip", [_SERIAL + "Column.BrakesInStepsAndSticks"]),
     ("Growth of steady sliding", "growth rate and frequency from the exact dispersion relation, within 1 % at H/80; order 2 in h and dt; error of the time step "
      "alone from the relation discrete in time", [_SERIAL + "Growth." + name for name in ("Coulomb", "RegularizedAndDamped", "OfOrderTwoInTheTimeStep")]),
@@ -59,12 +59,12 @@ PROBLEMS = [
     ("The paper's pin", "first modes, bottom free and held (figure 8)", [_SERIAL + "Modes.OfThePaperPin"]),
     ("Column under a platen with mass", "bottom held: r a tan a = 1, bottom free: r a + tan a = 0, a = 2 pi f H / c_L, r = mass of the platen over that of the column; order 2 in h",
      [_SERIAL + "Modes.OfAColumnUnderAPlatenWithMass"]),
-    ("Static contact", "uniform compression, sliding layer, laminate under a platen (table 4), partial separation, balance of forces",
+    ("Static contact", "uniform compression, sliding layer, laminate under a platen, partial separation, balance of forces",
      [_SERIAL + "StaticContact." + name for name in ("UniformCompression", "SlidingLayer", "LaminateUnderPlaten", "FibresUnderPlatenBalance",
                                                       "PartialSeparation", "RestingFlat")]),
-    ("Operator against a mesh of deal.II", "equal products on random fields, materials and grids (seeds printed)",
+    ("Operator against a mesh of deal.II", "equal products on random fields, materials and grids",
      [_UNIT_RANKS + "MeshBody.EqualsGridBody", _RANKS + "Homogenization.EqualsMeshOfTheSameCells"]),
-    ("Ranks", "one, two and more ranks give the same run (here on one rank; `./test.sh` on two as well, and the programs on up to five)",
+    ("Ranks", "any number of ranks gives the same run (here one rank, in `./test.sh` up to five)",
      [_UNIT_RANKS + "Partition.AnyNumberOfRanksAndStepsInFlightBitForBit"]),
     ("Restart", "bitwise the uninterrupted run", [_SERIAL + "Restart.ContinuesBitByBit"]),
     ("Turned, mirrored, scaled", "a turned body vibrates turned; a reversed flat gives the mirror image; lengths in millimetres change nothing; pressure "
@@ -73,7 +73,7 @@ PROBLEMS = [
       _SERIAL + "Symmetry.MillimetresAndTonnes", _SERIAL + "Scaling.PressureAndVelocityTogether",
       _RANKS + "Homogenization.TurnedMorphologyGivesTurnedStiffness",
       _RANKS + "Homogenization.MirroredMorphologyGivesMirroredStiffness", _RANKS + "Homogenization.UnitsChangeNothing"]),
-    ("Random microstructures", "fractions, gaps, bounds and identities of random morphologies (seeds printed)",
+    ("Random microstructures", "fractions, gaps, bounds and identities of random morphologies",
      [_RANKS + "RandomMicrostructures.KeepTheirRules", _RANKS + "RandomMicrostructures.KeepOrderAndIdentities"]),
     ("Random statics", "stiffnesses of random volumes (contrast to 1e6, nu to 0.4999, cells to 1:60, 1 x 1 to 64 x 64 cells, soft pores) equal those of a sparse "
      "direct solution to 1e-5, or a warning tells how many digits hold; the energy is of second order in the error of the solver",
@@ -84,8 +84,8 @@ PROBLEMS = [
      [_RANKS + "ComplexModes." + name for name in ("OfTheLayerWithCoulombFriction", "OfTheRegularizedAndDampedLayer",
                                                      "GrowthIsThePowerOfFrictionLessDamping")]),
     ("Friction laws", "every formula and its slopes; velocity weakening and rate and state of order 2 in dt; a step of velocity; slip weakening turns kinetic energy into "
-     "work; a block on a spring sticks and slips; Prakash and Clifton's normal stress after a step; each law with every regularization of friction and normal "
-     "stress against the method of Runge and Kutta",
+     "work; a block on a spring sticks and slips; Prakash and Clifton's normal stress after a step; each law with every regularization against the method of "
+     "Runge and Kutta",
      [_UNIT + "CoefficientLaw." + name for name in ("Formulas", "SlopesAndTheirBounds", "VelocityWeakeningIsOfOrderTwo", "SlipWeakeningTurnsKineticEnergyIntoWork",
                                                 "RateAndStateAfterAStepOfVelocity", "RateAndStateIsOfOrderTwo", "SpringAndBlockStickAndSlip")]
      + [_UNIT + "NormalStressMemory.RelaxesAfterAStepOfTheNormalForce", _UNIT + "LawRegularization.EveryLawWithEveryRegularization"]),
@@ -95,7 +95,7 @@ PROBLEMS = [
      [_SERIAL + "MeshGrowth." + name for name in ("OnQuadrilaterals", "OnTriangles")]
      + [_SERIAL + "MeshWaves." + name for name in ("AcrossTheMotionOfTheFlat", "AcrossTheMotionOfTheFlatWhereTheBodyIsHeldAlongIt",
                                                         "AtAnAngleToTheMotionOfTheFlat", "AtAnAngleUnderFrictionThatLags")]),
-    ("Meshes: sliding", "energy balance closes; results equal those of the grid of the same cells, and those of the plane body if it is extruded; a block thrown askew "
+    ("Meshes: sliding", "energy balance closes; results equal those of the grid, of an extruded body those of the plane body; a block thrown askew "
      "runs straight and stops after v^2/(2 mu g); a flat that moves askew turns the solution; the gap follows the shape",
      [_RANKS + "MeshSliding." + name for name in ("EnergiesClose", "EqualsTheGrid", "ExtrudedBodyEqualsThePlaneOne",
                                                           "BlockThrownAskewStopsAfterItsDistance", "TheGapFollowsTheShape")]
@@ -125,13 +125,18 @@ ORDERS = {
 
 PAGE = """# Verification
 
-This page lists the comparisons, their agreement and the tests. `./run.sh verification` writes it: it runs the tests of the first table and inserts the measured numbers. `./test.sh` runs all tests.
+`./run.sh verification` runs the tests of the first table and writes this page; `./test.sh` runs all tests.
 
 ## Problems, predicted and observed
 
 {problems}
 
-"a for b": measured a, expected b from theory or an independent computation. "holds": all assertions of the tests hold; there is no single number. "order": see the next table.
+Expected values are from theory or an independent computation.
+
+* "a for b": measured a, expected b
+* "numbers within": largest deviation from the expected values; [numbers.csv](verification/numbers.csv) has all values
+* "order" with values: orders of convergence ([errors](verification/convergence.csv)); without: see the next table
+* "holds": all assertions of the tests hold; there is no single number
 
 ## Orders of convergence
 
@@ -139,17 +144,17 @@ This page lists the comparisons, their agreement and the tests. `./run.sh verifi
 
 {orders}
 
-Orders are those of the two finest refinements; dotted lines in the diagram have the predicted order ([data](verification/convergence.csv)). The stiffness with equal shear moduli converges as h^2 (log(1/h) + c), with an order below 2 on any grid.
+Orders are those of the two finest refinements; dotted: predicted order. The stiffness with equal shear moduli converges as h^2 (log(1/h) + c), with an order below 2 on any grid.
 
 ## The paper's pin on a mesh of deal.II
 
-The programs compute `prm/paper` with its 560 x 160 cells twice, with ML on a mesh of deal.II and with multigrid on the grid. The table has the largest differences over the largest value; they have to be below 1e-8. `system/programs/ranks` does the same with smaller bodies.
+The programs compute `prm/paper` with its 560 x 160 cells twice, with ML on a mesh of deal.II and with multigrid on the grid. The table has the largest differences over the largest value; the limit is 1e-8. `system/programs/ranks` does the same with smaller bodies.
 
 {pin}
 
 ## Meshes and voxels
 
-"Grid as mesh" is a grid that the program reads as a Gmsh file. Tests are in `tests/verification` unless they begin with `system`.
+"Grid as mesh": a grid that is read as a Gmsh file. Tests that do not begin with `system` are in `tests/verification`.
 
 | volumes | compared with | agreement | test |
 | --- | --- | --- | --- |
@@ -236,6 +241,6 @@ Further comparisons: [stability](stability/README.md) (time step, a million step
 ## Not covered
 
 * The published curves of SCEC's benchmarks of rupture: mesoslip has no input for initial stresses that differ along a fault, and TPV3 and TPV5 are 3D problems.
-* Sliding after the first separation has no exact solution. Growth is compared in the linear range; beyond it there are refinement, the energy balance and the paper.
-* The order of convergence at corners of fibres is known for the stiffness only; stresses do not converge there.
+* Sliding after the first separation: there is no exact solution, only refinement, the energy balance and the paper.
+* Stresses at corners of fibres do not converge; the order of convergence is known for the stiffness only.
 """

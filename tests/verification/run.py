@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The page of the verification problems: runs the tests that hold them, collects what they measured, and writes
-doc/verification.md with a table, a picture of convergence and a CSV. A test that fails stops it. The part `pictures` only
-redraws the picture from the CSV."""
+doc/verification.md with its tables, a picture of convergence and CSV. A test that fails stops it. The part `pictures` only
+redraws the picture from convergence.csv."""
 
 import csv
 import json
@@ -69,22 +69,44 @@ def tests_of(folder, *options):
                     yield f"{executable}: {suite['name'].split('/')[-1]}.{test['name'].split('/')[0]}", test
 
 
+def numbers_of(measured, tests):
+    """[(quantity, expected, found)] of the tests of a problem, without the residuals; with six digits, as in numbers.csv."""
+    six = lambda value: float(f"{value:.6g}")
+    return [(what, six(expected), six(found)) for (test, what), (expected, found) in measured.numbers.items()
+            if test in tests and not what.startswith("residual: ")]
+
+
 def observed(measured, tests):
-    """What the tests of a problem measured, as text: without the series of problems.ORDERS, which have their own table; the
-    largest of the numbers "residual: ..."."""
+    """What the tests of a problem measured, as text: orders of convergence without the series of problems.ORDERS, which have their own table; the
+    largest deviation from numbers other than 0; what should be 0; the largest of the numbers "residual: ..."."""
     in_table = {series for names in problems.ORDERS.values() for series in names}
     of_problem = [(test, series) for test, series in measured.series if test in tests]
-    orders = [f"{series}: order {measured.order((test, series)):.2f}, finest error {min(measured.series[test, series].values()):.1e}"
-              for test, series in of_problem if series not in in_table]
-    numbers, residuals = [], []
-    for (test, what), (expected, found) in measured.numbers.items():
-        if test in tests and what.startswith("residual: "):
-            residuals.append(found)
-        elif test in tests:
-            numbers.append(f"{what}: {found:.2g}" if expected == 0 else f"{what}: {found:.6g} for {expected:.6g}")
+    groups = {}
+    for test, series in of_problem:
+        if series not in in_table:
+            order = measured.order((test, series))
+            groups.setdefault(min((2, 1, 0.5), key=lambda predicted: abs(predicted - order)), []).append(f"{order:.2f}")
+    said = [f"order {min(found)}" + (f" to {max(found)}" if min(found) != max(found) else "") + (f" ({len(found)} series)" if len(found) > 1 else "")
+            for _, found in sorted(groups.items(), reverse=True)]
+    residuals = [found for (test, what), (_, found) in measured.numbers.items() if test in tests and what.startswith("residual: ")]
     if residuals:
-        numbers.insert(0, f"largest of {len(residuals)} residuals: {max(residuals):.2g}")
-    return "<br>".join(orders + numbers) or ("order" if of_problem else "holds")
+        said.append(f"largest of {len(residuals)} residuals: {max(residuals):.2g}")
+    numbers = numbers_of(measured, tests)
+    off = [abs(found / expected - 1) for _, expected, found in numbers if expected]
+    if len(off) > 1:
+        said.append(f"{len(off)} numbers within {100 * max(off):.1g} %")
+    said += [f"{what}: {found:.6g} for {expected:.6g}" for what, expected, found in numbers if expected and len(off) == 1]
+    said += [f"{what}: {found:.2g}" for what, expected, found in numbers if not expected]
+    return "<br>".join(said) or ("order" if of_problem else "holds")
+
+
+def names_of(tests):
+    """The tests, each executable before its first one."""
+    lines, last = [], None
+    for executable, name in (test.split(": ") for test in tests):
+        lines.append(f"`{name}`" if executable == last else f"`{executable}`: `{name}`")
+        last = executable
+    return "<br>".join(lines)
 
 
 def convergence(series, path):
@@ -134,13 +156,15 @@ def write(measured, pin):
     write_csv(os.path.join(doc, "verification"), "convergence.csv", ["test", "series", "size [-]", "error [-]"],
               [[test, series, number(size, 6), number(value, 6)] for (test, series), values in measured.series.items()
                for size, value in sorted(values.items())])
-    rows = [[problem, claim, "<br>".join(f"`{test}`" for test in tests), observed(measured, tests)]
-            for problem, claim, tests in problems.PROBLEMS]
+    write_csv(os.path.join(doc, "verification"), "numbers.csv", ["problem", "quantity", "expected", "observed"],
+              [[problem, what, f"{expected:.6g}", f"{found:.6g}" if expected else f"{found:.2g}"] for problem, _, tests in problems.PROBLEMS
+               for what, expected, found in numbers_of(measured, tests)])
+    rows = [[problem, claim, names_of(tests), observed(measured, tests)] for problem, claim, tests in problems.PROBLEMS]
     orders = [[series, f"{predicted:g}", f"{measured.order((test, series)):.2f}", f"{min(measured.series[test, series].values()):.1e}"]
               for (predicted, _), names in problems.ORDERS.items() for test, series in measured.series if series in names]
     write_page(doc, "verification.md", problems.PAGE.format(
         problems=table(["problem", "expected result", "test", "observed"], rows),
-        orders=table(["series", "predicted order", "observed", "finest error"], orders),
+        orders=table(["series", "predicted order", "observed", "finest error"], list(dict.fromkeys(map(tuple, orders)))),
         pin=table(["", *(f"{n} rank{'s' * (n > 1)}" for n in mesh_pin.RANKS)],
                   [[what, *(f"{value:.0e}" for value in values)] for what, values in pin.items()])))
 

@@ -15,7 +15,7 @@ def main():
     run.check_names(os.path.join(PROGRAMS, "..", "tests"))
     page = Folder(TOP).read("doc", "verification.md").decode()
     for problem, claim, tests in problems.PROBLEMS:
-        for text in (problem, claim, *tests):
+        for text in (problem, claim, *(test.split(": ")[1] for test in tests)):
             assert text in page, f"doc/verification.md lacks '{text}'; ./run.sh verification writes it"
     for names in problems.ORDERS.values():
         for series in names:

@@ -22,7 +22,6 @@ class Reading:
 
 
 PUSHED = Reading("pushed", "P, pushed", 1.0, 0.5, 2e-3, 1e-3)
-TENFOLD = Reading("tenfold", "10 P, at rest", 10.0, 0.0, 2e-3, 1e-3)
 
 
 def pushed(velocity):

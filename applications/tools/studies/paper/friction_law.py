@@ -26,9 +26,8 @@ def step(fragment, runs, names):
     above(axes[0], columns=4)
     error = np.abs(tangential - exact)[time > STEP_AT].max() / (mu * normal[-1])
     fragment.text("A step of 0.5 MPa presses a body of 10 micrometres on the moving flat. The tangential stress differs from the exact solution of eq. (7), μ|σ_n|(1 − exp(−t/δ)), by at "
-                  f"most {100 * error:.2f} % of μ|σ_n|, because the contact pressure follows the step within nanoseconds. "
-                  "The paper prints no number.")
-    fragment.figure(figure, "Tangential contact stress after a Heaviside step of the normal stress", "At 2 µs the small body overshoots for some nanoseconds.")
+                  f"most {100 * error:.2f} % of μ|σ_n|.")
+    fragment.figure(figure, "Tangential contact stress after a step of the normal stress", "At 2 µs the small body overshoots for some nanoseconds.")
 
 
 def _stresses(run):

@@ -30,15 +30,13 @@ def stiffness(fragment, runs, names):
         largest = max(largest, deviation)
         rows.append([f"{entry} [GPa]", fixed(reference / 1e9), fixed(everything.mean() / 1e9),
                      relative(everything.mean(), reference),
-                     *[f"{values[entry][c].mean() / 1e9:.3f}" for c in CONDITIONS], f"{100 * deviation:.1f} %"])
+                     *[f"{values[entry][c].mean() / 1e9:.3f}" for c in CONDITIONS], f"{100 * deviation:.1f}"])
     covered = [runs[name].summary["phases"][1]["volume_fraction"] for name in names]
-    fragment.table(["", "paper", "ours", "difference", "KUBC", "SUBC", "deviation"], rows)
-    fragment.text(f"Deviation: standard deviation over both conditions and all morphologies, at most {100 * largest:.1f} "
-                  f"% (paper: {100 * paper.STIFFNESS_DEVIATION:.1f} %).")
+    fragment.table(["", "paper", "ours", "difference [%]", "KUBC", "SUBC", "deviation [%]"], rows)
     fragment.text(
-        f"Ours: mean over KUBC, SUBC and {len(names)} morphologies of 56 x 16 mm on 560 x 160 cells. Fibres are "
-        "0.1 mm wide, 1.2 to 3.6 mm tall, [placed independently](reading.md#placement-of-the-fibres) and cut by the border; they cover "
-        f"{100 * min(covered):.1f} to {100 * max(covered):.1f} % of the area.")
+        f"Ours: mean over KUBC, SUBC and {len(names)} morphologies with fibres [placed independently](reading.md#placement-of-the-fibres), which cover "
+        f"{100 * min(covered):.1f} to {100 * max(covered):.1f} % of the area. Deviation: standard deviation over both conditions and all morphologies, at most "
+        f"{100 * largest:.1f} % (paper: {100 * paper.STIFFNESS_DEVIATION:.1f} %).")
     figure, axes = panels(1, 2.9)
     for k, c in enumerate(CONDITIONS):
         for i, entry in enumerate(ENTRIES):
@@ -64,12 +62,11 @@ def modes(fragment, runs, names):
         reference, ours = paper.MODES[bottom], first(homogeneous, bottom)
         rows.append([label, f"{reference:.0f}", f"{ours:.0f}", relative(ours, reference),
                      f"{first(heterogeneous, bottom):.0f}", f"{first(free_top, bottom):.0f}"])
-    fragment.table(["first mode [Hz]", "paper", "ours, eq. (10)", "difference", "heterogeneous (1)",
+    fragment.table(["first mode [Hz]", "paper", "ours, eq. (10)", "difference [%]", "heterogeneous (1)",
                     "eq. (10), top free in y"], rows)
     fragment.text(
-        "The top is a rigid platen, at rest in these modes. The last column takes the paper's text literally: u_x = 0, free in y. It misses the paper's frequencies; therefore all "
-        f"contact runs have the platen. In regime 1 the contact vibrates at {frequency(contact):.0f} Hz (paper: {paper.MAIN_FREQUENCY[1]:.0f} "
-        "Hz), close to BC2.")
+        "The top is a rigid platen. The last column takes the paper's text literally (u_x = 0, free in y) and misses the paper's frequencies. "
+        f"In regime 1 the contact vibrates at {frequency(contact):.0f} Hz, close to BC2.")
     figure, axes = plt.subplots(2, 2, figsize=(9.0, 4.2))
     for row, (run, label) in enumerate([(homogeneous, "homogeneous"), (heterogeneous, "heterogeneous")]):
         with h5py.File(os.path.join(run.folder, "modal.h5")) as file:
@@ -80,7 +77,7 @@ def modes(fragment, runs, names):
     axes[0, 0].plot([0, SCALE], [-2.5, -2.5], color=BLACK, lw=2.5, solid_capstyle="butt", clip_on=False)
     axes[0, 0].text(SCALE + 1, -2.5, f"{SCALE} mm", va="center")
     lettered(axes.flat)
-    fragment.figure(figure, "First modes, every twentieth grid line; displacements are of arbitrary size", "Every twentieth grid line; displacements are of arbitrary size. Grey: undeformed outline.")
+    fragment.figure(figure, "First modes", "Every twentieth grid line; displacements are of arbitrary size. Grey: undeformed outline.")
 
 
 def _shape(axes, shape, spacing, every=20, scale=2.0):

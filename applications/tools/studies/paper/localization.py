@@ -12,7 +12,7 @@ PERIODS = 6
 EDGE = 1.6e-3  # m; beyond it from the sides the interior begins
 
 READING = ("At 0.5 MPa, seed 1. Localized: homogeneous run (eq. (10), δ = 1700 ns) with the KUBC concentration tensors. Direct: heterogeneous run (δ = 1500 ns). The two runs are not "
-           "in phase; therefore the table compares means and standard deviations over the steady part. The curves show the last periods.")
+           "in phase; therefore the table compares means and standard deviations over the steady part.")
 
 
 def runs(cases):
@@ -44,10 +44,10 @@ def _element(fragment, run, name, label):
         values = probe[component]
         surface = name == "element_A" and component != "sigma_yy"
         bound = paper.LOCALIZATION["mean and deviation" if component == "sigma_yy" else "surface" if surface else "volume"]
-        rows.append([component, f"< {100 * bound:.0f} %",
+        rows.append([component, f"< {100 * bound:.0f}",
                      *[f"{values[key] / 1e6:.2f}" for key in ("mean", "direct_mean")], _percent(values["error_mean"]),
                      *[f"{values[key] / 1e6:.2f}" for key in ("std", "direct_std")], _percent(values["error_std"])])
-    fragment.table(["stress [MPa]", "paper", "mean, localized", "mean, direct", "difference", "deviation, localized", "deviation, direct", "difference"], rows)
+    fragment.table(["stress [MPa]", "paper [%]", "mean, localized", "mean, direct", "difference [%]", "deviation, localized", "deviation, direct", "difference [%]"], rows)
     fragment.text(READING if name == "element_A" else "Runs as in figure 14.")
     figure, (axes,) = panels(1, 3.2)
     time, stress, direct = run.need(f"/probes/{name}/time", f"/probes/{name}/stress", f"/probes/{name}/direct_stress")
@@ -64,7 +64,7 @@ def _element(fragment, run, name, label):
 
 
 def _percent(value):
-    return "-" if value is None else f"{100 * value:+.1f} %".replace("-", "−")
+    return "-" if value is None else f"{100 * value:+.1f}".replace("-", "−")
 
 
 def mean_von_mises(fragment, results, names):
@@ -76,11 +76,11 @@ def mean_von_mises(fragment, results, names):
     order = sorted(errors, key=lambda quantity: (quantity != "mean_von_mises", quantity.startswith("deviation")))
     rows = [[quantity.replace("_", " ").replace("mises", "Mises") + variant, *[_share(found[quantity].get(region)) for region in regions]]
             for variant, found in (("", errors), (", eq. (23)", mean_strain)) for quantity in order if quantity in found]
-    link = fragment.csv(["relative L2 difference", *regions], rows)
-    fragment.table(["relative L2 difference", *regions], [row for row in rows if row[0].startswith("mean") and "eq. (23)" not in row[0]])
-    fragment.text("The paper prints no number for the two fields. Runs as in figure 14, averaged over the ten periods before the end. "
-                  f"{link} adds the deviations in time and eq. (23), which localizes the mean strain alone.")
-    fragment.figure(figure, "Von Mises stress averaged over time: localized, direct, and their difference, which has one sign nearly everywhere", dpi=100)
+    link = fragment.csv(["relative L2 difference [%]", *regions], rows)
+    fragment.table(["relative L2 difference [%]", *regions], [row for row in rows if row[0] == "mean von Mises"])
+    fragment.text("Runs as in figure 14, averaged over the ten periods before the end. "
+                  f"{link} adds the components, the deviations in time and eq. (23), which localizes the mean strain alone.")
+    fragment.figure(figure, "Mean von Mises stress: localized, direct, difference", dpi=100)
     fragment.text(_bias(run, homogeneous, heterogeneous))
 
 
@@ -95,20 +95,17 @@ def _bias(run, homogeneous, heterogeneous):
     localized, direct = run.need("/mean_von_mises", "/direct/mean_von_mises")
     time = heterogeneous.need("/snapshots/time")
     begin, end = time[0], time[-1]
-    here, there, before = (_swing(homogeneous, begin, end), _swing(heterogeneous, begin, end), _swing(heterogeneous, 2 * begin - end, begin))
+    here, there = (_swing(run, begin, end) for run in (homogeneous, heterogeneous))
     factor = np.sum(localized * direct) / np.sum(direct**2)
     error = lambda a, b: 100 * np.linalg.norm(a - b) / np.linalg.norm(b)
     edge = int(round(EDGE / run.grid()[1][0]))
     inside = np.s_[edge:-edge, edge:-edge]
     size, above = ("larger", "above") if here > there else ("smaller", "below")
-    return ("In these periods the standard deviation of the tangential force on the top, which follows the first mode, is "
-            f"{100 * abs(here / there - 1):.0f} % {size} in the homogeneous run than in the heterogeneous run. Therefore "
-            f"the localized stress lies {above} the direct stress nearly everywhere, by {100 * abs(factor - 1):.0f} "
-            f"% in the best fit. Divided by this factor, the two fields differ by {error(localized / factor, direct):.1f} "
-            f"% over all cells and by {error(localized[inside] / factor, direct[inside]):.1f} % beyond {1e3 * EDGE:g} "
-            f"mm from the sides. In the heterogeneous run the deviation of the force still changes ({100 * (there / before - 1):+.0f} "
-            "% against the ten periods before).".replace("(-", "(−"))
+    return ("In these periods the standard deviation of the tangential force on the top is "
+            f"{100 * abs(here / there - 1):.0f} % {size} in the homogeneous run. Therefore the localized stress lies {above} the direct stress nearly everywhere, by "
+            f"{100 * abs(factor - 1):.0f} % in the best fit. Divided by this factor, the fields differ by {error(localized / factor, direct):.1f} "
+            f"% over all cells and by {error(localized[inside] / factor, direct[inside]):.1f} % beyond {1e3 * EDGE:g} mm from the sides.")
 
 
 def _share(value):
-    return "-" if value is None else f"{100 * value:.1f} %"
+    return "-" if value is None else f"{100 * value:.1f}"

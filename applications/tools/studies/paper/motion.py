@@ -3,8 +3,7 @@
 import numpy as np
 
 from cases import P1, P2, PUSHED
-from measures import frequency, height, mu_text, reference, relative_velocity
-from page import fixed, relative
+from measures import frequency, mu_text, reference, relative_velocity
 from report.base.figures import BLACK, BLUE, GREEN, GREY, ORANGE, above_all, lettered, plt
 from report.runs import paper_values as paper
 
@@ -20,10 +19,6 @@ LABELS = ("0.5 MPa, homogeneous", "0.5 MPa, heterogeneous 1", "0.4 MPa, homogene
 
 def trajectory(fragment, runs, names):
     found = [runs[name] for name in names]
-    fragment.table(["largest distance of M from the flat in a period, on average [µm]", "paper", "ours", "difference"],
-                   [[label, *((fixed(1e6 * paper.SEPARATION, 1), f"{1e6 * height(run):.2f}", relative(height(run), paper.SEPARATION)) if label in LABELS[:2] else ("-", f"{1e6 * height(run):.2f}", "-"))]
-                    for label, run in zip(LABELS, found)])
-    fragment.text("The paper shows regime 1, here at 0.5 MPa.")
     figure, axes = plt.subplots(1, 3, figsize=(9.0, 3.4), sharey=True)
     for axis, run, label, colour in zip(axes, found, LABELS, (BLUE, ORANGE, GREEN)):
         _, u, _, _ = reference(run, run.number("simulated_time") - SHOWN_PERIODS / frequency(run))
@@ -34,7 +29,7 @@ def trajectory(fragment, runs, names):
         axis.set_title(label, loc="left")
     axes[0].set_ylabel("$u_y$ (µm)")
     lettered(axes)
-    fragment.figure(figure, f"Trajectory of node M over {SHOWN_PERIODS} periods. u_y = 0: the rigid flat; dashed: the paper's 0.2 µm", "Last periods. u_y = 0 is the rigid flat; dashed: the paper's 0.2 µm.")
+    fragment.figure(figure, f"Trajectory of node M over {SHOWN_PERIODS} periods", "Last periods. u_y = 0 is the rigid flat; dashed: the paper's largest distance (table above).")
 
 
 def convergence_runs(cases):
@@ -49,9 +44,9 @@ def convergence(fragment, runs, names):
             ["relative velocity of the flat, mean cycle [m/s]", "1.2 to 2.8",
              *[f"{low:.2f} to {high:.2f}" for low, high in velocities]],
             ["mu_inter", "-", *[mu_text(run) for run in (coarse, fine)]],
-            ["slip of node M", "70 %", *[f"{100 * run.number('reference_node', 'slip'):.0f} %" for run in (coarse, fine)]]]
+            ["slip of node M [%]", "70", *[f"{100 * run.number('reference_node', 'slip'):.0f}" for run in (coarse, fine)]]]
     fragment.table(["", "paper", *labels], rows)
-    fragment.text("Runs of 1 ms at 0.5 MPa; statistics from 0.25 ms on, as in the paper. Cells and time steps are the paper's.")
+    fragment.text("Runs of 1 ms at 0.5 MPa with the paper's cells and time steps; statistics from 0.25 ms on.")
     figure, axes = plt.subplots(1, 3, figsize=(9.0, 3.6), gridspec_kw={"width_ratios": [1.4, 1, 1.2]})
     for run, label, colour, width in zip((coarse, fine), labels, (BLUE, ORANGE), (1.6, 1.0)):
         time, u, _, _ = reference(run, 0.0)

@@ -56,9 +56,9 @@ def table(fragment, results, names):
             everything = {**measured, "mu_homo": coefficients}[key] / unit
             spread = f"{everything.mean():.3f} ± {everything.std(ddof=1):.3f}" if method == "SCA" else "-"
             rows.append([f"{label}, {method}", fixed(value / unit, 2), fixed(ours[key] / unit), relative(ours[key], value), spread])
-    fragment.table(["", "paper", "ours at 10 % on the contact", "difference", f"mean and deviation of {len(found)} morphologies"], rows)
+    fragment.table(["", "paper", "ours at 10 % on the contact", "difference [%]", f"mean and deviation of {len(found)} morphologies"], rows)
     fragment.text(
-        "P_h and P_m are the means of −σ_yy over the cells of fibres and matrix at the contact under 0.5 MPa (static pressures are proportional to P); all nodes slip, with "
+        "P_h and P_m are the means of −σ_yy over the cells of fibres and matrix at the contact under 0.5 MPa; all nodes slip, with "
         f"friction by phase. In the paper's morphology fibres cover 10 % of the contact, in ours {100 * share.min():.1f} "
         f"to {100 * share.max():.1f} %. At 10 %, our SPR is eq. (19) and our SCA a straight line through the morphologies.")
     figure, axes = panels(2, 5.2, sharex=True)
@@ -73,4 +73,4 @@ def table(fragment, results, names):
     axes[1].set_xlabel("share of fibres on the contact (%)")
     lettered(axes)
     above_all(figure, axes[0].get_legend_handles_labels()[0], columns=4)
-    fragment.figure(figure, "Contact pressures of the phases in the static contact analysis", "(a) Fibres, (b) matrix; dashed: straight line through the morphologies.")
+    fragment.figure(figure, "Static contact pressures of the phases", "(a) Fibres, (b) matrix; dashed: the straight line.")

@@ -42,19 +42,17 @@ def regimes_section(found, runs):
     return ["## Growth of steady sliding",
             f"At 1500 ns the fastest mode, at {kilohertz(fastest):.2f} kHz, grows by {fastest.real:.0f} 1/s, the mode "
             f"at {kilohertz(slow):.2f} kHz, near the paper's main frequency, by {slow.real:.0f} 1/s (time constant {1e3 / slow.real:.1f} "
-            f"ms), {fastest.real / slow.real:.0f} times more slowly. Motion near 41 kHz in a run of 1 ms therefore "
-            "comes mostly from the start; other modes take over later. Growth depends neither on P nor on V. Picture and [table](regimes/growth.csv): eq. (10), cells of "
-            f"{cell_size(growth.CELLS)}, modes followed over δ by the overlap of their shapes.",
-            "![Growth rates over delta; strokes beside 1500 ns: the ten morphologies of the page on prediction](regimes/growth.png)",
+            "ms). Motion near 41 kHz in a run of 1 ms therefore comes mostly from the start. Growth depends neither on P nor on V. Picture and [table](regimes/growth.csv): eq. (10), "
+            f"cells of {cell_size(growth.CELLS)}, modes followed over δ by the overlap of their shapes.",
+            "![Growth rates over delta; strokes: ten morphologies](regimes/growth.png)",
             *_search(found), *_beside_runs(found, runs)]
 
 
 def _search(found):
     return ["`Analysis = complex modes` of `contact_dynamics` ([theory](../theory.md#11-complex-modes-libeigenvaluescomplex)) finds all growing modes up to "
             f"{found.searched / 1e3:.0f} kHz; the argument principle counts {found.missing or 'no'} others. Above {found.bound / 1e3:.0f} "
-            "kHz no mode can grow at 1500 ns on these cells; between the two frequencies nothing was searched. Contact nodes that are separated in the static state (at most "
-            f"{max(found.separated.values())}) are free. [growth_bodies.csv](regimes/growth_bodies.csv) has these modes "
-            "in a transient run, on finer cells and with the mean stiffness of the morphologies."]
+            "kHz no mode can grow at 1500 ns on these cells; between both nothing was searched. "
+            "[growth_bodies.csv](regimes/growth_bodies.csv) has these modes in a transient run, on finer cells and with the mean stiffness of the morphologies."]
 
 
 def write_bodies(folder, found):
@@ -91,11 +89,10 @@ def _beside_runs(found, runs):
     near = [delta for delta, difference in apart.items() if difference < 0.05]
     if growth.START not in near or max(apart) in near:
         raise RuntimeError("the text of this page on ramped runs is not what they show")
-    return [f"After a ramped start growth alone chooses the mode. Ramped runs at {' and '.join(f'{p / 1e6:g}' for p in SHOWN)} "
+    return [f"Ramped runs at {' and '.join(f'{p / 1e6:g}' for p in SHOWN)} "
             f"MPa vibrate from {regime_map.LATE[0] * 1e3:g} to {regime_map.LATE[1] * 1e3:g} ms at the frequency of "
             f"the fastest mode within {100 * max((apart[d] for d in near)):.0f} % for δ = {min(near) * 1e9:g} to {max(near) * 1e9:g} "
-            f"ns; nodes that stick or leave the flat shift it. At {max(apart) * 1e9:g} ns, where growth is slowest, "
-            "the mode near 41.6 kHz from the ramp is still the largest."]
+            f"ns. At {max(apart) * 1e9:g} ns, where growth is slowest, the mode near 41.6 kHz from the ramp is still the largest."]
 
 
 def write_correlations(folder, found, keys, runs):
@@ -133,13 +130,12 @@ def prediction_section(data, keys, runs):
     return ["## Growth rates of steady sliding",
             f"Table 3. All growing eigenvalues of the sliding pin at 1500 ns on cells of {cell_size(growth.CELLS)}, "
             "with the mean stiffness and with each morphology, found as in [regimes](regimes.md#growth-of-steady-sliding). A mode of a morphology belongs to the homogeneous mode with "
-            "the most similar shape (overlap 1: equal shapes). At δ* the homogeneous mode grows as the mode of the morphology, by the slope over δ at 1500 ns; for the fastest mode, "
+            "the most similar shape (overlap 1: equal). At δ* the homogeneous mode grows as the mode of the morphology, by the slope over δ at 1500 ns; for the fastest mode, "
             f"along its curve. {search_of_morphologies(found)}.",
             table(["kHz, homogeneous", "kHz, morphologies", "overlap", "growth, homogeneous [1/s]", "growth, morphologies [1/s]", "deviation", "δ* [ns]", "deviation"], rows),
             f"In each morphology {counts[0]} to {counts[-1]} modes grow; the fastest is near "
             f"{' or '.join(f'{kilohertz(found.mean[AT][k]):.0f} kHz ({n})' for k, n in near.items() if n)} (number "
-            "of morphologies). Frequencies agree within a per cent and effective stiffnesses within some tenths of a per cent. Growth rates differ widely, as each is a small "
-            "difference between energy supplied by friction and energy lost; the paper found no such difference (section 3.6.2). "
+            "of morphologies). Frequencies agree within a per cent. Growth rates differ widely, as each is a small difference between energy supplied by friction and energy lost. "
             f"{sum(abs(value) > level for value in every)} of the {len(every)} rank correlations of growth with mu_inter "
             f"([table](prediction/growth_correlations.csv)) exceed {level:.2f}, the 5 % level of a single one."]
 
@@ -147,22 +143,7 @@ def prediction_section(data, keys, runs):
 def search_of_morphologies(found):
     others = f"counts {found.missing} others in all runs" if found.missing else "counts no others there"
     return (f"The modes of the morphologies were searched up to {found.searched_morphologies / 1e3:.0f} kHz; the argument "
-            f"principle {others}. Contact nodes that are separated in the static state are free: {by_seed({seed: found.separated[seed] for seed in found.morphologies})}")
-
-
-def by_seed(numbers):
-    """{seed: number of nodes} in words, the commonest number last: none in seeds 1 and 6, two in seed 8, one in each of the others."""
-    seeds_of = {}
-    for seed, count in sorted(numbers.items()):
-        seeds_of.setdefault(count, []).append(str(seed))
-    commonest = max(seeds_of, key=lambda count: (len(seeds_of[count]), -count))
-    word = lambda count: {0: "none", 1: "one", 2: "two", 3: "three"}.get(count, str(count))
-    parts = []
-    for count, names in sorted(seeds_of.items()):
-        if count != commonest:
-            of = f"seeds {', '.join(names[:-1])} and {names[-1]}" if len(names) > 1 else f"seed {names[0]}"
-            parts.append(f"{word(count)} in {'each of ' if count and len(names) > 1 else ''}{of}")
-    return ", ".join([*parts, f"{word(commonest)} in each of the others" if parts else f"{word(commonest)} in each"])
+            f"principle {others}. Contact nodes that are separated in the static state (at most {max(found.separated.values())}) are free")
 
 
 def _rates(homogeneous, rates, stars):

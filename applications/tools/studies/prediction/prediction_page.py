@@ -82,14 +82,14 @@ def _summary(data, keys, errors):
             f"cases, a coarse run of the morphology in {_better(errors, pushed, 'coarse run')} (table 2). But mu_inter "
             "of the coarse run is then as good an answer.\n"
             "* The programs offer no rule for δ*.",
-            "![mu_inter over delta: morphologies at 1500 ns and the homogeneous pin, for each load and window](prediction/mu_over_delta.png)"]
+            "![mu_inter over delta for each load and window](prediction/mu_over_delta.png)"]
 
 
 def _obtained(data, keys):
     n = len(data.heterogeneous(seeds.LOADS[0], seeds.LATE))
     return ["## How it was obtained",
-            "According to the paper (section 4) its contact homogenization is not predictive, because δ* is read from the heterogeneous run that it should replace. This study tries "
-            "rules that need less. `./run.sh prediction` makes the runs and this page.",
+            "According to the paper (section 4) its contact homogenization is not predictive, because δ* is read from the heterogeneous run that it should replace. "
+            "`./run.sh prediction` makes the runs and this page.",
             f"* Bodies: {n} morphologies of `prm/prediction` (seeds {min(seeds.SEEDS)} to {max(seeds.SEEDS)}) on cells "
             f"of {56 / seeds.COARSE[0]:g} mm, each cell the mixture of four cells of 0.1 mm (`mixture.py`); the homogeneous "
             "pin has the mean of their effective stiffnesses\n"
@@ -100,10 +100,6 @@ def _obtained(data, keys):
             "\n\n".join(f"![Errors, {_case(key)}](prediction/rules_{key[0].key}_{key[1]}.png)" for key in keys)]
 
 
-def _spread(values, digits=3, factor=1.0):
-    return f"{min(values) * factor:.{digits}f} to {max(values) * factor:.{digits}f}"
-
-
 def _exceeds(values, limit):
     """Whether the mean lies above the limit by more than its 95 % interval."""
     mean, _, half = delta_rules.interval(list(values))
@@ -112,9 +108,8 @@ def _exceeds(values, limit):
 
 def _theory():
     return ["## Theory",
-            "While nodes slip in one direction, eq. (7) is linear in the normal force, so that its sum over a patch of contact has the same δ: d(Σ f_t)/dt = -(Σ f_t - mu Σ f_n)/δ. "
-            "Therefore δ* = δ while all nodes slip, as far as a homogeneous body can replace the heterogeneous one; growth rates test this. Only nodes that separate or stick at "
-            "different times can require another δ*; runs test this."]
+            "While nodes slip in one direction, eq. (7) is linear in the normal force, so that its sum over a patch of contact has the same δ. Therefore δ* = δ while all nodes slip, as "
+            "far as a homogeneous body can replace the heterogeneous one. Only nodes that separate or stick at different times can require another δ*."]
 
 
 def _scatter(data, keys, sweeps, runs, tried):
@@ -124,15 +119,13 @@ def _scatter(data, keys, sweeps, runs, tried):
         stars = [tried[key]["best δ*"][2], *([_fine_stars(data, key)] if key[0].push else [])]
         rows.append([_case(key), _mean([m.mu for m in runs[key].values()]), f"{hom.mu:.4f} ± {2 * hom.mu_error:.4f}",
                      *(_mean([1e9 * d for d in of.values()], 0) for of in stars), *["–"] * (2 - len(stars))])
-    late = " and ".join(f"{_spread([m.middle[2] for m in runs[k].values()], 0, 100)} % of the time at {k[0].pressure / 1e6:g} MPa" for k in _pushed(keys) if k[1] == "late")
     return ["## Morphologies and the homogeneous pin",
             f"Table 1. mu_inter at δ = {seeds.DELTA * 1e9:g} ns on cells of 0.2 mm, and the best δ* on both sizes of "
             f"cells; early: {seeds.EARLY[0] * 1e3:g} to {seeds.EARLY[1] * 1e3:g} ms, late: {seeds.LATE[0] * 1e3:g} "
-            f"to {seeds.LATE[1] * 1e3:g} ms. ± is the 95 % interval of the mean over the morphologies (Student's t), "
-            "for the homogeneous pin of the mean in time.",
+            f"to {seeds.LATE[1] * 1e3:g} ms. ± is the 95 % interval of the mean over the morphologies, "
+            "for the homogeneous pin over time.",
             table(["case", "μ_inter, morphologies", "homogeneous", "δ* [ns], 0.2 mm", "δ* [ns], 0.1 mm"], rows),
-            "In the four pushed cases every morphology is in the regime of the homogeneous pin: late, node M is separated for "
-            f"{late}. The paper's table 2 (0.5 MPa) has 0.2145 (mean of four) and 0.220. [comparison.csv](prediction/comparison.csv) "
+            "In the four pushed cases every morphology is in the regime of the homogeneous pin ([regimes](regimes.md#both-regimes)). [comparison.csv](prediction/comparison.csv) "
             "adds deviations, slip, frequencies and the runs on cells of 0.1 mm."]
 
 
@@ -232,7 +225,7 @@ MEANING = {"δ* = δ": "δ of the heterogeneous pin", "growth, 41.6 kHz mode": "
 
 def _rules(data, keys, tried, errors, runs):
     keys = _pushed(keys)
-    rows = [[name, MEANING[name], "–" if cost is None else f"{100 * cost:.0f} %", *(f"{_rms(errors, key, name):.4f}" for key in keys)] for name, (_, cost, _) in tried[keys[0]].items()]
+    rows = [[name, MEANING[name], "–" if cost is None else f"{100 * cost:.0f}", *(f"{_rms(errors, key, name):.4f}" for key in keys)] for name, (_, cost, _) in tried[keys[0]].items()]
     rows += [[ITSELF, MEANING[ITSELF], "", *(_rms_texts(_coarse_run(data, key, runs[key]))[0] for key in keys)],
              ["scatter of mu_inter", "", "", *(f"{np.std([m.mu for m in runs[key].values()], ddof=1):.4f}" for key in keys)]]
 
@@ -241,24 +234,21 @@ def _rules(data, keys, tried, errors, runs):
         return " and ".join(_case(k) for k, (mean, _, half) in gains.items() if mean > half) or "nowhere"
 
     return ["## The rules",
-            "Table 2. Error of mu_inter, homogeneous pin with δ* minus heterogeneous pin: root mean square over the morphologies. Cost: CPU time of the runs that a new morphology "
-            "needs, over the time of its full heterogeneous run, without runs that are made once for all (sweep of the homogeneous pin, full runs of *other morphologies*); "
-            "eigenvalues were not timed. Eq. (13) and the best δ* need the full run and predict nothing.",
-            table(["rule", "δ*", "cost", *map(_case, keys)], rows),
+            "Table 2. Error of mu_inter, homogeneous pin with δ* minus heterogeneous pin: root mean square over the morphologies. Cost: CPU time of the runs for a new morphology over the time "
+            "of its full heterogeneous run, without runs that are made once for all; eigenvalues were not timed. Eq. (13) and the best δ* need the full run and predict nothing.",
+            table(["rule", "δ*", "cost [%]", *map(_case, keys)], rows),
             f"*Other morphologies* is better than δ* = δ in {_better(errors, keys, 'other morphologies')} cases, *other "
             f"pressure* in {_better(errors, keys, 'other pressure')}: δ* has to be found anew for another pressure. "
-            f"The gain over δ* = δ exceeds its 95 % interval for *other morphologies* at {significant('other morphologies')}, "
-            f"and for *coarse run* at {significant('coarse run')}. [rule_errors.csv](prediction/rule_errors.csv) adds "
-            "the runs from rest, bootstrap intervals, gains and errors of slip and frequency; [rules.csv](prediction/rules.csv) has each δ*."]
+            f"The gain exceeds its 95 % interval for *other morphologies* at {significant('other morphologies')}, "
+            f"for *coarse run* at {significant('coarse run')}. [rule_errors.csv](prediction/rule_errors.csv) adds "
+            "the runs from rest, intervals, gains, slip and frequency; [rules.csv](prediction/rules.csv) has each δ*."]
 
 
 def _limits(errors, runs):
     rest = (seeds.LOADS[2], "late")
     return ["## Limits",
-            "* The better rules leave an error of about the scatter of the morphologies. In this sense the contact homogenization is predictive for the composite once it is "
-            "calibrated under the same load.\n"
+            "* The better rules leave an error of about the scatter of the morphologies; they were picked on the same morphologies, which flatters them.\n"
             "* From rest under 5 MPa the morphologies reach several cycles (late, with the number of morphologies: "
             f"{_lines(runs[rest].values())} kHz). Even the best δ* leaves an rms error of {_rms(errors, rest, 'best δ*'):.4f}, "
             f"because the homogeneous pin has some of these mu_inter at no δ from {delta_rules.RANGE[0] * 1e9:g} to {delta_rules.RANGE[1] * 1e9:g} "
-            "ns.\n"
-            "* The better rules were picked on the same morphologies, which flatters them."]
+            "ns."]

@@ -12,7 +12,6 @@ def measure_row(m):
 
 
 def short(m):
-    """mu_inter +- 95 %, frequency, shares of M, range of the relative velocity, lift: as strings for a page."""
+    """mu_inter, frequency, shares of slip and separation of M: as strings for a page."""
     frequency = "–" if m.slides and m.amplitude < 1e-8 else f"{m.frequency / 1e3:.1f}"
-    return [f"{m.mu:.3f} ± {2 * m.mu_error:.3f}", frequency, f"{100 * m.middle[0]:.0f} / {100 * abs(m.middle[2]):.0f}",
-            f"{m.velocity[0]:+.2f} to {m.velocity[1]:+.2f}", f"{max(0, m.lift) * 1e6:.2f}"]
+    return [f"{m.mu:.3f}", frequency, f"{100 * m.middle[0]:.0f}", f"{100 * abs(m.middle[2]):.0f}"]
