@@ -18,14 +18,14 @@ from study import parse_arguments  # noqa: E402
 
 PAGE = """# Gallery of examples
 
-This page shows every `.prm` file of [prm/examples](../prm/examples) with a picture. The time in brackets is for one
-core, without reports. Run the commands in the top folder. `./run.sh` with a folder also writes a report. Make the
-report of a single file, whose results are in `output/NAME`, by
+This page shows every `.prm` file of [prm/examples](../prm/examples). The time in brackets is for one core. Run the
+commands in the top folder. `./run.sh` with a folder also writes a report. Make the report of a single file, whose
+results are in `output/NAME`, by
 
     /usr/bin/python3 applications/tools/report/make_report.py output/NAME --output report.html
 
-The pictures are from the reports, except five: the laws of friction, the tribometer with a dashpot, the disc, the
-blocks and the pulse. `./run.sh gallery` runs all examples and writes this page.
+Five pictures are not from reports: laws of friction, tribometer with a dashpot, disc, blocks and pulse.
+`./run.sh gallery` runs all examples and writes this page.
 
 {examples}
 """
