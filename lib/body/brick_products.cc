@@ -1,6 +1,8 @@
+#include "base/exchange.h"
 #include "body/brick_body.h"
 #include "body/brick_solver.h"
 #include "elasticity/brick/brick_matrices.h"
+#include "elasticity/strain_modes.h"
 
 #include <algorithm>
 
@@ -137,6 +139,32 @@ void GridBody<3>::evaluate(const NodalField<double> &u,
             }
         }
     }
+}
+
+std::vector<VoigtMatrix<3>>
+GridBody<3>::strain_products(const NodalField<double> &u) const
+{
+  const Place &n = box.grid.cells;
+  std::vector<VoigtMatrix<3>> products(phases().size(), VoigtMatrix<3>::Zero());
+  StrainModes<3, 1> modes(box.grid.spacing);
+  for (unsigned int k = 0; k < cell_planes().count; ++k)
+    for (unsigned int j = 0; j < n[1]; ++j)
+      for (unsigned int i = 0; i < n[0]; ++i)
+        {
+          const unsigned int phase = phase_beside({{i + 1, j + 1, k + 1}}, 0);
+          for (unsigned int corner = 0; corner < 8; ++corner)
+            for (unsigned int c = 0; c < 3; ++c)
+              modes.displacement(corner, c)[0] =
+                u(c, node_at({{i + (corner & 1U), j + (corner >> 1 & 1U),
+                               first_plane + k + (corner >> 2)}}));
+          modes.visit(phases()[phase].mean_dilatation, box.grid.cell_measure(),
+                      [&](const double volume, const VoigtVector<3> &strain) {
+                        products[phase] += volume * strain * strain.transpose();
+                      });
+        }
+  sum_over_ranks(products[0].data(), products.size() * products[0].size(),
+                 communicator());
+  return products;
 }
 
 void GridBody<3>::multiply(NodalField<double> &Ku, const NodalField<double> &u) const

@@ -258,6 +258,14 @@ public:
   virtual void
   evaluate(const NodalField<double> &u, const std::size_t group, Cells &cells) const = 0;
 
+  /**
+   * For each phase the integral of strain strain^T over its cells (m^3, in 2D m^2), with
+   * strains as in K: the sum over phases of its scalar product with the stiffness is
+   * u^T K u without springs. The same on all ranks. Collective.
+   */
+  virtual std::vector<VoigtMatrix<dim>>
+  strain_products(const NodalField<double> &u) const = 0;
+
   /** Ku = K u without constraints (N, in 2D N/m), including the springs of the
    * foundation. Collective. */
   void vmult(NodalField<double> &Ku, const NodalField<double> &u) const;

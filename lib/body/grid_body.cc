@@ -1,7 +1,31 @@
 #include "body/grid_body.h"
 
+#include "elasticity/strain_modes.h"
+
 namespace mesoslip
 {
+std::vector<VoigtMatrix<2>>
+GridBody<2>::strain_products(const NodalField<double> &u) const
+{
+  const UniformGrid<2> &grid = material.grid();
+  std::vector<VoigtMatrix<2>> products(phases().size(), VoigtMatrix<2>::Zero());
+  StrainModes<2, 1> modes(grid.spacing);
+  for (unsigned int j = 0; j < grid.cells[1]; ++j)
+    for (unsigned int i = 0; i < grid.cells[0]; ++i)
+      {
+        const unsigned int phase = material.phase_of(i, j);
+        for (unsigned int corner = 0; corner < 4; ++corner)
+          for (unsigned int c = 0; c < 2; ++c)
+            modes.displacement(corner, c)[0] =
+              u(c, NodeIndex{i + corner % 2, j + corner / 2});
+        modes.visit(phases()[phase].mean_dilatation, grid.cell_measure(),
+                    [&](const double volume, const VoigtVector<2> &strain) {
+                      products[phase] += volume * strain * strain.transpose();
+                    });
+      }
+  return products;
+}
+
 std::vector<MatrixEntry> GridBody<2>::stiffness_entries() const
 {
   const UniformGrid<2> &grid = material.grid();

@@ -106,6 +106,8 @@ public:
       }
   }
 
+  std::vector<VoigtMatrix<2>> strain_products(const NodalField<double> &u) const override;
+
   void multiply(NodalField<double> &Ku, const NodalField<double> &u) const override
   {
     stiffness.vmult(Ku, u);

@@ -21,9 +21,9 @@ void sum_over_ranks(ContactHistory &samples, const MPI_Comm communicator)
         &samples.impact_energy, &samples.load_work})
     sum_over_ranks(*values, communicator);
   for (MonitoredNode &node : samples.nodes)
-    for (auto *values :
-         {&node.ux, &node.uy, &node.vx, &node.vy, &node.normal_force,
-          &node.tangential_force, &node.across.u, &node.across.v, &node.across.force})
+    for (auto *values : {&node.ux, &node.uy, &node.vx, &node.vy, &node.normal_force,
+                         &node.tangential_force, &node.gap, &node.across.u,
+                         &node.across.v, &node.across.force})
       sum_over_ranks(*values, communicator);
 }
 
@@ -141,6 +141,7 @@ void ContactRecorder<dim>::after(const SurfaceView<dim> &surface,
       node.vy.push_back(velocity(normal));
       node.normal_force.push_back(force(contact.normal_force()));
       node.tangential_force.push_back(force(contact.tangential_force()));
+      node.gap.push_back(here ? contact.gap_before(surface, i) : 0.);
       if constexpr (dim == 3)
         {
           node.across.u.push_back(before.u[1]);

@@ -36,13 +36,14 @@ struct MonitoredNode
   std::vector<double> vy;               ///< velocity (m/s)
   std::vector<double> normal_force;     ///< N/m, positive when pressed
   std::vector<double> tangential_force; ///< N/m, on the body, along x
-  LateralMotion across;                 ///< empty in 2D
+  std::vector<double> gap; ///< gap (m), negative while a contact spring is compressed
+  LateralMotion across;    ///< empty in 2D
 
   /** Saves or restores all members (Boost.Serialization). */
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    archive &ux &uy &vx &vy &normal_force &tangential_force &across;
+    archive &ux &uy &vx &vy &normal_force &tangential_force &gap &across;
   }
 };
 

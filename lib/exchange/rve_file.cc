@@ -148,6 +148,7 @@ void write_rve_file(const std::string &path, const RveContent<dim> &content)
                   std::vector<double>(expansion.begin(), expansion.end()), "1/K");
   for (const auto &[of, k] : content.conductivity)
     write_dataset(file, "/conductivity/" + of, {dim, dim}, k, "unit of the phases");
+  write_variations(file, content.variations);
   std::vector<XdmfField> shown = {{"phase", phases_dataset, Values::phases}};
   for (const std::string &of : content.reserved)
     {

@@ -2,6 +2,7 @@
 #define mesoslip_exchange_rve_file_h
 
 #include "exchange/orientation_datasets.h"
+#include "exchange/variation_datasets.h"
 #include "grid/uniform_grid.h"
 #include "io/hdf5_file.h"
 #include "material/orientations.h"
@@ -56,6 +57,9 @@ struct RveContent
 
   std::map<std::string, VoigtVector<dim>>
     expansion; ///< thermal expansion for the same names (1/K); may be empty
+
+  /** Constants of the phases with their derivatives; empty if not requested. */
+  std::vector<VariedConstant<dim>> variations;
 
   /** Conductivities [dim][dim] by condition, and "effective"; empty if not requested. */
   std::map<std::string, std::vector<double>> conductivity;
@@ -223,6 +227,15 @@ public:
    * thermal expansion
    */
   VoigtVector<dim> expansion(const std::string &name) const;
+
+  /**
+   * Constants of the phases with the derivatives of the stiffness @p name; empty without
+   * Homogenization/Derivatives and Relative deviation. @throws UserError
+   */
+  std::vector<VariedConstant<dim>> variations(const std::string &name) const
+  {
+    return read_variations<dim>(file, name, phases.size());
+  }
 
   /** Points and cells of a mesh. @throws UserError */
   Mesh<dim> mesh() const;

@@ -249,10 +249,11 @@ void VolumeAnalysis<dim>::run(RunContext &context)
     mean_stiffness<dim>(results.members, effective_conditions(parameters));
   if (!parameters.effective_full)
     results.effective = orthotropic_part<dim>(results.effective);
-  results.expansion       = expansions<dim>(parameters, results);
-  results.conductivity    = conductivities<dim>(parameters, results);
-  results.first.digest    = digest;
-  results.first.fractions = results.members[0].fractions;
+  results.expansion        = expansions<dim>(parameters, results);
+  results.conductivity     = conductivities<dim>(parameters, results);
+  results.first.variations = varied_constants<dim>(parameters, results);
+  results.first.digest     = digest;
+  results.first.fractions  = results.members[0].fractions;
   write_rve_tables<dim>(parameters, results, context);
   write_derivatives<dim>(parameters, results, context);
   write_expansion<dim>(results, context);

@@ -30,7 +30,7 @@ constexpr std::array<const char *, 4> papers = {
   {"summary.json", "log.txt", "parameters.prm", "original.prm"}};
 
 /** Results of the programs, without the XDMF files that belong to them. */
-constexpr std::array<const char *, 28> results = {{"complex_modes.csv",
+constexpr std::array<const char *, 30> results = {{"complex_modes.csv",
                                                    "complex_modes.h5",
                                                    "complex_modes_sweep.csv",
                                                    "conductivity.csv",
@@ -41,6 +41,8 @@ constexpr std::array<const char *, 28> results = {{"complex_modes.csv",
                                                    "ensemble.csv",
                                                    "expansion.csv",
                                                    "field_errors.csv",
+                                                   "frequency_derivatives.csv",
+                                                   "frequency_uncertainty.csv",
                                                    "friction_homogenization.csv",
                                                    "history.csv",
                                                    "load_steps.csv",

@@ -26,6 +26,9 @@ void bind_statics(Keys &keys, ContactParameters &p)
       "one after the other; the top is that of Supports/Top at the start of a run");
     keys.bind("Tolerance", p.modal.tolerance, Range::open(0., 1.),
               "Relative residual of the static solves within the Lanczos iteration [-]");
+    keys.bind("Derivatives", p.modal_derivatives,
+              "Write the derivatives of the frequencies with respect to the stiffness of "
+              "each phase to frequency_derivatives.csv");
   }
   const auto section = keys.section("Static contact");
   keys.bind("Tolerance", p.static_contact.tolerance, Range::open(0., 1.),

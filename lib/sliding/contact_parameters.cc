@@ -126,6 +126,16 @@ std::vector<std::string> and_of_supports(const Keys &keys,
   return paths;
 }
 
+/** Paths of the deviations of the constants of phases. */
+std::vector<std::string> deviation_keys(const Keys &keys)
+{
+  std::vector<std::string> paths;
+  for (const Key &key : keys.all())
+    if (key.section.rfind("Phases/", 0) == 0 && key.name == "Relative deviation")
+      paths.push_back(key.path());
+  return paths;
+}
+
 /** Checks which keys each analysis uses. */
 void check_analysis(const Keys &keys)
 {
@@ -157,8 +167,13 @@ void check_analysis(const Keys &keys)
             and_of_supports(keys, {"Platen mass"}, {"Supports/Top/Hold from"}));
   only_with({"transient", "complex modes"}, and_of_supports(keys, {"Dashpot"}, {}));
   only_with({"transient", "static contact"},
-            {"Flat/Tangential stiffness", "Flat/Profile", "Flat/Profile file",
-             "Flat/Profile size", "Flat/Profile height", "Flat/Profile repeats"});
+            {"Flat/Profile", "Flat/Profile file", "Flat/Profile size",
+             "Flat/Profile height", "Flat/Profile repeats"});
+  keys.only_if(!has_modes_too && keys.value("Analysis") != "complex modes",
+               {"Flat/Tangential stiffness"},
+               "complex modes do not know it, and it changes them in 3D and where "
+               "friction depends on the velocity",
+               "leave it out");
   only_with({"transient", "static contact", "complex modes"},
             and_of_supports(keys, {"Motion", "Pressure", "Traction"},
                             {"Body/Acceleration", "Flat/", "Friction/"}));
@@ -167,6 +182,7 @@ void check_analysis(const Keys &keys)
              "Body/Density", "Body/Size", "Body/Cells", "Supports/", "Sides/"});
   only_with({"modal", "static contact"}, {"Performance/Static solver"});
   only_with({"modal"}, {"Modal/"});
+  only_with({"modal"}, deviation_keys(keys));
   only_with({"static contact", "complex modes"}, {"Static contact/"});
   only_with({"complex modes"}, {"Complex modes/"});
   only_with({"friction homogenization"}, {"Friction homogenization/"});
@@ -231,6 +247,9 @@ void ContactParameters::bind(Keys &keys)
   check_analysis(keys);
   check_mesh(keys, *this);
   bind_counter(keys);
+  keys.only_if(!counter, deviation_keys(keys),
+               "there is a Counter body, with which deviations are not known",
+               "leave it empty");
   if (analysis == ContactAnalysis::transient ||
       analysis == ContactAnalysis::static_contact ||
       analysis == ContactAnalysis::complex_modes)

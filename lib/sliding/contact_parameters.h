@@ -137,19 +137,20 @@ struct ContactParameters : SlidingSetup
   ContactAnalysis analysis = ContactAnalysis::transient; ///< which analysis runs
   MeshBodyParameters mesh;                               ///< sections Mesh and Phases
   BodyParameters body;                                   ///< section Body
-  std::size_t n_alphas = 1;             ///< values of Rayleigh alpha that are given
-  std::size_t n_betas  = 1;             ///< values of Rayleigh beta that are given
-  TimeParameters time;                  ///< section Time
-  FrictionParameters friction;          ///< section Friction
-  ProfileParameters profile;            ///< section Flat, height of the flat
-  ObservationParameters observation;    ///< sections Observation and Snapshots
-  ContactMapParameters map;             ///< section Contact map
-  CheckpointParameters checkpoints;     ///< section Checkpoints
-  VibrationModesOptions modal;          ///< section Modal, without the bottom
-  std::string modal_bottom = "both";    ///< free, held in y or z, both
-  StaticContactOptions static_contact;  ///< section Static contact
-  StaticLoadParameters static_load;     ///< section Static contact
-  ComplexModesParameters complex_modes; ///< section Complex modes
+  std::size_t n_alphas = 1;            ///< values of Rayleigh alpha that are given
+  std::size_t n_betas  = 1;            ///< values of Rayleigh beta that are given
+  TimeParameters time;                 ///< section Time
+  FrictionParameters friction;         ///< section Friction
+  ProfileParameters profile;           ///< section Flat, height of the flat
+  ObservationParameters observation;   ///< sections Observation and Snapshots
+  ContactMapParameters map;            ///< section Contact map
+  CheckpointParameters checkpoints;    ///< section Checkpoints
+  VibrationModesOptions modal;         ///< section Modal, without the bottom
+  std::string modal_bottom = "both";   ///< free, held in y or z, both
+  bool modal_derivatives   = false;    ///< whether derivatives of frequencies are written
+  StaticContactOptions static_contact; ///< section Static contact
+  StaticLoadParameters static_load;    ///< section Static contact
+  ComplexModesParameters complex_modes;            ///< section Complex modes
   FrictionHomogenizationParameters homogenization; ///< section Friction homogenization
   StaticSolverKind static_solver =
     StaticSolverKind::multigrid; ///< for static contact and modes

@@ -62,7 +62,7 @@ mesoslip_python_tests(verification 1 stability contact/hertz contact/hertz_pair 
                       contact/spence contact/static_localization volumes/hexagonal_cell volumes/curved_cells volumes/independent_finite_elements
                       volumes/mesh_inclusions volumes/quadratic_cells voxels/voxel_files)
 mesoslip_python_tests(verification 2 dynamics/damped_layers dynamics/layers dynamics/mean_dilatation contact/wear contact/large_strains contact/absorbing_layer contact/falling_friction contact/random_pairs contact/random_surfaces contact/half_spaces contact/interface_pulse contact/rupture_times contact/equal_bodies contact/random_pairs_at_rest contact/random_supports contact/two_layers contact/mesh_ranks contact/resting_flat volumes/divided_plane
-                      volumes/conductivity volumes/derivatives volumes/thermal_expansion volumes/macroscopic_loads volumes/macroscopic_loads_kinds volumes/mixed_conditions voxels/voxel_extremes voxels/voxel_orientations
+                      volumes/conductivity volumes/derivatives volumes/frequency_derivatives volumes/thermal_expansion volumes/macroscopic_loads volumes/macroscopic_loads_kinds volumes/mixed_conditions voxels/voxel_extremes voxels/voxel_orientations
                       voxels/voxel_random voxels/voxels voxels/box_modes)
 mesoslip_python_tests(regression 1 stored_runs)
 set_property(TEST system/chains/chain APPEND PROPERTY LABELS regression) # its numbers are stored, too

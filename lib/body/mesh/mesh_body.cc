@@ -243,6 +243,13 @@ void MeshBody<dim>::evaluate(const NodalField<double> &u,
 }
 
 template <int dim>
+std::vector<VoigtMatrix<dim>>
+MeshBody<dim>::strain_products(const NodalField<double> &u) const
+{
+  return discretization->strain_products(discretization->to_vector(u));
+}
+
+template <int dim>
 void MeshBody<dim>::multiply(NodalField<double> &Ku, const NodalField<double> &u) const
 {
   const auto x = discretization->to_vector(u);

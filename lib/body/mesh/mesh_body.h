@@ -102,6 +102,8 @@ public:
   void evaluate(const NodalField<double> &u,
                 const std::size_t group,
                 Cells &cells) const override;
+  std::vector<VoigtMatrix<dim>>
+  strain_products(const NodalField<double> &u) const override;
   void multiply(NodalField<double> &Ku, const NodalField<double> &u) const override;
   std::vector<MatrixEntry> stiffness_entries() const override;
   std::unique_ptr<StaticSolver> make_solver() const override;

@@ -1,5 +1,6 @@
 #include "body/mesh/mesh_discretization.h"
 
+#include "base/exchange.h"
 #include "body/mesh/cell_values.h"
 #include "body/mesh/condensed_cells.h"
 
@@ -139,6 +140,34 @@ void MeshDiscretization<dim>::to_field(NodalField<double> &field,
     for (unsigned int i = 0; i < body.n_columns(); ++i)
       for (unsigned int c = 0; c < dim; ++c)
         field.row(c, j)[i] = needed.local_element(in_needed[entry(c, {i, j})]);
+}
+
+template <int dim>
+std::vector<VoigtMatrix<dim>>
+MeshDiscretization<dim>::strain_products(const Vector &u) const
+{
+  needed.copy_locally_owned_data_from(u);
+  needed.update_ghost_values();
+  std::vector<VoigtMatrix<dim>> products(body.phases().size(), VoigtMatrix<dim>::Zero());
+  Eigen::VectorXd of_cell;
+  for_each_cell(
+    *distributed, [&](const auto &cell, const auto &values, const auto &indices) {
+      of_cell.resize(indices.size());
+      for (unsigned int i = 0; i < indices.size(); ++i)
+        {
+          const auto *line = constraints.get_constraint_entries(indices[i]);
+          of_cell(i)       = needed(line == nullptr ? indices[i] : line->front().first);
+        }
+      const auto B = cell_strains(values, body.phases()[cell.material_id()]);
+      for (const unsigned int q : values.quadrature_point_indices())
+        {
+          const VoigtVector<dim> strain = B[q] * of_cell;
+          products[cell.material_id()] += values.JxW(q) * strain * strain.transpose();
+        }
+    });
+  sum_over_ranks(products[0].data(), products.size() * products[0].size(),
+                 distributed->communicator());
+  return products;
 }
 
 template class MeshDiscretization<2>;

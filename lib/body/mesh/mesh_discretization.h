@@ -90,6 +90,9 @@ public:
    */
   void to_field(NodalField<double> &field, const Vector &vector) const;
 
+  /** See ElasticBody::strain_products(). Collective over the ranks of the mesh. */
+  std::vector<VoigtMatrix<dim>> strain_products(const Vector &u) const;
+
 private:
   std::size_t entry(const unsigned int c, const NodeIndex &node) const
   {

@@ -163,6 +163,30 @@ std::vector<VariedResult> varied_results(const RveParameters &parameters,
 }
 
 template <int dim>
+std::vector<VariedConstant<dim>> varied_constants(const RveParameters &parameters,
+                                                  const RveResults<dim> &results)
+{
+  const auto &phases    = parameters.microstructure.phases;
+  const auto variations = variations_in<dim>(parameters);
+  std::vector<VariedConstant<dim>> constants;
+  for (std::size_t v = 0; v < variations.size() && !is_loss(variations[v]); ++v)
+    {
+      const auto of = std::find_if(phases.begin(), phases.end(), [&](const auto &phase) {
+        return phase.name == variations[v].phase;
+      });
+      const auto phase                = static_cast<std::size_t>(of - phases.begin());
+      const PhaseConstant<dim> &given = variations[v].constant;
+      VariedConstant<dim> &constant   = constants.emplace_back();
+      constant = {phase, given.name, given.value, given.deviation, given.derivative, {}};
+      for (const BoundaryCondition condition : parameters.conditions)
+        constant.of_volume[to_string(condition)] =
+          mean_derivative<dim>({results.members[0]}, {condition}, v);
+      constant.of_volume["effective"] = effective_derivative<dim>(parameters, results, v);
+    }
+  return constants;
+}
+
+template <int dim>
 void write_derivatives(const RveParameters &parameters,
                        const RveResults<dim> &results,
                        const RunContext &context)
@@ -280,6 +304,8 @@ void log_derivatives(RunContext &context)
   template std::vector<VariedResult> varied_results<dim>(                              \
     const RveParameters &, const RveResults<dim> &,                                    \
     const std::vector<Variation<dim>> &);                                              \
+  template std::vector<VariedConstant<dim>> varied_constants<dim>(                     \
+    const RveParameters &, const RveResults<dim> &);                                   \
   template void write_derivatives<dim>(const RveParameters &, const RveResults<dim> &, \
                                        const RunContext &);                            \
   template void summarize_derivatives<dim>(const RveParameters &,                      \

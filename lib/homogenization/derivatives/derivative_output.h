@@ -29,6 +29,12 @@ std::vector<VariedResult> varied_results(const RveParameters &parameters,
                                          const RveResults<dim> &results,
                                          const std::vector<Variation<dim>> &variations);
 
+/** Constants of the phases with the derivatives of their stiffness, and of the stiffness
+ * of the volume: by condition for the first member, "effective" for all. */
+template <int dim>
+std::vector<VariedConstant<dim>> varied_constants(const RveParameters &parameters,
+                                                  const RveResults<dim> &results);
+
 /** Writes derivatives.csv, uncertainty.csv and loss_factors.csv, each if it has
  * content. */
 template <int dim>

@@ -1,7 +1,7 @@
 #include "homogenization/volumes/grid_volume.h"
 
 #include "base/exchange.h"
-#include "homogenization/volumes/strain_modes.h"
+#include "elasticity/strain_modes.h"
 
 namespace mesoslip
 {

@@ -40,8 +40,7 @@ void bind_orientation(Keys &keys, PhaseParameters &phase)
                  "there are " + std::to_string(list->size()) + " numbers; give three");
 }
 
-/** Binds keys that only matter if derivatives of the stiffness are computed. */
-void bind_derivatives(Keys &keys, PhaseParameters &phase)
+void bind_deviations(Keys &keys, PhaseParameters &phase, const bool of_volume)
 {
   keys.bind_list(
     "Relative deviation", phase.deviations, Range::non_negative(),
@@ -49,8 +48,15 @@ void bind_derivatives(Keys &keys, PhaseParameters &phase)
     "one number for all of them, or one for each in the order of the keys and "
     "of their numbers (E, nu; E1, E2, E3, nu12, nu13, nu23, G12, G13, G23; the "
     "entries of the matrix as they are given). They are taken as independent, "
-    "and the deviations of the effective stiffness follow; empty: none [-]",
+    "and the deviations of " +
+      std::string(of_volume ? "the effective stiffness" : "the frequencies of modes") +
+      " follow; empty: none [-]",
     0, 21);
+}
+
+/** Binds keys of what a volume has besides its stiffness. */
+void bind_of_volume(Keys &keys, PhaseParameters &phase)
+{
   keys.bind_list(
     "Thermal expansion", phase.expansion, Range::any(),
     "Coefficient of linear thermal expansion, one number for all directions or "
@@ -122,8 +128,9 @@ void bind_phase(Keys &keys, PhaseParameters &phase, const bool of_volume)
   keys.bind("Friction coefficient", phase.friction_coefficient, Range::non_negative(),
             "Coulomb coefficient of the contact nodes that lie in this phase, used by "
             "contact_dynamics with Coefficient from = phases [-]");
+  bind_deviations(keys, phase, of_volume);
   if (of_volume)
-    bind_derivatives(keys, phase);
+    bind_of_volume(keys, phase);
   keys.renamed("Stiffness coefficients", "Stiffness");
   keys.only_with("Type", {"isotropic"}, {"Young modulus", "Poisson ratio"});
   keys.only_with("Type", {"orthotropic"},

@@ -1,6 +1,7 @@
 #include "sliding/analyses/modal.h"
 
 #include "base/exchange.h"
+#include "sliding/analyses/frequency_derivatives.h"
 #include "sliding/analyses/modal_cases.h"
 
 #include <numeric>
@@ -26,7 +27,8 @@ void ModalAnalysis<dim>::run(RunContext &context)
   body->log(context);
   context.remove_results({"modal.h5", "modal.xdmf", "modal-phases.xdmf", "modes.csv",
                           "counter_body.h5", "counter_body.xdmf",
-                          "counter_body-phases.xdmf"});
+                          "counter_body-phases.xdmf", "frequency_derivatives.csv",
+                          "frequency_uncertainty.csv"});
   body->make_elastic(context.communicator());
   const TopSetup top = top_at_start(parameters);
   const auto cases   = compute_modes<dim>(
@@ -34,6 +36,7 @@ void ModalAnalysis<dim>::run(RunContext &context)
       return body->modes(top, bottom_held, options);
     },
     body->platens(top), parameters, context);
+  write_frequency_derivatives(*body, cases, context);
   const auto scope       = context.timer().scope("Output");
   const std::string path = context.file("modal.h5");
   std::optional<Hdf5File> file;

@@ -213,6 +213,17 @@ void PairBody<dim>::evaluate(const NodalField<double> &u,
 }
 
 template <int dim>
+std::vector<VoigtMatrix<dim>>
+PairBody<dim>::strain_products(const NodalField<double> &u) const
+{
+  const auto both                      = parts(u);
+  std::vector<VoigtMatrix<dim>> result = above.strain_products(both[0]);
+  const auto of_below                  = below.strain_products(both[1]);
+  result.insert(result.end(), of_below.begin(), of_below.end());
+  return result;
+}
+
+template <int dim>
 void PairBody<dim>::multiply(NodalField<double> &Ku, const NodalField<double> &u) const
 {
   take<dim>(Ku, K * vector_of<dim>(u), 0);

@@ -27,7 +27,7 @@ void ContactParameters::bind_top(Keys &keys)
   std::vector<std::string> held;
   keys.bind_list("Held", held, {"u_x", "u_y"},
                  "Displacement components along the flat, u_x and, in 3D, u_y, that are "
-                 "zero on the top under Kind = pressure; empty: none [-]");
+                 "zero on the top, whatever Kind says of the others; empty: none [-]");
   top.name = "Top";
   top.held = {};
   for (const std::string &component : held)
@@ -40,7 +40,7 @@ void ContactParameters::bind_top(Keys &keys)
                     "Time from which on the top stays where it is; auto: never [s]");
   if (!std::isnan(hold_from))
     top.hold_from = hold_from;
-  keys.only_with("Kind", {"pressure"}, {"Held"});
+  keys.only_with("Kind", {"pressure", "springs", "absorbing"}, {"Held"});
   keys.only_with("Kind", {"springs"}, {"Mass"});
   keys.only_with("Kind", {"springs", "platen"},
                  {"Spring stiffness", "Dashpot", "Motion"});
@@ -49,9 +49,13 @@ void ContactParameters::bind_top(Keys &keys)
   keys.only_with("Kind", {"pressure", "platen"}, {"Hold from"});
   keys.only_with("Kind", {"pressure", "springs", "absorbing"}, {"Traction"});
   for (unsigned int c = 0; c + 1 < mesh.mesh.dim; ++c)
-    keys.require(!top.held[c] || !top.suspension.traction.acts(c), "Traction",
-                 std::string("along ") + "xy"[c] + " it has no effect, as u_" + "xy"[c] +
-                   " is held; leave one of the two out");
+    keys.require(!top.held[c] ||
+                   !(top.suspension.stiffness[c] > 0. || top.suspension.dashpot[c] > 0. ||
+                     top.suspension.traction.acts(c)),
+                 "Held",
+                 std::string("u_") + "xy"[c] +
+                   " is held, so that Spring stiffness, Dashpot and Traction along " +
+                   "xy"[c] + " have no effect; leave one of the two out");
   // Complex modes take the pressure in steady sliding from it.
   if (analysis == ContactAnalysis::transient)
     keys.only_with("Kind", {"pressure", "platen", "springs", "absorbing"}, {"Pressure"});

@@ -2,6 +2,7 @@
 
 #include "base/text.h"
 
+#include <algorithm>
 #include <array>
 
 namespace mesoslip
@@ -57,6 +58,20 @@ std::string pressure_text(const LoadHistory &pressure)
                                    : "");
 }
 } // namespace
+
+std::string kind_of(const SideSupport &side, const unsigned int dim)
+{
+  if (side.is_platen)
+    return "platen";
+  if (side.suspension.absorbing)
+    return "absorbing";
+  if (side.suspension.is_suspended())
+    return "springs";
+  if (std::all_of(side.held.begin(), side.held.begin() + dim,
+                  [](const bool held) { return held; }))
+    return "held";
+  return side.is_loaded() ? "pressure" : "free";
+}
 
 std::string support_text(const SideSupport &side, const unsigned int dim)
 {

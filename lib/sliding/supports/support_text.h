@@ -7,6 +7,9 @@
 
 namespace mesoslip
 {
+/** The key Kind of a side: free, pressure, platen, held, springs or absorbing. */
+std::string kind_of(const SideSupport &side, const unsigned int dim);
+
 /** "Left: springs of 1e+12, 0 Pa/m; a pressure of 2e+06 Pa" with all digits; for the top
  * without its pressure. Empty for a side without supports and loads. */
 std::string support_text(const SideSupport &side, const unsigned int dim);

@@ -107,6 +107,7 @@ void write_reference_node(Hdf5File &file, const TransientResult &run)
   probe.traction =
     vectors(node.tangential_force, node.across.force, node.normal_force, reference.area);
   write_probe(file, "/reference", probe, run.body.dim);
+  write_series(file, "/reference", {{"gap", "m", &node.gap}});
 }
 
 /** Writes shares of time; on a periodic grid the last node is a copy of the first. */

@@ -2,6 +2,7 @@
 #include "io/json.h"
 #include "material/plausibility.h"
 #include "program/run_context.h"
+#include "sliding/supports/support_text.h"
 #include "sliding/transient/transient_result.h"
 
 namespace mesoslip
@@ -21,6 +22,36 @@ template <class Value>
 json null_unless(const bool condition, const Value &value)
 {
   return condition ? json(value) : json();
+}
+
+/** Kind, constrained components, loads and springs of the top and of each side that has
+ * any. */
+json supports_json(const ContactParameters &parameters)
+{
+  const unsigned int dim = parameters.mesh.mesh.dim;
+  json all;
+  std::vector<const SideSupport *> sides = {&parameters.top};
+  for (const SideSupport &side : parameters.supports)
+    sides.push_back(&side);
+  for (const SideSupport *side : sides)
+    {
+      const Suspension &on = side->suspension;
+      json held            = json::array();
+      for (unsigned int c = 0; c < dim; ++c)
+        if (side->held[c])
+          held.push_back(std::string("u_") + "xyz"[c]);
+      all[side->name] = {{"kind", kind_of(*side, dim)},
+                         {"held", held},
+                         {"loads", support_text(*side, dim)},
+                         {"pressure", null_unless(!side->pressure.is_expression(),
+                                                  side->pressure.amplitude())},
+                         {"spring_stiffness", on.stiffness},
+                         {"dashpot", on.dashpot},
+                         {"mass", on.mass},
+                         {"platen_mass", side->platen_mass},
+                         {"absorbing", on.absorbing}};
+    }
+  return all;
 }
 
 std::string key_numbers(const TransientResult &run)
@@ -138,13 +169,7 @@ void TransientResult::write_summary(RunContext &context) const
     summary["rayleigh_beta_of_phases"] = time.step.beta_of_phases;
   if (!time.step.alpha_of_phases.empty())
     summary["rayleigh_alpha_of_phases"] = time.step.alpha_of_phases;
-  for (const SideSupport *side : parameters.suspended())
-    if (const Suspension &on = side->suspension; side->is_platen || on.is_there())
-      summary["supports"][side->name] = {{"spring_stiffness", on.stiffness},
-                                         {"dashpot", on.dashpot},
-                                         {"mass", on.mass},
-                                         {"platen_mass", side->platen_mass},
-                                         {"absorbing", on.absorbing}};
+  summary["supports"] = supports_json(parameters);
   if (body.dim == 3)
     summary["flat_direction"] = parameters.contact.flat_direction;
   if (!regime.empty())

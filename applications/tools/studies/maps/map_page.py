@@ -1,122 +1,183 @@
 """The page of the maps of the paper's pin."""
 
 import contextlib
+from itertools import combinations
 
 import mesoslip
 import numpy as np
-from matplotlib.colors import ListedColormap
-from matplotlib.patches import Patch
+from map_pictures import MU, disc, homogenization, regimes, spring
 from pages import save_picture, table, write_csv, write_page
-from report.base.figures import BLACK, above_all, plt
-from report.runs.sweep_map import REGIMES, edges, plain_ticks
+from report.runs.sweep_map import GROWTH, REGIMES
 
-MU = "global_interface_friction_coefficient"
-NUMBERS = {MU: "mu_inter", MU + "_95": "half width", "main_frequency": "main frequency (kHz)", "slip_fraction": "slip", "stick_fraction": "stick",
-           "separation_fraction": "separation"}
+NUMBERS = {MU: "mu_inter [-]", MU + "_95": "half width [-]", "main_frequency": "main frequency [Hz]", "slip_fraction": "slip [-]",
+           "stick_fraction": "stick [-]", "separation_fraction": "separation [-]", GROWTH: "growth of the fastest complex mode [1/s]"}
 REACHED = "limit_cycle_reached"
+# Axis of a map: column of the table of all points, value where the map has no such axis.
+COLUMNS = {"pressure": ("pressure [Pa]", 5e6), "velocity": ("velocity [m/s]", 2.0), "friction": ("friction [-]", 0.25),
+           "delta": ("delta [s]", 1.5e-6), "beta": ("beta [s]", 4.4e-9), "stiffness": ("spring stiffness [Pa/m]", None)}
+TITLES = {"pressure-friction": "pressure and friction", "pressure-velocity": "pressure and velocity", "delta-friction": "delta and friction",
+          "beta-friction": "beta and friction", "spring": "velocity and spring stiffness, on a spring", "disc": "pressure and friction, on a disc"}
 PAGE = """# Maps of the paper's pin
 
 {summary}
 
 ![Regimes](pin_regimes.png)
 
-*(a) Homogenized. (b), (c) With all fibres, two morphologies. The paper has 0.5 and 0.4 MPa with a friction coefficient of 0.25 \
+*The homogenized pin: regime of the node in the middle of the contact. (a) Over pressure and friction coefficient, (b) over pressure and velocity of \
+the flat, (c) over friction coefficient and regularization time, (d) over friction coefficient and Rayleigh damping. What is no axis has the value of \
+the paper: 5 MPa, 2 m/s, 0.25, 1.5 µs, 4.4 ns. Black lines: the fastest complex mode neither grows nor decays. Circles: the loads of the paper \
 ([how the paper was read](../paper/reading.md)).*
+
+## Where the pin slips, sticks and separates
+
+The table has the share of the points of each map in each [regime](../glossary.md#regime).
+
+{shares}
+
+{borders}
+
+## On a spring
+
+![Pin on a spring](pin_spring.png)
+
+*The homogenized pin below a holder of 50 kg/m² that a spring along x holds. (a) Regime of the node in the middle. (b) Main frequency over the \
+frequency of pin and holder on the spring.*
+
+{on_spring}
+
+## On a steel disc
+
+![Rigid flat and disc](pin_disc.png)
+
+*(a) On the rigid flat. (b) On a steel disc of 10 mm with [absorbing sides](../theory.md#supports).*
+
+{on_disc}
 
 ## What homogenization gets right
 
-The table compares two pins over the map. If homogenized pin and pin with fibres (first row) differ no more than two morphologies with fibres (last \
-row), the homogenized pin is as good as a pin with another morphology of the same material.
+The table compares two pins with each other at {drawn} random points in pressure, velocity, friction coefficient, regularization time and Rayleigh \
+damping, within the ranges of the maps above. If homogenized pin and pin with fibres differ no more than two morphologies \
+with fibres, the homogenized pin is as good as a pin with another [morphology](../glossary.md#morphology) of the same material.
 
 {comparison}
 
-![Friction](pin_friction.png)
+![Homogenized and with fibres](pin_friction.png)
 
-*Global interface friction coefficient over the friction coefficient of the nodes. Lines: homogenized; points: with fibres; bars: 95 % half widths of \
-the runs.*
+*mu_inter of the pin with fibres over mu_inter of the homogenized pin at the random points; bars: range of the morphologies. Orange: the morphologies \
+with fibres have different regimes.*
 
 ## How it was obtained
 
-`./run.sh maps` makes {maps} [maps](../maps.md) over pressure and friction coefficient, {runs} runs of `contact_dynamics`: {n} points, {seeds} \
-morphologies, each pin with all fibres (560 x 160 cells) and homogenized (140 x 40 cells, effective stiffness of its own morphology). The pin is the \
-paper's, 56 x 16 mm with 10 % of stiff fibres. It starts with 0.5 m/s along x on a flat that moves at 2 m/s. Results are from the second half of \
-{end:g} ms; the regime is that of the middle contact node. [pin.csv](pin.csv) has all points.
+`./run.sh maps` makes {maps} [maps](../maps.md), {runs} runs of `contact_dynamics`. The pin is the paper's, 56 x 16 mm with 10 % of stiff fibres. Maps \
+of the homogenized pin have 70 x 20 cells and end with their limit cycle or after 8 ms, on the spring after 12 ms. The comparison has {seeds} \
+morphologies, each with all fibres on 560 x 160 cells in [single precision](../performance/work_precision.md#single-precision) and homogenized on \
+140 x 40 cells, and results from the second half of 2 ms. The pin starts with \
+0.5 m/s along x; on the spring it starts at rest, the flat reaches its velocity in 3 ms, the pressure is 1 MPa, and friction falls from 0.3 to 0.2 \
+within a slip of 0.1 µm. [pin.csv](pin.csv) has all points.
 
 ## Limits
 
-Only {reached} of the {runs} runs reached a limit cycle within {end:g} ms. Another vibration that grows slowly may still follow, as at high pressure.
+{reached} of the {compared} runs of the comparison reached a limit cycle within 2 ms. Another vibration that grows slowly may still follow. A regime is \
+that of one node: at its border a small change of the load changes the regime, but mu_inter little.
 """
 
 
-def axes_of(axis):
-    axis.set(xscale="log", xlabel="pressure (MPa)")
-    plain_ticks(axis.xaxis)
-    axis.grid(False)
+def percent(share, digits=0):
+    return f"{100 * share:.{digits}f} %"
 
 
-def regimes(found):
-    """Maps side by side: {title: SweepMap}."""
-    names = [name for name in REGIMES if any((one["regime"] == name).any() for one in found.values())]
-    figure, panels = plt.subplots(1, len(found), figsize=(3.2 * len(found), 3.6), sharey=True)
-    for letter, axis, (title, one) in zip("abcd", panels, found.items()):
-        regime = one["regime"]
-        shown = np.select([regime.T == name for name in names], range(len(names)), np.nan)
-        axis.pcolormesh(edges(one.axes["pressure"] / 1e6, True), edges(one.axes["friction"], False), np.ma.masked_invalid(shown),
-                        cmap=ListedColormap([REGIMES[name] for name in names]), vmin=-0.5, vmax=len(names) - 0.5)
-        axis.set_title(f"({letter}) {title}", loc="left")
-        axes_of(axis)
-    panels[0].set_ylabel("friction coefficient")
-    above_all(figure, [Patch(color=REGIMES[name], label=name) for name in names], 2)
-    return figure
+def compared(couples):
+    """Differences of couples of maps: same regime, mu_inter, main frequency, share of separation."""
+    off = np.array([one[MU] / other[MU] - 1 for one, other in couples])
+    frequency = np.array([one["main_frequency"] / other["main_frequency"] - 1 for one, other in couples])
+    separation = np.array([one["separation_fraction"] - other["separation_fraction"] for one, other in couples])
+    same = np.mean([one["regime"] == other["regime"] for one, other in couples])
+    return [percent(same), percent(np.nanmedian(np.abs(off)), 1), percent(np.nanmax(np.abs(off))), percent(np.nanmedian(np.abs(frequency)), 1),
+            percent(np.nanmean(np.abs(separation)))]
 
 
-def friction(pairs):
-    """mu_inter over the coefficient at each pressure: lines of the homogenized pin, points of those with fibres."""
-    homogenized = pairs[0][0]
-    figure, axis = plt.subplots(figsize=(6.4, 4.2))
-    colours = plt.cm.viridis(np.linspace(0, 0.9, len(homogenized.axes["pressure"])))
-    for k, (pressure, colour) in enumerate(zip(homogenized.axes["pressure"], colours)):
-        axis.plot(homogenized.axes["friction"], np.mean([h[MU][k] for h, _ in pairs], axis=0), color=colour, label=f"{pressure / 1e6:.2g} MPa")
-        for shift, (_, fibres) in zip((-0.003, 0.003), pairs):
-            axis.errorbar(fibres.axes["friction"] + shift, fibres[MU][k], np.nan_to_num(fibres[MU + "_95"][k]), color=colour, fmt="o", ms=4, lw=1)
-    axis.plot(homogenized.axes["friction"], homogenized.axes["friction"], color=BLACK, lw=0.8, ls=":", label="sliding everywhere")
-    axis.set(xlabel="friction coefficient of the nodes", ylabel="global interface friction coefficient")
-    axis.legend(ncol=2)
-    return figure
-
-
-def compared(pairs):
-    """Rows: how far the homogenized pin is from that with fibres, and the latter from one another."""
-    (h1, f1), (h2, f2) = pairs
-    rows = []
-    for what, couples in (("homogenized against fibres", pairs), ("two homogenized morphologies", [(h1, h2)]), ("two morphologies with fibres", [(f1, f2)])):
-        off = np.array([one[MU] / other[MU] - 1 for one, other in couples])
-        frequency = np.array([one["main_frequency"] / other["main_frequency"] - 1 for one, other in couples])
-        separation = np.array([one["separation_fraction"] - other["separation_fraction"] for one, other in couples])
-        same = np.mean([one["regime"] == other["regime"] for one, other in couples])
-        rows.append([what, f"{100 * same:.0f} %", f"{100 * np.nanmedian(np.abs(off)):.1f} %", f"{100 * np.nanmax(np.abs(off)):.0f} %",
-                     f"{100 * np.nanmedian(np.abs(frequency)):.1f} %", f"{100 * np.mean(np.abs(separation)):.0f} %"])
-    return rows
-
-
-def write(folder, folders, seeds, end):
-    with contextlib.ExitStack() as stack:
-        write_of(folder, {name: stack.enter_context(mesoslip.open(path)).map for name, path in folders.items() if not name.startswith("rve")}, seeds, end)
-
-
-def write_of(folder, maps, seeds, end):
+def comparison(maps, seeds):
+    """Rows of the table on homogenization."""
     pairs = [(maps[f"homogenized-{seed}"], maps[f"fibres-{seed}"]) for seed in seeds]
-    save_picture(regimes({"homogenized": pairs[0][0], **{f"fibres, morphology {seed}": fibres for seed, (_, fibres) in zip(seeds, pairs)}}), folder,
-                 "pin_regimes.png")
-    save_picture(friction(pairs), folder, "pin_friction.png")
-    rows = compared(pairs)
-    n = pairs[0][0].status.size
-    comparison = table(["", "same regime", "mu_inter, median", "mu_inter, largest", "main frequency, median", "share of separation, mean"], rows)
-    reached = int(sum(np.nansum(one[REACHED]) for one in maps.values()))
-    summary = (f"**The homogenized pin has the regime of the pin with fibres at {rows[0][1]} of the points; two morphologies "
-               f"with fibres agree at {rows[2][1]}.** The median difference of mu_inter is {rows[0][2]} between the homogenized "
-               f"pin and the pin with fibres, {rows[2][2]} between two morphologies with fibres.")
-    columns = ["body", "pressure [Pa]", "friction [-]", "regime", *(f"{name} [{'Hz' if name == 'main_frequency' else '-'}]" for name in NUMBERS)]
-    write_csv(folder, "pin.csv", columns, [[name, float(p), float(mu), one["regime"][i, j], *(float(one[key][i, j]) for key in NUMBERS)]
-                                           for name, one in maps.items() for i, p in enumerate(one.axes["pressure"]) for j, mu in enumerate(one.axes["friction"])])
-    write_page(folder, "pin.md", PAGE.format(summary=summary, n=n, seeds=len(seeds), end=1e3 * end, comparison=comparison, runs=len(maps) * n, maps=len(maps), reached=reached))
+    return [["homogenized against fibres", *compared(pairs)],
+            ["two homogenized morphologies", *compared(list(combinations([h for h, _ in pairs], 2)))],
+            ["two morphologies with fibres", *compared(list(combinations([f for _, f in pairs], 2)))]]
+
+
+def shares(maps):
+    """Rows: share of each regime in each map of the homogenized pin."""
+    names = [name for name in REGIMES if any((maps[key]["regime"] == name).any() for key in TITLES)]
+    rows = [[f"{title} ({maps[key].status.size} points)", *(percent(np.mean(maps[key]["regime"] == name)) for name in names)] for key, title in TITLES.items()]
+    return table(["map over", *names], rows, right=True)
+
+
+def at_border(maps):
+    """How often complex modes that decay mean steady sliding, and modes that grow a vibration with stick or separation."""
+    decays, slides = [], []
+    for key in TITLES:
+        if GROWTH in maps[key]:
+            growth = np.ravel(maps[key][GROWTH])
+            decays.append(~(growth > 0))
+            slides.append(np.ravel(maps[key]["regime"]) == "permanent slip")
+    decays, slides = np.concatenate(decays), np.concatenate(slides)
+    return (f"Where all complex modes decay, the pin slides on at {np.sum(decays & slides)} of {np.sum(decays)} points in spite of its push. Where a mode "
+            f"grows, the contact sticks or separates at {np.sum(~decays & ~slides)} of {np.sum(~decays)} points; at the others the vibration is still small "
+            "when the run ends, or it stays smaller than the velocity of the flat.")
+
+
+def on_spring(one, own):
+    """What the pin does on the spring: points whose main frequency is at most that of the spring."""
+    slow = np.asarray(one["main_frequency"]) < 1.1 * own[None, :]
+    sticks = np.asarray(one["stick_fraction"]) > 0.01
+    fastest = max((float(v) for v, row in zip(one.axes["slow"], slow & sticks) if row.any()), default=0.0)
+    return (f"At {np.sum(slow & sticks)} of {slow.size} points pin and holder stick and slip together, at most as fast as they vibrate on the spring; the "
+            f"flat moves there at {fastest:.2g} m/s at most. At {np.sum(sticks & ~slow)} points nodes stick in faster vibrations of the pin itself, and at "
+            f"{np.sum(~sticks)} points nodes stick less than 1 % of the time.")
+
+
+def on_disc(flat, one):
+    """Difference of disc and rigid flat over the map."""
+    mean = np.nanmean(np.asarray(one[MU]) / np.asarray(flat[MU]) - 1)
+    both = [np.asarray(m["regime"]) != "permanent slip" for m in (flat, one)]
+    return (f"Disc and rigid flat have the same regime at {percent(np.mean(flat['regime'] == one['regime']))} of the points. The pin slides on at "
+            f"{np.sum(~both[0])} points on the flat and at {np.sum(~both[1])} on the disc. On average mu_inter is {percent(abs(mean), 1)} "
+            f"{'smaller' if mean < 0 else 'larger'} on the disc.")
+
+
+def point_rows(name, one):
+    """Rows of the table of all points."""
+    axes = {("velocity" if axis == "slow" else axis): np.asarray(values) for axis, values in one.axes.items()}
+    is_grid = len(one.shape) == len(axes)
+    base = {axis: value for axis, (_, value) in COLUMNS.items()} | ({"pressure": 1e6, "friction": 0.3} if name == "spring" else {})
+    for index in np.ndindex(*one.shape):
+        at = base | {axis: float(values[index[k] if is_grid else index[0]]) for k, (axis, values) in enumerate(axes.items())}
+        numbers = [float(one[key][index]) if key in one else None for key in NUMBERS]
+        yield [name, *(at[axis] for axis in COLUMNS), str(one["regime"][index]), *(None if n is not None and np.isnan(n) else n for n in numbers)]
+
+
+def write(folder, folders, seeds):
+    with contextlib.ExitStack() as stack:
+        write_of(folder, {name: stack.enter_context(mesoslip.open(path)).map for name, path in folders.items()}, seeds)
+
+
+def write_of(folder, maps, seeds):
+    own = np.sqrt(np.asarray(maps["spring"].axes["stiffness"]) * 0.056 / (2.8 + 1770 * 0.056 * 0.016)) / (2 * np.pi)
+    save_picture(regimes(maps), folder, "pin_regimes.png")
+    save_picture(spring(maps["spring"], own), folder, "pin_spring.png")
+    save_picture(disc(maps["pressure-friction"], maps["disc"]), folder, "pin_disc.png")
+    save_picture(homogenization(maps, seeds), folder, "pin_friction.png")
+    rows = comparison(maps, seeds)
+    last = [one for name, one in maps.items() if name.startswith(("homogenized", "fibres"))]
+    n = maps["fibres-1"].status.size
+    summary = (f"**The homogenized pin has the regime of the pin with fibres at {rows[0][1]} of {n} random points in pressure, velocity, friction, "
+               f"regularization time and damping, over {len(seeds)} morphologies; two morphologies with fibres agree at {rows[2][1]}.** The median "
+               f"difference of mu_inter is {rows[0][2]} between the homogenized pin and the pin with fibres, {rows[2][2]} between two morphologies with "
+               "fibres.")
+    write_csv(folder, "pin.csv", ["map", *(title for title, _ in COLUMNS.values()), "regime", *NUMBERS.values()],
+              [row for name, one in maps.items() for row in point_rows(name, one)])
+    headings = ["", "same regime", "mu_inter, median", "mu_inter, largest", "main frequency, median", "share of separation, mean"]
+    write_page(folder, "pin.md", PAGE.format(
+        summary=summary, shares=shares(maps), borders=at_border(maps), on_spring=on_spring(maps["spring"], own),
+        on_disc=on_disc(maps["pressure-friction"], maps["disc"]), drawn=n, comparison=table(headings, rows),
+        maps=len(maps), runs=sum(one.status.size for one in maps.values()), seeds=len(seeds),
+        reached=int(sum(np.nansum(one[REACHED]) for one in last)), compared=sum(one.status.size for one in last)))

@@ -1,5 +1,5 @@
-#ifndef mesoslip_homogenization_strain_modes_h
-#define mesoslip_homogenization_strain_modes_h
+#ifndef mesoslip_elasticity_strain_modes_h
+#define mesoslip_elasticity_strain_modes_h
 
 #include "material/voigt.h"
 
@@ -17,12 +17,15 @@ namespace mesoslip
  * a_{s + d} in the product of s, products are orthogonal, and the mean square of one is
  * 3^-|s|.
  */
-template <int dim>
+template <int dim, int n_fields = n_voigt<dim> + 1>
 class StrainModes
 {
 public:
-  /** A number for each column of UnitStrains. */
-  using Loads = Eigen::Matrix<double, n_voigt<dim> + 1, 1>;
+  /** A number for each displacement field. */
+  using Loads = Eigen::Matrix<double, n_fields, 1>;
+
+  /** Strains of all fields, one a column. */
+  using Strains = Eigen::Matrix<double, n_voigt<dim>, n_fields>;
 
   /** Strain modes of a cell with these edges (m). */
   explicit StrainModes(const std::array<double, dim> &edges)
@@ -30,16 +33,16 @@ public:
   {
   }
 
-  /** Component @p c of the displacement (m) of a corner under all load cases; bit d of
-   * @p corner is set at the upper end of axis d. */
+  /** Component @p c of the displacements (m) of a corner; bit d of @p corner is set at the
+   * upper end of axis d. */
   Loads &displacement(const unsigned int corner, const unsigned int c)
   {
     return u[corner][c];
   }
 
   /**
-   * Calls visit(volume, strain of all load cases, one a column) for the mean strain and
-   * each further mode of a cell of @p volume; the volume passed is multiplied by the
+   * Calls visit(volume, strains of all fields) for the mean strain and each further mode
+   * of a cell of @p volume; the volume passed is multiplied by the
    * mean square of the mode. With @p mean_dilatation the further modes are made
    * deviatoric. @p applied is added to the mean.
    */
@@ -47,14 +50,14 @@ public:
   void visit(const bool mean_dilatation,
              const double volume,
              const Visit &visit,
-             const UnitStrains<dim> &applied = UnitStrains<dim>::Zero())
+             const Strains &applied = Strains::Zero())
   {
     transform();
     constexpr unsigned int all = n_corners - 1; // has no derivative
     for (unsigned int set = 0; set < all; ++set)
       {
-        UnitStrains<dim> strain = UnitStrains<dim>::Zero();
-        double part             = volume;
+        Strains strain = Strains::Zero();
+        double part    = volume;
         for (unsigned int d = 0; d < dim; ++d)
           if ((set >> d & 1U) != 0)
             part /= 3.;
@@ -67,8 +70,7 @@ public:
         else if (mean_dilatation)
           {
             const auto normal = strain.template topRows<dim>();
-            const Eigen::Matrix<double, 1, n_voigt<dim> + 1> mean =
-              normal.colwise().mean();
+            const Eigen::Matrix<double, 1, n_fields> mean = normal.colwise().mean();
             strain.template topRows<dim>().rowwise() -= mean;
           }
         visit(part, strain);
