@@ -19,8 +19,8 @@ import parameters  # noqa: E402
 PROGRAMS = ("rve_homogenization", "contact_dynamics", "stress_localization")
 # Heading of the menu: pages, in the order of a first reading.
 MENU = {
-    "Start": ("doc/gallery", "doc/first_steps", "doc/guide", "doc/guide/tomogram", "doc/guide/squeal", "doc/guide/disc",
-              "doc/glossary"),
+    "Start": ("doc/gallery", "doc/first_steps", "doc/guide", "doc/guide/tomogram", "doc/guide/squeal", "doc/guide/supports",
+              "doc/guide/disc", "doc/glossary"),
     "Use": ("doc/voxels", "doc/meshes", "doc/loads", "doc/composites", "doc/complex_modes/README", "doc/contact_maps", "doc/maps", "doc/chains",
             "doc/python", "doc/platforms"),
     "Reference": ("doc/parameters/README", *(f"doc/parameters/{name}" for name in PROGRAMS), "doc/file_formats", "doc/theory", "doc/limits"),

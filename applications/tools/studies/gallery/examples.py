@@ -5,8 +5,10 @@ import typing
 
 import bimaterial
 import blocks
+import damping
 import disc
 import laws
+import roughness
 import tribometer
 
 
@@ -51,12 +53,15 @@ EXAMPLES = (
     Example("Waves in the contact", "Pressure, traction, slip velocity and state of every node over time ([contact maps](contact_maps.md)).",
             ("contact_map.prm",), "The last periods of the map", CONTACT),
     Example("How sliding begins", "Slip grows from the edges of the contact until all of it slides.", ("contact_map_onset.prm",), "Map of the contact", CONTACT),
-    Example("Stick and slip of a tribometer", "A pin on a spring, with the mass of its holder, is pulled over the flat ([theory](theory.md), section 4).",
+    Example("Stick and slip of a tribometer", "A pin on a spring, with the mass of its holder, is pulled over the flat ([supports](guide/supports.md)).",
             ("tribometer.prm",), "Apparent friction", CONTACT),
     Example("From stick and slip to continuous sliding",
             "The pin with a dashpot beside its spring: sixteen runs over `Supports/Top/Spring stiffness` and `Flat/Velocity`. Above each panel: the share "
             "of time in which most of the contact sticks, in brackets the share of a rigid block. Grey stripes are ruptures that begin at an edge and stop.",
             ("tribometer_map.prm",), "", CONTACT, draw=tribometer.draw, changes=tribometer.CHANGES),
+    Example("A block pulled through a spring",
+            "The far end of springs pulls a block with a mass over the flat at rest; mass-proportional damping shortens the jumps "
+            "([supports](guide/supports.md)).", ("pulled_block.prm",), "Apparent friction", CONTACT),
     Example("Where a pin slips, sticks and separates",
             "A map of 80 runs over pressure and friction; above the black line complex modes grow ([maps](maps.md)).", ("regime_map.prm",), "Regime of the reference node", CONTACT),
     Example("Stick and slip, or sliding: two branches",
@@ -67,9 +72,16 @@ EXAMPLES = (
             "The flat shears a pad; ruptures run through its contact and heal.",
             ("friction_laws/rupture.prm",), "Contact states", CONTACT),
     Example("A rupture in a half-space",
-            "The top and sides of the body absorb waves: a rupture runs through the contact once ([theory](theory.md), section 4).", ("half_space.prm",), "Map of the contact", CONTACT),
+            "The top and sides of the body absorb waves: a rupture runs through the contact once ([supports](guide/supports.md)).", ("half_space.prm",), "Map of the contact", CONTACT),
     Example("A pin on a wavy flat",
-            "The flat has waves of 4 mm and 1.1 mm length, whose crests move along the pin ([theory](theory.md), section 3).", ("rough_pin.prm",), "Map of the contact", CONTACT),
+            "The flat has waves of 4 mm and 1.1 mm length, whose crests move along the pin ([supports](guide/supports.md)).", ("rough_pin.prm",), "Map of the contact", CONTACT),
+    Example("A rough contact rubbed to and fro",
+            "A pin on a profile from a table, with normal springs of a power law and tangential springs; the flat swings by 2 µm "
+            "([supports](guide/supports.md)).", ("roughness/hysteresis.prm",), "", CONTACT, draw=roughness.draw),
+    Example("A damping layer",
+            "A polymer below the holder, with damping of its own: no vibration up to 130 kHz grows any more ([supports](guide/supports.md)). "
+            "Vibrations that decay faster than 30,000 1/s are not listed.",
+            ("damping_layer",), "", draw=damping.draw),
     Example("A pin on a deformable disc",
             "The pin that squeals, on discs instead of the rigid flat "
             "([disc](guide/disc.md)).", ("disc.prm",), "", CONTACT, draw=disc.draw, changes=disc.CHANGES),

@@ -24,8 +24,8 @@ results are in `output/NAME`, by
 
     /usr/bin/python3 applications/tools/report/make_report.py output/NAME --output report.html
 
-Five pictures are not from reports: laws of friction, tribometer with a dashpot, disc, blocks and pulse.
-`./run.sh gallery` runs all examples and writes this page.
+Seven pictures are not from reports: laws of friction, tribometer with a dashpot, rough contact, damping layer, disc,
+blocks and pulse. `./run.sh gallery` runs all examples and writes this page.
 
 {examples}
 """
