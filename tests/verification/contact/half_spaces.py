@@ -23,7 +23,7 @@ def waves(body, ratio, s):
     """Shear modulus, impedances along x and y, and decay with the depth of P and S waves of a body, and the side of the contact on which it lies."""
     speed, side = ((SPEED, 1), (ratio * SPEED, -1))[body]
     p, q = np.sqrt(K * K + s * s / (speed * PRESSURE_OVER_SHEAR)**2 + 0j), np.sqrt(K * K + s * s / speed**2 + 0j)
-    return DENSITY * speed**2, (DENSITY * speed, DENSITY * speed * PRESSURE_OVER_SHEAR), p, q, side
+    return DENSITY * speed**2, DENSITY * speed * np.array([1, PRESSURE_OVER_SHEAR]), p, q, side
 
 
 def determinant(s, ratio, mu, depth=None):
@@ -32,20 +32,18 @@ def determinant(s, ratio, mu, depth=None):
     conditions = np.zeros((2 * kinds, 2 * kinds), complex)
     for body in range(2):
         shear, impedances, p, q, side = waves(body, ratio, s)
-        decays = side * np.array([p, q, -p, -q])[:kinds]
-        is_shear = np.arange(kinds) % 2
-        # phi = A exp(-p' y), psi = B exp(-q' y), u_x = phi_x + psi_y, u_y = phi_y - psi_x
-        u = np.where(is_shear, [-decays, -1j * K + 0 * decays], [1j * K + 0 * decays, -decays]) / K
-        stress = shear * np.where(is_shear, [q * q + K * K + 0 * decays, 2j * K * decays], [-2j * K * decays, q * q + K * K + 0 * decays]) / (DENSITY * SPEED**2 * K * K)
+        decays, one, of_shear = np.array([p, q, -p, -q])[:kinds], np.ones(kinds), np.arange(kinds) % 2
+        # phi = A exp(-side p y), psi = B exp(-side q y), u_x = phi_x + psi_y, u_y = phi_y - psi_x; over K and rho c_s1^2 K^2
+        u = np.where(of_shear, [-side * decays, -1j * K * one], [1j * K * one, -side * decays]) / K
+        normal, along = (q * q + K * K) * one, 2j * K * side * decays
+        stress = shear * np.where(of_shear, [normal, along], [-along, normal]) / (DENSITY * SPEED**2 * K * K)
+        at = lambda y, decays=decays: np.exp(-decays * LENGTH * (y - np.where(np.arange(kinds) < 2, 0, depth or 0)))
         own = slice(kinds * body, kinds * (body + 1))
-        if depth is None:
-            start = 1.0
-        else:
-            start, end = (np.exp(-decays * side * y * LENGTH + np.where(np.arange(4) < 2, 0, decays * side * depth * LENGTH)) for y in (0, depth))
-            for c in range(2):
-                carries = (SPRINGS + impedances[c] * s) / (DENSITY * SPEED**2 * K)
-                conditions[4 + 2 * body + c, own] = (side * stress[c] + carries * u[c]) * end
-        conditions[0, own], conditions[1, own], conditions[2 + body, own] = side * u[1] * start, side * stress[1] * start, (stress[0] - mu * stress[1]) * start
+        conditions[0, own], conditions[1, own] = side * u[1] * at(0), side * stress[1] * at(0)
+        conditions[2 + body, own] = (stress[0] - mu * stress[1]) * at(0)
+        if depth is not None:
+            carried = (SPRINGS + impedances * s)[:, None] / (DENSITY * SPEED**2 * K) * u
+            conditions[4 + 2 * body:6 + 2 * body, own] = (side * stress + carried) * at(depth)
     return np.linalg.det(conditions)
 
 
