@@ -274,7 +274,7 @@ public:
 
   /**
    * Throws as only_with() if @p used is false. @p reason completes "has no effect, as ",
-   * and @p remedy "remove it, or ".
+   * and @p remedy "remove it, or "; it may be empty.
    */
   void only_if(const bool used,
                const std::vector<std::string> &paths,

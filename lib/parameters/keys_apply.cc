@@ -227,9 +227,8 @@ void Keys::only_if(const bool used,
     others += (i == 1 ? "" : ", ") + entries[i]->path;
   throw UserError(
     RawParameters::origin(*entries[0]) + ": " + entries[0]->path + " has no effect, as " +
-    reason +
-    (others.empty() ? "; remove it, or " : ", nor has " + others + "; remove them, or ") +
-    remedy);
+    reason + (others.empty() ? "; remove it" : ", nor has " + others + "; remove them") +
+    (remedy.empty() ? "" : ", or " + remedy));
 }
 
 namespace

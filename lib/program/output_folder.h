@@ -48,24 +48,6 @@ std::string cells_that_fit(const std::vector<unsigned int> &cells, const double 
  * disk has room. Creates nothing. @throws UserError
  */
 void require_disk(const std::string &folder, const ResourceNeed &need);
-
-/**
- * Locks a folder for this process. The system releases the lock when the process ends in
- * any way, so a dead process leaves no lock behind.
- */
-class FolderLock
-{
-public:
-  /** @throws UserError if another running process locks @p folder (naming its id). */
-  explicit FolderLock(const std::string &folder);
-  ~FolderLock();
-  FolderLock(const FolderLock &)            = delete;
-  FolderLock &operator=(const FolderLock &) = delete;
-
-private:
-  std::string path;
-  int descriptor = -1;
-};
 } // namespace mesoslip
 
 #endif

@@ -3,6 +3,7 @@
 
 #include "base/timer.h"
 #include "program/command_line.h"
+#include "program/folder_lock.h"
 #include "program/output_folder.h"
 
 #include <nlohmann/json_fwd.hpp>

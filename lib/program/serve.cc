@@ -7,6 +7,11 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#ifdef __linux__
+#  include <csignal>
+#  include <sys/prctl.h>
+#endif
+
 namespace mesoslip
 {
 namespace
@@ -30,6 +35,11 @@ void serve_runs(const Application &program)
 {
   if (mpi::n_mpi_processes(MPI_COMM_WORLD) > 1)
     throw UserError("--serve is for one process, which others start; leave out mpirun");
+#ifdef __linux__
+  // If the process that started this one is killed, the current run stops and leaves its
+  // checkpoint.
+  prctl(PR_SET_PDEATHSIG, SIGTERM);
+#endif
   for (std::string line; std::getline(std::cin, line);)
     {
       const Outcome outcome = carry_out(words_of(line), program, MPI_COMM_WORLD);

@@ -90,22 +90,22 @@ void check_mesh(const Keys &keys, const ContactParameters &p)
                {"Body/Stiffness", "Body/Density", "Body/Size", "Body/Cells", "Sides/"},
                "the body is a mesh", "remove Mesh/File");
   keys.only_if(p.mesh.is_plane_grid(), {"Performance/Temporal blocking"},
-               "the body is no plane grid", "remove it");
+               "the body is no plane grid", "");
   keys.only_if(p.mesh.is_plane_grid(), {"Time/Precision"}, "the body is no plane grid",
-               "remove it");
+               "");
   keys.only_if(!p.step.damps_by_phase(), {"Performance/Temporal blocking"},
-               "runs with damping by phase go step by step", "remove it");
+               "runs with damping by phase go step by step", "");
   keys.only_if(std::none_of(p.supports.begin(), p.supports.end(),
                             [](const SideSupport &side) { return side.is_platen; }),
                {"Performance/Temporal blocking"},
-               "runs with a platen at a side go step by step", "remove it");
+               "runs with a platen at a side go step by step", "");
   const auto only_solver =
     p.mesh.is_given() ? StaticSolverKind::ml : StaticSolverKind::multigrid;
   keys.only_if(p.mesh.is_plane_grid() || p.static_solver == only_solver,
                {"Performance/Static solver"},
                p.mesh.is_given() ? "bodies on meshes are solved with ml"
                                  : "grids in 3D are solved with multigrid",
-               "remove it");
+               "");
   const std::string held = p.mesh.mesh.dim == 2 ? "held in y" : "held in z";
   keys.require(
     p.modal_bottom == "free" || p.modal_bottom == "both" || p.modal_bottom == held,
@@ -173,7 +173,7 @@ void check_analysis(const Keys &keys)
                {"Flat/Tangential stiffness"},
                "complex modes do not know it, and it changes them in 3D and where "
                "friction depends on the velocity",
-               "leave it out");
+               "");
   only_with({"transient", "static contact", "complex modes"},
             and_of_supports(keys, {"Motion", "Pressure", "Traction"},
                             {"Body/Acceleration", "Flat/", "Friction/"}));
@@ -184,6 +184,8 @@ void check_analysis(const Keys &keys)
   only_with({"modal"}, {"Modal/"});
   only_with({"modal"}, deviation_keys(keys));
   only_with({"static contact", "complex modes"}, {"Static contact/"});
+  keys.only_if(!keys.has_text("Sweep/Axes") || has_modes_too, {"Complex modes/"},
+               "Sweep/Complex modes is false", "set it to true");
   only_with({"complex modes"}, {"Complex modes/"});
   only_with({"friction homogenization"}, {"Friction homogenization/"});
 }
@@ -248,8 +250,7 @@ void ContactParameters::bind(Keys &keys)
   check_mesh(keys, *this);
   bind_counter(keys);
   keys.only_if(!counter, deviation_keys(keys),
-               "there is a Counter body, with which deviations are not known",
-               "leave it empty");
+               "there is a Counter body, with which deviations are not known", "");
   if (analysis == ContactAnalysis::transient ||
       analysis == ContactAnalysis::static_contact ||
       analysis == ContactAnalysis::complex_modes)
@@ -267,8 +268,7 @@ void ContactParameters::continue_run(const Keys &keys)
   if (time.continue_from.empty())
     return;
   const std::string key = "Time/Continue from";
-  keys.only_if(false, {"Body/Initial velocity"}, key + " has another run's",
-               "leave it empty");
+  keys.only_if(false, {"Body/Initial velocity"}, key + " has another run's", "");
   keys.require(!counter, key, "it knows no Counter body");
   keys.require(!contact.profile, key,
                "it knows no Flat/Profile, whose place at the end of a run is not kept");

@@ -29,6 +29,10 @@ std::unique_ptr<Analysis> build(Keys &keys)
   parameters.bind(keys);
   SweepParameters sweep;
   sweep.bind(keys);
+  keys.require(!sweep.is_given() || parameters.analysis == ContactAnalysis::transient,
+               "Analysis",
+               "maps (Sweep/Axes) are of transient runs; set Analysis = transient, and "
+               "Sweep/Complex modes = true for the complex modes of each point");
   if (sweep.is_given())
     return std::make_unique<SweepAnalysis>(sweep, keys, contact_dynamics_program());
   switch (parameters.analysis)

@@ -28,15 +28,21 @@ def box_on(axes, group):
     return box, np.column_stack([axis[places[:, d]] for d, axis in enumerate(axes)])
 
 
-def errors_of_hertz(folder, dim, force):
-    """Largest pressure and radius of the static contact in out, relative to Hertz's for the force on the whole body, less 1."""
+def pressures_inside(folder, dim):
+    """Squares of the distance from the middle, and the pressures, of the nodes of the static contact in out to 0.9 of the half width."""
     with open(folder("out", "static_contact.csv"), encoding="ascii") as file:
         rows = list(csv.DictReader(file))
     r2 = np.array([sum(float(row[f"{name} [m]"]) ** 2 for name in "xy"[: dim - 1]) for row in rows])
     pressure = np.array([float(row["pressure [Pa]"]) for row in rows])
     inside = r2 < (0.9 * HALF_WIDTH) ** 2
+    return r2[inside], pressure[inside]
+
+
+def errors_of_hertz(folder, dim, force):
+    """Largest pressure and radius of the static contact in out, relative to Hertz's for the force on the whole body, less 1."""
+    r2, pressure = pressures_inside(folder, dim)
     # p^2 = p0^2 (1 - r^2 / a^2)
-    slope, squared = np.polyfit(r2[inside], pressure[inside] ** 2, 1)
+    slope, squared = np.polyfit(r2, pressure ** 2, 1)
     exact = (2 if dim == 2 else 1.5) * force / (math.pi * HALF_WIDTH ** (dim - 1))
     return math.sqrt(squared) / exact - 1, math.sqrt(-squared / slope) / HALF_WIDTH - 1
 

@@ -188,6 +188,7 @@ The programs compute `prm/paper` with its 560 x 160 cells twice, with ML on a me
 | --- | --- | --- | --- |
 | grid as mesh; with periodic sides | grid | 1e-6; 1e-7 | `system/sliding/mesh_static_contact`, `mesh_periodic` |
 | cylinder, 8, 16, 32 cells in the contact | Hertz | radius 0.42, 0.09, 0.02 %, peak 0.02 % | `contact/hertz` |
+| the same on stiff springs of the flat | first order in 1/k | 5 % of the difference | `contact/hertz` |
 | sphere, 3, 6, 12 cells in the contact | Hertz | radius 3.4, 0.37, 0.14 %, peak 0.2 % | `contact/hertz_sphere` |
 | strip with friction on a resting flat | Spence | width 0.9 %, friction 0.26 % | `contact/spence` |
 | two phases on a resting flat, 8 to 40 cells a side | Coulomb's law | 1e-6, 18 to 20 iterations | `contact/resting_flat` |
@@ -225,6 +226,8 @@ Friction of a cylinder and a sphere on a resting flat against Cattaneo and Mindl
 | frequencies of a free block, nu = 0.4999 | quadratic cells | 0.5 % | `dynamics/mean_dilatation` |
 | speed of waves across layers, extrapolated | Rytov's relation | 1e-6 | `dynamics/layers` |
 | decay of a column of two layers | its complex frequency | | `dynamics/damped_layers` |
+| plane waves at 15 to 60 degrees that an absorbing top reflects | coefficients of dashpots | order 2 | `contact/absorbing_layer` |
+| times for which a block on a spring sticks and slides | closed form | 0.2, 1 % | `contact/falling_friction` |
 | localized stress of the statically compressed pin | direct solution | below 1 % in the interior | `contact/static_localization` |
 | largest strains | uniaxial compression, free body | | `contact/large_strains` |
 | [complex modes](glossary.md#complex-modes) of heterogeneous pins, and their growth | scipy, runs | | `system/sliding/complex_modes`, `system/pages/prediction` |

@@ -198,7 +198,10 @@ class Plan:
 def made_by(step):
     """Names of the HDF5 files that a step may leave."""
     program = os.path.basename(step.program)
-    analysis = dict(settings(step.prm)).get("Analysis", "transient") if program == "contact_dynamics" else ""
+    keys = dict(settings(step.prm)) if program == "contact_dynamics" else {}
+    if keys.get("Axes"):  # of Sweep
+        return ("map.h5",)
+    analysis = keys.get("Analysis", "transient") if program == "contact_dynamics" else ""
     return MADE[program].get(analysis, ())
 
 

@@ -1,19 +1,21 @@
 #!/usr/bin/env python3
 """One report.html, with its pictures and their data in it, from the result folders of a chain.
 
-    make_report.py [--output report.html] [--surface-times 1e-3,2e-3] folder...
+    make_report.py [--output report.html] [--surface-times 1e-3,2e-3] [--pictures DIR] folder...
 
 Each folder is the output of rve_homogenization, contact_dynamics or stress_localization (recognised by
 "program" in summary.json), or holds such folders. Any subset works: what is missing is named and left out.
 """
 
 import argparse
+import base64
 import concurrent.futures
 import datetime
 import json
 import multiprocessing
 import os
 import platform
+import re
 import signal
 import sys
 
@@ -120,6 +122,14 @@ def title_of(folders):
     return f"mesoslip: {name}" if name else "mesoslip"
 
 
+def write_pictures(html, folder):
+    """The pictures of a page as figure-NUMBER.png."""
+    os.makedirs(folder, exist_ok=True)
+    for data, figure in re.findall(r'src="data:image/png;base64,([^"]+)"><figcaption><b>Figure (\d+)\.', html):
+        with open(os.path.join(folder, f"figure-{figure}.png"), "wb") as stream:
+            stream.write(base64.b64decode(data))
+
+
 def times_of(text):
     """Times (s) from the words of an option."""
     try:
@@ -139,6 +149,7 @@ def main(arguments=None):
     parser.add_argument("--surface-times", type=times_of, default=(), metavar="T,...",
                         help="times (s) at which the contact surfaces of bodies in 3D are shown, from their maps of the contact "
                              "(default: four of the last periods)")
+    parser.add_argument("--pictures", metavar="DIR", help="folder for the figures as PNG files, too: figure-1.png and so on")
     options = parser.parse_args(arguments)
 
     chain = Chain(options.folders)
@@ -156,8 +167,10 @@ def main(arguments=None):
         with open(part, "w", encoding="utf-8") as stream:
             stream.write(text)
         os.replace(part, options.output)
+        if options.pictures:
+            write_pictures(text, options.pictures)
     except OSError as error:
-        print(f"make_report.py: cannot write {options.output}: {error}", file=sys.stderr)
+        print(f"make_report.py: cannot write {error.filename or options.output}: {error}", file=sys.stderr)
         return 2
     print(f"{options.output}: {len(chain.runs)} runs, {len(text) / 1e6:.1f} MB")
     for remark in chain.all_notes():

@@ -27,7 +27,7 @@ struct EndRecord
 EndRecord read_record(const std::string &folder)
 {
   const std::string file = run_end_file(folder);
-  require_readable_file("Time/Continue from", file,
+  require_readable_file("Time/Continue from: ", file,
                         "run it with Checkpoints/Write end = true");
   EndRecord record;
   load_state(read_checkpoint(file, kind), record, file);

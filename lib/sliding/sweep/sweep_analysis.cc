@@ -11,6 +11,7 @@
 #include "parameters/keys.h"
 #include "program/run_context.h"
 #include "program/workers.h"
+#include "sliding/sweep/run_end.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -41,6 +42,7 @@ SweepAnalysis::SweepAnalysis(const SweepParameters &wanted,
                              const Application &program)
   : parameters(wanted)
   , single(program)
+  , dim(keys.value("Dimension") == "3" ? 3 : 2)
 {
   for (const SweepAxis &axis : parameters.axes)
     units.push_back(axis.keys.empty() ? "-" : unit_of(keys, axis.keys[0]));
@@ -60,20 +62,30 @@ SweepAnalysis::SweepAnalysis(const SweepParameters &wanted,
       };
       const auto [least, largest] =
         std::minmax_element(points.begin(), points.end(), by_axis);
-      check(*least, false);
-      check(*largest, false);
+      check(*least, {}, false);
+      check(*largest, {}, false);
     }
-  check(points.front(), true);
+  for (std::size_t k = 0; k < points.size(); ++k)
+    if (const auto before = parameters.point_before(k))
+      {
+        check(points[k], {"Time/Continue from=" + points[*before].folder}, false);
+        break;
+      }
+  check(points.front(), {}, true);
 }
 
-/** Checks that the keys of @p point are compatible; with @p builds it also builds the
- * analysis, which reads the input files. */
-void SweepAnalysis::check(const SweepPoint &point, const bool builds)
+/** Checks that the keys of @p point and further @p assignments are compatible; with
+ * @p builds it also builds the analysis, which reads the input files. */
+void SweepAnalysis::check(const SweepPoint &point,
+                          const std::vector<std::string> &assignments,
+                          const bool builds)
 {
   try
     {
       RawParameters raw = RawParameters::parse(base, base_file);
       for (const std::string &assignment : assignments_of(parameters, point))
+        raw.override_with(assignment);
+      for (const std::string &assignment : assignments)
         raw.override_with(assignment);
       raw.ignore_unused(); // unused keys were checked for the whole map
       Keys keys(raw);
@@ -125,17 +137,33 @@ void SweepAnalysis::describe(std::ostream &out) const
   first->describe(out);
 }
 
+/** Why a point failed: by itself, or because its neighbour left no end. */
+std::string SweepAnalysis::cause(const Task &task,
+                                 const Outcome &outcome,
+                                 const RunContext &context) const
+{
+  const auto before = parameters.point_before(task.point);
+  std::error_code ignored;
+  if (task.is_of_modes || !before ||
+      std::filesystem::exists(run_end_file(context.file(points[*before].folder)),
+                              ignored))
+    return outcome.message;
+  return "it starts from the end of " + text_of(parameters, points[*before]) +
+         ", which failed";
+}
+
 /** Called on rank 0. */
 void SweepAnalysis::finish(const Task &task, const Outcome &outcome, RunContext &context)
 {
-  const std::string folder = context.file(task.folder);
-  const bool failed        = outcome.status != ExitStatus::done;
-  // Unexpected failures of machine or program may not recur: such points are tried again.
-  mark_point(folder, failed ? outcome.message + "." : "",
-             outcome.status == ExitStatus::unexpected);
+  const std::string folder  = context.file(task.folder);
+  const bool failed         = outcome.status != ExitStatus::done;
+  const std::string message = failed ? cause(task, outcome, context) : "";
+  // What the machine, a full disk, a folder in use or a neighbour caused may not recur.
+  mark_point(folder, failed ? message + "." : "",
+             outcome.status == ExitStatus::unexpected ||
+               outcome.status == ExitStatus::user_error);
   if (failed)
-    context.log("failed: " + text_of(parameters, points[task.point]) + ": " +
-                outcome.message);
+    context.log("failed: " + text_of(parameters, points[task.point]) + ": " + message);
   if (!parameters.keep_results)
     remove_results(folder);
   context.progress().update(++n_ended);
@@ -176,7 +204,7 @@ bool SweepAnalysis::compute(const std::vector<Task> &tasks, RunContext &context)
 
 void SweepAnalysis::write_results(RunContext &context) const
 {
-  SweepMap map       = {parameters, units, points, {}};
+  SweepMap map       = {parameters, units, dim, points, {}};
   std::size_t n_done = 0, n_skipped = 0, n_of_failed = 0, n_with_warnings = 0;
   for (const SweepPoint &point : points)
     {
@@ -213,8 +241,8 @@ void SweepAnalysis::write_results(RunContext &context) const
   if (n_of_failed > 0)
     context.warn(
       std::to_string(n_of_failed) + " of " + std::to_string(points.size()) +
-      " points failed; map.csv says why, and a point is computed again when its "
-      "folder is removed");
+      " points failed; map.csv says why. The same command tries again what was "
+      "refused or stopped, and a point whose folder is removed");
   if (n_with_warnings > 0)
     context.warn(std::to_string(n_with_warnings) +
                  " points have warnings, which stand in the "
@@ -226,8 +254,10 @@ void SweepAnalysis::write_results(RunContext &context) const
 bool SweepAnalysis::compute_missing(const Kinds &kinds, RunContext &context)
 {
   std::vector<Task> tasks;
-  on_root(context.communicator(),
-          [&]() { tasks = missing_tasks(context.output_folder(), kinds); });
+  on_root(context.communicator(), [&]() {
+    tasks = missing_tasks(context.output_folder(), kinds);
+    wait_for_others(tasks, context);
+  });
   broadcast_object(context.communicator(), tasks);
   const std::size_t n_runs = points.size() * kinds.size();
   n_tasks                  = tasks.size();

@@ -53,13 +53,18 @@ private:
   /** Name of the .prm file of a point, in the folder of the map. */
   static constexpr char base_file[] = "point.prm";
 
-  void check(const SweepPoint &point, const bool builds);
+  void check(const SweepPoint &point,
+             const std::vector<std::string> &assignments,
+             const bool builds);
   bool is_there(const std::string &folder, const bool is_of_modes) const;
   std::vector<std::optional<std::size_t>>
   tasks_before(const std::vector<Task> &tasks) const;
   std::vector<Task> missing_tasks(const std::string &folder, const Kinds &kinds) const;
+  void wait_for_others(const std::vector<Task> &tasks, RunContext &context) const;
   std::vector<std::string> words(const Task &task, const std::string &folder) const;
   void remove_results(const std::string &folder) const;
+  std::string
+  cause(const Task &task, const Outcome &outcome, const RunContext &context) const;
   void finish(const Task &task, const Outcome &outcome, RunContext &context);
   bool compute(const std::vector<Task> &tasks, RunContext &context);
   bool compute_missing(const Kinds &kinds, RunContext &context);
@@ -68,6 +73,7 @@ private:
 
   const SweepParameters parameters;
   const Application single;
+  const unsigned int dim;         ///< of the body
   std::string base;               ///< a .prm with all keys of a point
   std::vector<std::string> units; ///< per axis, such as Pa; "-" for pure numbers
   std::vector<SweepPoint> points;

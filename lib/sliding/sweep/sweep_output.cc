@@ -12,8 +12,19 @@ namespace
 {
 /** SI symbols of the numbers in summary.json, which stores none; numbers not listed are
  * pure. */
-std::string unit_of_number(const std::string &name)
+std::string unit_of_number(std::string name, const unsigned int dim)
 {
+  const std::string of_modes = "complex_modes.";
+  if (name.rfind(of_modes, 0) == 0)
+    name = name.substr(of_modes.size());
+  if (name.rfind("supports.", 0) == 0)
+    name = name.substr(name.rfind('.') + 1) + " of a support";
+  static const std::map<std::string, std::string> per_thickness = {
+    {"friction_energy", "J"},
+    {"global_interface_friction_load", "W"},
+    {"platen_mass of a support", "kg"}};
+  if (const auto found = per_thickness.find(name); found != per_thickness.end())
+    return found->second + (dim == 2 ? "/m" : "");
   static const std::map<std::string, std::string> units = {
     {"time_step", "s"},
     {"critical_time_step", "s"},
@@ -28,8 +39,20 @@ std::string unit_of_number(const std::string &name)
     {"steady_from", "s"},
     {"mean_contact_duration", "s"},
     {"main_frequency", "Hz"},
-    {"complex_modes.largest_growth_rate", "1/s"},
-    {"complex_modes.frequency_of_largest_growth", "Hz"}};
+    {"reference_velocity_amplitude", "m/s"},
+    {"pressure of a support", "Pa"},
+    {"mass of a support", "kg/m^2"},
+    {"largest_growth_rate", "1/s"},
+    {"largest_growth_rate_counted", "1/s"},
+    {"least_growth_rate", "1/s"},
+    {"frequency_of_largest_growth", "Hz"},
+    {"lowest_frequency", "Hz"},
+    {"highest_frequency", "Hz"},
+    {"nothing_grows_above", "Hz"},
+    {"normal_stiffness", "Pa/m"},
+    {"shear_impedance", "Pa s/m"},
+    {"steepest_friction_fall", "Pa s/m"},
+    {"bytes_of_factors", "B"}};
   const auto found = units.find(name);
   return found != units.end() ? found->second : "-";
 }
@@ -122,7 +145,7 @@ void write_map_file(const std::string &path, const SweepMap &map)
           known.push_back(number == number);
           filled.push_back(known.back() ? number : 0.);
         }
-      write_dataset(file, "/numbers/" + name, {n}, filled, unit_of_number(name));
+      write_dataset(file, "/numbers/" + name, {n}, filled, unit_of_number(name, map.dim));
       file.write("/known/" + name, {n}, known);
     }
   for (const std::string &name : names_of_texts(map))
@@ -148,7 +171,7 @@ void write_map_table(const std::string &path, const SweepMap &map)
   columns.emplace_back("status");
   columns.insert(columns.end(), texts.begin(), texts.end());
   for (const std::string &name : numbers)
-    columns.push_back(name + " [" + unit_of_number(name) + "]");
+    columns.push_back(name + " [" + unit_of_number(name, map.dim) + "]");
   columns.insert(columns.end(), {"message", "folder"});
   TableWriter table(path, columns);
   for (std::size_t k = 0; k < map.points.size(); ++k)

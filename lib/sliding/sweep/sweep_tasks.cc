@@ -1,11 +1,15 @@
 #include "base/files.h"
+#include "program/folder_lock.h"
+#include "program/run_context.h"
 #include "sliding/sweep/run_end.h"
 #include "sliding/sweep/sweep_analysis.h"
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <map>
 #include <set>
+#include <thread>
 
 namespace mesoslip
 {
@@ -76,6 +80,22 @@ std::vector<SweepAnalysis::Task> SweepAnalysis::missing_tasks(const std::string 
       return n_before(a.point) < n_before(b.point);
     });
   return tasks;
+}
+
+/** Waits up to half a minute for runs of a map that was killed; they stop by themselves
+ * and leave checkpoints. */
+void SweepAnalysis::wait_for_others(const std::vector<Task> &tasks,
+                                    RunContext &context) const
+{
+  constexpr std::chrono::milliseconds pause(50);
+  unsigned int pauses_left = 600;
+  for (const Task &task : tasks)
+    while (pauses_left > 0 && !context.stop_requested() &&
+           is_locked(context.file(task.folder)))
+      {
+        --pauses_left;
+        std::this_thread::sleep_for(pause);
+      }
 }
 
 std::vector<std::string> SweepAnalysis::words(const Task &task,

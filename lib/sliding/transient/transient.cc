@@ -41,7 +41,7 @@ std::string start_text(const std::string &folder)
     return digest;
   on_root(MPI_COMM_WORLD, [&]() {
     const std::string file = run_end_file(folder);
-    require_readable_file("Time/Continue from", file,
+    require_readable_file("Time/Continue from: ", file,
                           "run it with Checkpoints/Write end = true");
     digest = Digest().add_file(file).hex();
   });

@@ -84,9 +84,11 @@ void TransientResult::evaluate_reference_node()
   if (ux.size() < least_samples)
     return;
 
-  spectrum     = amplitude_spectrum(ux, series.interval);
-  hidden_share = share_within(ux, tail(series.displacement_variance, first));
-  folded_share = share_near_limit(spectrum);
+  const auto [least, most] = std::minmax_element(vx.begin(), vx.end());
+  velocity_amplitude       = 0.5 * (*most - *least);
+  spectrum                 = amplitude_spectrum(ux, series.interval);
+  hidden_share             = share_within(ux, tail(series.displacement_variance, first));
+  folded_share             = share_near_limit(spectrum);
   // If more is hidden, aliases of fast motion could pass for a slow one.
   if (hidden_share <= 0.5)
     frequencies = summarize_spectrum(spectrum, rounding_noise * largest(ux));

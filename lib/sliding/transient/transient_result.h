@@ -99,6 +99,9 @@ struct TransientResult
   Spectrum spectrum = {};
   /** None without a peak, or if most of the motion is too fast for the series. */
   std::optional<SpectralSummary> frequencies = {};
+  /** Half the range of v_x of the reference node in the steady part (m/s); none with too
+   * few samples. */
+  std::optional<double> velocity_amplitude = {};
   double hidden_share = 0.; ///< unresolved share of the variance of u_x
   double folded_share = 0.; ///< share of the spectrum's power near the highest frequency
   PhaseDiagram phase_diagram = {}; ///< motion of the reference node along x

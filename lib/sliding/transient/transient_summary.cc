@@ -155,6 +155,8 @@ void TransientResult::write_summary(RunContext &context) const
      {"mean_contact_duration_node_share", contact.duration.node_share},
      {"mean_contact_duration_warning", text_or_null(duration_warning)},
      {"main_frequency", value_of(frequencies, &SpectralSummary::main_frequency)},
+     {"reference_velocity_amplitude",
+      velocity_amplitude ? json(*velocity_amplitude) : json()},
      {"regime", regime},
      {"friction_energy", friction_energy},
      {"largest_strain", largest_strain()},

@@ -44,7 +44,7 @@ def check_run(folder, name, first, body):
     folder.write("run.prm", first + prm({**RUN, **body}))
     folder.run(0, "contact_dynamics", "run.prm", "--output", "run1")
     one, summary = histories(folder, "run1"), folder.summary("run1")
-    assert summary["energy_balance_residual"] < 1e-11, (name, summary["energy_balance_residual"])
+    assert summary["energy_balance_residual"] < 1e-12, (name, summary["energy_balance_residual"])
     assert one["energy/contact"].max() > 0 and np.diff(one["energy/impact"]).min() > -1e-12 * one["energy/elastic"].max(), name
     check_ranks_and_restart(folder, name)
     folder.run(0, "contact_dynamics", "run.prm", "--output", "stiff", "--set", "Flat/Normal stiffness=1e22")
@@ -62,7 +62,7 @@ def check_power(folder, name, first, body):
     folder.write("run.prm", first + prm({**RUN, "Flat/Normal exponent": 2.5, "Flat/Normal stiffness at": 2e6, **body}))
     folder.run(0, "contact_dynamics", "run.prm", "--output", "run1")
     one, summary = check_ranks_and_restart(folder, (name, "power")), folder.summary("run1")
-    assert summary["energy_balance_residual"] < 1e-11 and one["energy/contact"].max() > 0, (name, summary["energy_balance_residual"])
+    assert summary["energy_balance_residual"] < 1e-12 and one["energy/contact"].max() > 0, (name, summary["energy_balance_residual"])
     assert np.diff(one["energy/impact"]).min() > -1e-12 * one["energy/elastic"].max(), name
 
 

@@ -139,7 +139,7 @@ def check_run(folder, name, kind, first, body):
     folder.write("run.prm", first + prm({**RUN, **top, **body}))
     folder.run(0, "contact_dynamics", "run.prm", "--output", "run1")
     one, summary = check_ranks_and_restart(folder, (name, kind)), folder.summary("run1")
-    assert summary["energy_balance_residual"] < 1e-11, (name, kind, summary["energy_balance_residual"])
+    assert summary["energy_balance_residual"] < 1e-12, (name, kind, summary["energy_balance_residual"])
     scale = np.abs(one["energy/elastic"]).max()
     assert summary["supports"]["Top"]["absorbing"] == (kind == "absorbing") and "Top: " in folder.read("run1", "log.txt").decode(), (name, kind)
     assert one["energy/dashpots"].max() > 1e-3 * scale and np.diff(one["energy/dashpots"]).min() > -1e-12 * scale, (name, kind)

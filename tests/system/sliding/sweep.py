@@ -132,6 +132,31 @@ def check_killed(folder):
     folder.run(0, "contact_dynamics", "long.prm", "--output", "killed", **alone(folder))
     equal(content(folder, "killed"), content(folder, "whole"))
 
+    # The map itself is killed: the processes of its points stop, and the same command continues them.
+    process = folder.start("contact_dynamics", "long.prm", "--output", "orphans", "--quiet", "--set", "Sweep/Processes=2")
+    while told_by_points(folder("orphans")) == 0:
+        assert process.poll() is None, "it ended before"
+    process.kill()
+    process.communicate(timeout=120)
+    folder.run(0, "contact_dynamics", "long.prm", "--output", "orphans", **alone(folder))
+    equal(content(folder, "orphans"), content(folder, "whole"))
+
+
+def check_failed_neighbour(folder):
+    """A point that starts from one that failed is computed when that one is there."""
+    folder.write("chain.prm", prm({**PIN, "Sweep/Axes": "beta", "Sweep/beta/Key": "Time/Rayleigh beta", "Sweep/beta/Values": "0, 1e-7, 1e-9",
+                                   "Sweep/Continue": "up", "Time/Time step": 9.1e-8, "Time/End time": 2e-5}))
+    folder.run(0, "contact_dynamics", "chain.prm", "--output", "chain")
+    rows = content(folder, "chain")["rows"]
+    assert [row["status"] for row in rows] == ["done", "failed", "failed"], rows
+    assert "it starts from the end of beta = 1e-07, which failed" in rows[2]["message"], rows
+    # As if the cause were gone: the end of another run stands for that of the point.
+    failed, done = (folder("chain", rows[k]["folder"]) for k in (1, 0))
+    for name in ("contact_dynamics.end", "summary.json", "point.json"):
+        shutil.copy(os.path.join(done, name), failed)
+    folder.run(0, "contact_dynamics", "chain.prm", "--output", "chain")
+    assert [row["status"] for row in content(folder, "chain")["rows"]] == ["done"] * 3
+
 
 def check_failures(folder):
     # Too long a time step is refused at the points with a soft damping only.
@@ -152,6 +177,9 @@ def check_refusals(folder):
                              ({"Sweep/Seed": 3}, "the points are not random"),
                              ({"Sweep/friction/Key": "Supports/Top/Pressure"}, "both set Supports/Top/Pressure"),
                              ({"Sweep/Axes": ""}, "Sweep"),
+                             ({"Analysis": "modal"}, "maps (Sweep/Axes) are of transient runs"),
+                             ({"Complex modes/Fastest decay": 100}, "as Sweep/Complex modes is false; remove it, or set it to true"),
+                             ({"Sweep/Continue": "up", "Flat/Expression": "t"}, "Time/Continue from"),
                              ({"Sweep/Skip stable": "true"}, "no complex modes are computed"),
                              ({"Sweep/Skip stable": "true", "Sweep/Complex modes": "true", "Sweep/Continue": "up"}, "have to be run"),
                              ({"Body/Cells": "28, 8", "Sweep/friction/Key": "Time/Beta2", "Sweep/friction/Values": "0.5, 2"}, "Beta2")):
@@ -270,11 +298,15 @@ def check_python(folder, due):
 
 def check_report(folder):
     for name, due in (("map", "Regime of the reference node over"), ("skip2", "At 2 others all complex modes"), ("branches", "numbers of the runs over what changes"), ("random", "Points of random"), ("bad", "points failed")):
-        done = subprocess.run([sys.executable, "-B", os.path.join(TOOLS, "report", "make_report.py"), folder(name), "--output", folder(name + ".html")],
+        done = subprocess.run([sys.executable, "-B", os.path.join(TOOLS, "report", "make_report.py"), folder(name), "--output", folder(name + ".html"),
+                               *(["--pictures", folder("pictures")] if name == "map" else [])],
                               capture_output=True, text=True, check=False)
         with open(folder(name + ".html"), encoding="utf-8") as file:
             text = file.read()
         assert done.returncode == 0 and due in text and "Left out" not in text and text.count("data:image/png") > 0, (name, done.stdout, done.stderr)
+        if name == "map":
+            links = [f'href="map/{row["folder"]}/summary.json"' in text for row in content(folder, name)["rows"]]
+            assert len(links) == 9 and all(links) and len(os.listdir(folder("pictures"))) == text.count("data:image/png"), links
 
 
 def main():
@@ -284,6 +316,7 @@ def main():
         check_ways(folder, due)
         check_interruptions(folder, due)
         check_killed(folder)
+        check_failed_neighbour(folder)
         check_failures(folder)
         check_refusals(folder)
         check_random(folder)

@@ -9,16 +9,22 @@ along the motion and at -(z + p mu/V)/(2 m) across it. What is elastic moves the
     u = cosh(q y) + f/Z sinh(q y),     s Z (sinh(q H) + f/Z cosh(q H)) + (k + z s + M s^2) u(H) = 0
 
 so that the border is 0.05 % higher, by the share (w H/c)^2: the node on the flat moves more than the top. In runs the
-step, (w dt)^2 = 1e-5, and the velocity of the vibration, a thousandth of V, change rates by less than 1e-5."""
+step, (w dt)^2 = 1e-5, and the velocity of the vibration, a thousandth of V, change rates by less than 1e-5.
+
+Friction that falls with the slip, from mu_s to mu_k over a critical one: stick and slip of the block of the tribometer
+of prm/examples. It sticks while the flat takes the spring from (2 mu_k - mu_s) p to mu_s p, 2 (mu_s - mu_k) p/(k V),
+and slides while it swings about mu_k p from the speed of the flat to this speed. The shorter the critical slip, the
+sooner it lets go."""
 
 import math
+import os
 import tempfile
 
 import h5py
 import numpy as np
 from scipy.optimize import least_squares
 
-from scenes import Folder, prm
+from scenes import TOP, Folder, prm, sets
 
 HEIGHT, DENSITY, SHEAR, BETA = 1e-3, 1770.0, 13.785e9, 1e-8
 MASS, OMEGA = 20.0, 2e4 * math.pi  # kg/m^2 on the springs, 1/s
@@ -151,10 +157,35 @@ def check(folder, dim, ranks):
         assert np.abs(found - rates["modes"]).max() < close * size, (name, found, rates["modes"])
 
 
+def check_stick_time(folder):
+    """Of a periodic block, all of whose nodes stick and slide at once, on a softer spring than that of the example."""
+    spring, pressure, velocity, fall = 1e9, 1e6, 0.05, 0.3 - 0.2
+    omega = math.sqrt(spring / (50 + DENSITY * 4e-3))
+    stick = 2 * fall * pressure / (spring * velocity)
+    slide = 2 / omega * (math.pi - math.atan(fall * pressure * omega / (spring * velocity)))
+    errors = []
+    for critical in (1e-6, 1e-7, 1e-8):
+        folder.run(0, "contact_dynamics", os.path.join(TOP, "prm", "examples", "tribometer.prm"), "--output", "tribometer", *sets({
+            "Sides/Periodic": "true", "Body/Cells": "4, 2", "Supports/Top/Spring stiffness": spring, "Friction/Critical slip": critical,
+            "Time/Rayleigh beta": 2e-6, "Time/End time": 0.025, "Observation/Energy interval": 0, "Observation/History interval": 10}))
+        with h5py.File(folder("tribometer", "dynamics.h5")) as file:
+            time, sticking = (file["history"][name][()] for name in ("time", "sticking_nodes"))
+        assert set(sticking) == {0, 4}, sticking
+        begins, ends = (time[1:][np.diff(sticking) == change] for change in (4, -4))
+        begins, ends = begins[1:], ends[1:]  # the first time from no stretch on
+        times = [(ends - begins[:len(ends)]).mean(), (begins[1:] - ends[:len(begins) - 1]).mean()]
+        errors.append([found / due - 1 for found, due in zip(times, (stick, slide))])
+        print(f"critical slip {critical:g} m: {len(ends)} times, sticks {1e3 * times[0]:.4f} ({1e3 * stick:.4f}) ms, "
+              f"slides {1e3 * times[1]:.4f} ({1e3 * slide:.4f}) ms")
+    errors = np.array(errors)
+    assert np.all(errors[1:] < 0.5 * errors[:-1]) and np.all(np.abs(errors[-1]) < [0.003, 0.012]), errors
+
+
 def main():
     with tempfile.TemporaryDirectory() as path:
         check(Folder(path + "/plane"), 2, 1)
         check(Folder(path + "/box"), 3, 2)
+        check_stick_time(Folder(path))
 
 
 if __name__ == "__main__":

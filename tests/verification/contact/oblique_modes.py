@@ -1,7 +1,8 @@
-"""Analysis complex modes in 3D against waves at an angle to the sliding of a layer: the continuous closed form, of which the error
+"""Analysis complex modes in 3D against waves at an angle to the sliding of a layer, on a rigid flat and on springs: the continuous closed form, of which the error
 is of order two in the cells, and the same cells in numpy, where a wave in a periodic layer leaves three unknowns a level."""
 
 import cmath
+import dataclasses
 import math
 import tempfile
 
@@ -9,28 +10,43 @@ import numpy as np
 
 from scenes import Folder, prm
 
-HEIGHT, DENSITY, SPEED, PRESSURE, VELOCITY, NUMBER, MU = 0.016, 1900, 2560., 5e6, 4., 1 / 0.016, 0.4  # NUMBER: of waves, k H = 1
+HEIGHT, DENSITY, SPEED, PRESSURE, VELOCITY = 0.016, 1900, 2560., 5e6, 4.
 SHEAR = DENSITY * SPEED**2
 LAME = 2 / 3 * SHEAR  # Poisson's ratio is 0.2
 COMMON = {"Analysis": "complex modes", "Body/Density": DENSITY, "Sides/Periodic": "true", "Sides/Periodic in y": "true", "Supports/Top/Kind": "pressure",
-          "Supports/Top/Held": "u_x, u_y", "Supports/Top/Pressure": PRESSURE, "Friction/Coefficient": MU, "Complex modes/Lowest frequency": 40e3,
+          "Supports/Top/Held": "u_x, u_y", "Supports/Top/Pressure": PRESSURE, "Complex modes/Lowest frequency": 40e3,
           "Complex modes/Highest frequency": 50e3}
 STIFFNESS = [[LAME + 2 * SHEAR * (i == j) if max(i, j) < 3 else SHEAR * (i == j) for j in range(6)] for i in range(6)]
 DIAGONAL = (STIFFNESS[0][0], LAME, LAME, STIFFNESS[0][0], LAME, STIFFNESS[0][0], SHEAR, SHEAR, SHEAR)  # as Body/Stiffness has it
-PLAIN, REGULARIZED = (0., 2e-8), (1.5e-6, 4.4e-9)  # delta and beta (s)
 ANGLES = (0, 30, 45, 60)
+
+
+@dataclasses.dataclass(frozen=True)
+class Sliding:
+    """Friction with delta (s) on springs of the flat (Pa/m), beta (s), and the number k (1/m) of the wave."""
+    delta: float = 0.
+    beta: float = 2e-8
+    springs: float = math.inf
+    mu: float = 0.4
+    number: float = 1 / HEIGHT
+
+
+PLAIN, REGULARIZED = Sliding(), Sliding(1.5e-6, 4.4e-9)
 
 
 def closed(s, angle, law):
     """Zero for a wave exp(i k (x cos t + y sin t) + s t) of the layer that slides along x: a wave in the vertical plane along its direction
-    and one of shear across it, which meet in the friction alone (the balance of both tangential forces at the flat)."""
-    (delta, beta), k = law, NUMBER
-    inertia, softening = s * s / (1 + beta * s), 1 + beta * s
+    and one of shear across it, which meet in the friction alone (the balance of both tangential forces at the flat). In the plane a
+    dilatation A sinh(a z) / cosh(a H) and a shear B cosh(b z) / cosh(b H), z from the top down, have sigma_zz = springs u_z at the flat."""
+    k, softening = law.number, 1 + law.beta * s
+    inertia = s * s / softening
     a, b = cmath.sqrt(k**2 + inertia / (SPEED**2 * 1.6 / 0.6)), cmath.sqrt(k**2 + inertia / SPEED**2)
-    friction, shear = MU / (1 + s * delta), SHEAR * softening
+    friction, shear = law.mu / (1 + s * law.delta), SHEAR * softening
     drag, ta, tb = friction * PRESSURE / VELOCITY * s, cmath.tanh(a * HEIGHT), cmath.tanh(b * HEIGHT)
-    u, slope, squeeze = 1j / k * (k**2 * ta / a - b * tb), 1j / k * (b**2 - k**2), a * ta - b * tb
-    pressure = -softening * (LAME * (1j * k * u + squeeze) + 2 * SHEAR * squeeze)
+    # u_z = -(a A + i k B), sigma_zz = shear ((b^2 + k^2) ta A + 2 i k b tb B)
+    A, B = -1j * k - shear / law.springs * 2j * k * b * tb, a + shear / law.springs * (b**2 + k**2) * ta
+    u, slope = (1j * k * ta * A - b * tb * B) / a, (-2j * k * a * A + (b**2 + k**2) * B) / a
+    pressure = -shear * ((b**2 + k**2) * ta * A + 2j * k * b * tb * B) / a
     along, across = math.cos(angle), math.sin(angle)
     return (-(along * shear * slope + friction * pressure) * along * (shear * b + drag * tb)
             - across * (shear * slope - drag * u) * across * shear * b)
@@ -50,8 +66,7 @@ def zero(function, s, tolerance=1e-13):
 
 def exact(law):
     """s (1/s) at all ANGLES, followed from 0 degrees, where the wave is the fastest of all at this length."""
-    start = {PLAIN: complex(45e3, 2 * math.pi * 46.7e3), REGULARIZED: complex(36e3, 2 * math.pi * 44.7e3)}[law]
-    found, s = {}, start
+    found, s = {}, complex(40e3, 2 * math.pi * 45.5e3)
     for degree in range(ANGLES[-1] + 1):
         s = zero(lambda z, t=math.radians(degree): closed(z, t, law), s)
         found[degree] = s
@@ -86,11 +101,11 @@ def in_numpy(wave, h, n, start):
         stiffness[3 * level:3 * level + 6, 3 * level:3 * level + 6] += of_cell
     mass[:3] /= 2
     mass[-3:] /= 2
-    stiffness[0] -= MU * stiffness[2]
-    drag[1, 1] = MU * PRESSURE * h[0] * h[1] / VELOCITY
+    stiffness[0] -= PLAIN.mu * stiffness[2]
+    drag[1, 1] = PLAIN.mu * PRESSURE * h[0] * h[1] / VELOCITY
     free = np.delete(np.arange(size), [2, size - 3, size - 2])
     stiffness, drag, mass = stiffness[np.ix_(free, free)], drag[np.ix_(free, free)], mass[free, np.newaxis]
-    linear = np.block([[np.zeros_like(stiffness), np.eye(len(free))], [-stiffness / mass, -(PLAIN[1] * stiffness + drag) / mass]])
+    linear = np.block([[np.zeros_like(stiffness), np.eye(len(free))], [-stiffness / mass, -(PLAIN.beta * stiffness + drag) / mass]])
     values = np.linalg.eigvals(linear)
     return values[np.argmin(abs(values - start))]
 
@@ -101,7 +116,8 @@ def nearest(folder, size, cells, direction, law, expected, ranks=1, count="true"
     folder.write("layer.prm", "set Dimension = 3\n" + prm({
         **COMMON, "Body/Stiffness": ", ".join(map(repr, DIAGONAL)), "Body/Size": ", ".join(map(repr, size)),
         "Body/Cells": "%d, %d, %d" % cells, "Flat/Velocity": ", ".join(repr(VELOCITY * d) for d in direction),
-        "Friction/Regularization time": law[0], "Time/Rayleigh beta": law[1], "Complex modes/Count modes": count}))
+        "Friction/Coefficient": law.mu, "Friction/Regularization time": law.delta, "Time/Rayleigh beta": law.beta,
+        **({"Flat/Normal stiffness": law.springs} if law.springs < math.inf else {}), "Complex modes/Count modes": count}))
     folder.run(0, "contact_dynamics", "layer.prm", "--output", "layer", ranks=ranks)
     summary = folder.summary("layer")
     assert summary["missing_modes"] == (0 if count == "true" else None) and summary["separated_nodes"] == 0, summary
@@ -109,29 +125,50 @@ def nearest(folder, size, cells, direction, law, expected, ranks=1, count="true"
     return found[np.argmin(abs(found - expected))], expected
 
 
+def found_along(folder, degree, law, s, n):
+    """s of a wave along x under a flat that moves at an angle to it, so that one cell across is enough. Modes are counted on the coarse cells."""
+    length, angle = 2 * math.pi / law.number, math.radians(degree)
+    return nearest(folder, (length, length / (2 * n), HEIGHT), (2 * n, 1, n), (math.cos(angle), -math.sin(angle)), law, s, count="true" if n == 8 else "false")
+
+
 def check_order(folder):
-    """Waves along x under a flat that moves at an angle to them, so that one cell across is enough. Modes are counted on the coarse cells."""
-    for law in (PLAIN, REGULARIZED):
-        for degree, s in exact(law).items():
-            direction, errors = (math.cos(math.radians(degree)), -math.sin(math.radians(degree))), []
-            length = 2 * math.pi / NUMBER
+    for law, degrees in ((PLAIN, ANGLES), (REGULARIZED, ANGLES), (Sliding(springs=1e13), (45,)), (Sliding(1.5e-6, 4.4e-9, 3e13), (30, 60))):
+        for degree in degrees:
+            s, errors = exact(law)[degree], []
             for n in (8, 16):
-                found, expected = nearest(folder, (length, length / (2 * n), HEIGHT), (2 * n, 1, n), direction, law, s,
-                                          count="true" if n == 8 else "false")
+                found, expected = found_along(folder, degree, law, s, n)
                 errors.append(abs(found - expected) / abs(s))
             order = math.log2(errors[0] / errors[1])
-            print(f"{degree} degrees, delta {law[0]:g} s: growth {found.real:.1f} (exact {s.real:.1f}) 1/s at {found.imag / 2 / math.pi:.1f} "
-                  f"({abs(s.imag) / 2 / math.pi:.1f}) Hz; errors {errors[0]:.2%}, {errors[1]:.2%} of s, order {order:.3f}")
+            print(f"{degree} degrees, delta {law.delta:g} s, springs {law.springs:g} Pa/m: growth {found.real:.1f} (exact {s.real:.1f}) 1/s at "
+                  f"{found.imag / 2 / math.pi:.1f} ({abs(s.imag) / 2 / math.pi:.1f}) Hz; errors {errors[0]:.2%}, {errors[1]:.2%} of s, order {order:.3f}")
             assert abs(order - 2) < 0.05 and errors[1] < 0.003 and abs(found.real / s.real - 1) < 0.01, (degree, law, errors)
+
+
+def check_known(folder):
+    """Of a derivation by others, for G = 12.5 GPa: growth (1/s) and frequency (Hz) along x of kH = 1.15 on three flats. Extrapolated to no cells, and
+    what the springs change to a thousandth."""
+    rigid = error_of_rigid = 0
+    for springs, growth, frequency in ((math.inf, 30030.410, 49264.050), (1e15, 30025.295, 49227.795), (1e13, 28061.032, 45707.747)):
+        law = Sliding(0, 0, springs * SHEAR / 12.5e9, 0.25, 1.15 / HEIGHT)
+        s = zero(lambda z, law=law: closed(z, 0., law), complex(30e3, 2 * math.pi * 48e3))
+        assert abs(s - complex(growth, 2 * math.pi * frequency)) < 0.01, (springs, s)
+        coarse, fine = (found_along(folder, 0, law, s, n)[0] for n in (8, 16))
+        order, limit = math.log2(abs(coarse - s) / abs(fine - s)), fine + (fine - coarse) / 3
+        if springs == math.inf:
+            rigid, error_of_rigid = s, limit - s
+        change = abs(limit - s - error_of_rigid) / max(abs(s - rigid), 1)
+        print(f"springs {springs:g} Pa/m: {limit.real:.1f} (known {growth}) 1/s at {limit.imag / 2 / math.pi:.1f} ({frequency}) Hz, order {order:.3f}, "
+              f"{abs(limit - s) / abs(s):.1e} of s from it, change from the rigid flat within {change:.1e}")
+        assert abs(order - 2) < 0.05 and abs(limit - s) < 5e-5 * abs(s) and change < 1e-3, (springs, limit, s, change)
 
 
 def check_count(folder):
     """All modes up to 200 kHz of a layer full of waves in all directions: the count takes some factorizations a shift, not hundreds."""
-    wave = (NUMBER * math.cos(math.pi / 6), NUMBER * math.sin(math.pi / 6))
+    wave = (PLAIN.number * math.cos(math.pi / 6), PLAIN.number * math.sin(math.pi / 6))
     size = (2 * math.pi / wave[0], 2 * math.pi / wave[1], HEIGHT)
     folder.write("layer.prm", "set Dimension = 3\n" + prm({
         **COMMON, "Body/Stiffness": ", ".join(map(repr, DIAGONAL)), "Body/Size": ", ".join(map(repr, size)), "Body/Cells": "5, 5, 3",
-        "Flat/Velocity": f"{VELOCITY}, 0", "Friction/Regularization time": 0, "Time/Rayleigh beta": 2e-8,
+        "Flat/Velocity": f"{VELOCITY}, 0", "Friction/Coefficient": PLAIN.mu, "Friction/Regularization time": 0, "Time/Rayleigh beta": PLAIN.beta,
         "Complex modes/Lowest frequency": 0, "Complex modes/Highest frequency": 200e3}))
     folder.run(0, "contact_dynamics", "layer.prm", "--output", "layer")
     summary = folder.summary("layer")
@@ -143,7 +180,7 @@ def check_cells(folder):
     """Waves at 30 and 45 degrees to the sides of the cells as numpy has them; what is left to the closed form is that of the cells."""
     for degree, cells, ranks in ((30, (8, 6, 4), 1), (30, (8, 6, 4), 2), (45, (7, 7, 5), 3)):
         s, angle = exact(PLAIN)[degree], math.radians(degree)
-        wave = (NUMBER * math.cos(angle), NUMBER * math.sin(angle))
+        wave = (PLAIN.number * math.cos(angle), PLAIN.number * math.sin(angle))
         size = (2 * math.pi / wave[0], 2 * math.pi / wave[1], HEIGHT)
         cell = tuple(length / n for length, n in zip(size, cells))
         of_cells = in_numpy(wave, cell, cells[2], s)
@@ -156,7 +193,7 @@ def check_cells(folder):
 def check_discretization():
     """In numpy, cells at an angle to the wave: order two down to fine ones."""
     s, angle = exact(PLAIN)[30], math.radians(30)
-    wave, errors = (NUMBER * math.cos(angle), NUMBER * math.sin(angle)), []
+    wave, errors = (PLAIN.number * math.cos(angle), PLAIN.number * math.sin(angle)), []
     for n in (8, 16, 32, 64):
         cell = (math.pi / wave[0] / n, math.pi / wave[1] / n, HEIGHT / n)
         errors.append(abs(in_numpy(wave, cell, n, s) - s) / abs(s))
@@ -169,5 +206,6 @@ if __name__ == "__main__":
     with tempfile.TemporaryDirectory() as path:
         scene = Folder(path)
         check_order(scene)
+        check_known(scene)
         check_count(scene)
         check_cells(scene)

@@ -1,12 +1,11 @@
 """Random supports at the left, the right and the top against a dense code written apart, in numpy: modes, the static body pressed on the flat, and
-every step of runs that land on it, of random phase maps as a plane grid and as a mesh of the same cells, on one rank and on two.
+every step of runs that land on it, of random phase maps as a plane grid and as a mesh of the same cells, on one rank and on two or three.
 
 Each side is free, held, under a pressure, on springs with dashpots, mass and a far end that moves, absorbs waves, or is a platen, also on springs.
 Every pair of kinds meets at opposite sides. Damping is that of all phases or differs by phase, and bodies about whose steady sliding complex modes vibrate are dragged by friction. Modes
 agree to 1e-8, static displacements to 1e-7 and steps to 1e-10 of the largest, in single precision to 2e-5."""
 
 import csv
-import itertools
 import tempfile
 
 import h5py
@@ -15,7 +14,7 @@ import numpy as np
 from mesh_files import Box
 from scenes import Folder, prm
 
-SEED, N_BODIES = 2044, 12
+SEED, N_BODIES = 2044, 10
 NX, NY, HX, HY = 6, 5, 1.0e-3, 0.6e-3
 STIFFNESS = [[32e9, 8e9, 32e9, 12e9], [80e9, 20e9, 70e9, 30e9]]  # D11, D12, D22, D33
 DENSITY = [1770.0, 2500.0]
@@ -289,11 +288,11 @@ KINDS = ["free", "pressure", "held", "springs", "absorbing", "platen"]
 def random_supports(random, analysis, pair):
     """With this pair of kinds at the left and the right."""
     chosen = [Support(name, kind, random) for name, kind in zip(("Left", "Right"), pair)]
-    top = Support("Top", random.choice(KINDS if analysis in ("modal", "transient") else ["pressure", "springs", "platen"]), random)
+    kinds = KINDS if analysis in ("modal", "transient") else ["pressure", "springs", "platen"]
+    top = Support("Top", random.choice([kind for kind in kinds if kind != "platen" or "held" not in pair]), random)
     for side in chosen:
         if top.kind == "platen" and side.kind != "platen":  # which moves the corners
-            side.held = [c for c in side.held if side.kind != "held" and c == 0 and c in top.held]
-            side.kind = "free" if side.kind == "held" else side.kind
+            side.held = [c for c in side.held if c == 0 and c in top.held]
     return chosen + [top]
 
 
@@ -325,6 +324,7 @@ def field(folder, run_name, body):
 
 
 def check(folder, random, number, pairs):
+    """A body in each analysis, with a pair of kinds that is left or, when none is, any; removes from `pairs` what was compared."""
     body = Body(random)
     body.write(folder)
     np.savetxt(folder("map.txt"), body.phases[::-1], fmt="%d")  # an image: top row first
@@ -337,7 +337,9 @@ def check(folder, random, number, pairs):
     folder.run(0, "rve_homogenization", "rve.prm", "--output", "rve", "--quiet")
     errors = {}
     for analysis in ("modal", "static contact", "complex modes", "transient"):
-        supports = random_supports(random, analysis, next(pairs))
+        open_pairs = [pair for pair in pairs if analysis != "modal" or "pressure" not in pair]  # modes know no pressure
+        pair = open_pairs[0] if open_pairs else tuple(random.choice(KINDS, 2))
+        supports = random_supports(random, analysis, pair)
         velocity, weight = random.uniform(-1, 1, 2) * [0.5, 1.0], random.uniform(-1, 1, 2) * 1e5
         if analysis == "modal":
             expected, more = modes(body, supports), {"Modal/Bottom": "free", "Modal/Number of modes": 5, "Modal/Tolerance": 1e-12}
@@ -358,8 +360,10 @@ def check(folder, random, number, pairs):
                     "Body/Acceleration": "%.17g, %.17g" % tuple(weight), "Snapshots/Interval": DT, "Friction/Regularization time": 0}
         if expected is None:
             continue
+        if pair in pairs:
+            pairs.remove(pair)
         for name in ("grid", "single", "mesh") if analysis == "transient" else ("grid", "mesh"):
-            for ranks in (1, 2):
+            for ranks in (1, 2 + number % 2):
                 folder.write("run.prm", prm({**keys(body, name, supports, analysis), **more}))
                 folder.run(0, "contact_dynamics", "run.prm", "--output", analysis, "--quiet", ranks=ranks)
                 what = (number, analysis, name, ranks, [(s.name, s.kind, s.held) for s in supports])
@@ -381,16 +385,18 @@ def check(folder, random, number, pairs):
                     assert error < (1e-7 if analysis == "static contact" else 2e-5 if name == "single" else 1e-10), (*what, error)
                 kind = name if name == "single" else analysis
                 errors[kind] = max(error, errors.get(kind, 0.0))
-    print(number, errors)
+    print(number, errors, len(pairs), "pairs left")
 
 
 def main():
     print("seed", SEED)
     random = np.random.default_rng(SEED)
+    pairs = [(left, right) for left in KINDS for right in KINDS]
+    random.shuffle(pairs)
     with tempfile.TemporaryDirectory() as path:
-        pairs = itertools.cycle(random.permutation([(left, right) for left in KINDS for right in KINDS]))
         for number in range(N_BODIES):
             check(Folder(path), random, number, pairs)
+    assert not pairs, pairs
 
 
 if __name__ == "__main__":

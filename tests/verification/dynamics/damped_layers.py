@@ -6,40 +6,48 @@ below, the upper one free above, so that
     M1 (1 + beta1 s) k1 cot(k1 h1) = M2 (1 + beta2 s) k2 tan(k2 h2).
 
 The lowest complex mode and the decay of a run after its top was loaded agree with the root, of second order in the cells.
+
+Of layers that are damped by their mass alone s (s + alpha) takes the place of s^2: a mode of the frequency omega decays with alpha/2 at
+sqrt(omega^2 - alpha^2/4), on every grid with its own omega.
 """
 
 import csv
+import os
+import sys
 import tempfile
 
 import h5py
 import numpy as np
 
-from scenes import Folder, prm
+from scenes import TOOLS, Folder, prm
+
+sys.path.append(os.path.join(TOOLS, "studies", "prediction"))
+from measures import rates  # noqa: E402
 
 HEIGHTS, YOUNG, POISSON, DENSITY, BETA = np.array([3e-3, 5e-3]), np.array([30e9, 240e9]), 0.2, 1770.0, np.array([1.5e-7, 2e-8])
 MODULUS = YOUNG * (1 - POISSON) / ((1 + POISSON) * (1 - 2 * POISSON))
 FIRST = 16 / HEIGHTS.sum()  # cells a metre of the coarsest grid
 
 
-def mismatch(s):
-    moduli = MODULUS * (1 + BETA * s)
+def mismatch(s, beta=BETA):
+    moduli = MODULUS * (1 + beta * s)
     k = np.sqrt(-DENSITY * s**2 / moduli + 0j)
     return moduli[0] * k[0] / np.tan(k[0] * HEIGHTS[0]) - moduli[1] * k[1] * np.tan(k[1] * HEIGHTS[1])
 
 
-def root():
+def root(beta=BETA):
     """The lowest one, by the secant method from that of undamped layers."""
     omega = np.linspace(1e4, 2e6, 20000)
     undamped = [(MODULUS[0] * a / np.tan(a * HEIGHTS[0]) - MODULUS[1] * b * np.tan(b * HEIGHTS[1]))
                 for a, b in (omega[:, None] * np.sqrt(DENSITY / MODULUS)).tolist()]
     s = 1j * omega[np.flatnonzero(np.diff(np.sign(undamped)))[0]]
-    before, value = s * (1 + 1e-4), mismatch(s * (1 + 1e-4))
+    before, value = s * (1 + 1e-4), mismatch(s * (1 + 1e-4), beta)
     for _ in range(50):
-        now = mismatch(s)
+        now = mismatch(s, beta)
         if now == value:
             break
         before, value, s = s, now, s - now * (s - before) / (now - value)
-    assert abs(mismatch(s)) < 1e-9 * MODULUS[0] / HEIGHTS[0]
+    assert abs(mismatch(s, beta)) < 1e-9 * MODULUS[0] / HEIGHTS[0]
     return s
 
 
@@ -67,8 +75,8 @@ def mode(folder, factor, body):
     return min((s for s in found if s.imag > 0), key=lambda s: s.imag)
 
 
-def decay(folder, factor, body, period):
-    """From the displacement of the top: u_{n+1} + a u_n + b u_{n-1} = c holds for a single decaying vibration about rest."""
+def of_top(folder, factor, body, period):
+    """Times and displacements of a run."""
     step = period / 40 / (40 * factor**2)
     every = round(period / 40 / step)
     folder.write("run.prm", prm({**body, "Supports/Top/Ramp": "smooth", "Supports/Top/Ramp time": 3 * period, "Flat/Velocity": 0, "Time/Time step": step,
@@ -77,12 +85,38 @@ def decay(folder, factor, body, period):
     folder.run(0, "contact_dynamics", "run.prm", "--output", f"run{factor}", "--quiet")
     with h5py.File(folder(f"run{factor}", "dynamics.h5")) as file:
         time, u = file["probes/top/time"][()], file["probes/top/displacement"][:, 1]
+    return time, u
+
+
+def decay(folder, factor, body, period):
+    """From the displacement of the top: u_{n+1} + a u_n + b u_{n-1} = c holds for a single decaying vibration about rest."""
+    time, u = of_top(folder, factor, body, period)
     u, lag = u[time > 6 * period], 8
     A = np.column_stack([u[lag:-lag], u[: -2 * lag], np.ones(len(u) - 2 * lag)])
     a, b, _ = np.linalg.lstsq(A / np.abs(u).max(), u[2 * lag:] / np.abs(u).max(), rcond=None)[0]
     z = np.roots([1, -a, -b])[0]
     s = np.log(z) / (lag * (time[1] - time[0]))
     return complex(s.real, abs(s.imag))
+
+
+def check_damped_by_mass(folder):
+    omega = root(np.zeros(2)).imag
+    alpha = 0.4 * omega
+    decays = lambda omega: -alpha / 2 + 1j * np.sqrt(omega**2 - alpha**2 / 4)
+    errors = []
+    for factor in (1, 2):
+        body, period = {**settings(folder, factor), "Time/Rayleigh beta": 0}, 2 * np.pi / omega
+        of_grid = decays(mode(folder, factor, body).imag)
+        body["Body/Rayleigh alpha"] = alpha
+        found = mode(folder, factor, body)
+        time, u = of_top(folder, factor, body, period)
+        of_run = rates(u[time > 3.1 * period], time[1] - time[0], 60, 1e-9)  # higher modes decay as slowly
+        of_run = of_run[np.argmin(abs(of_run - of_grid))]
+        errors.append(abs(found / decays(omega) - 1))
+        print(f"damped by mass: mode {found:.2f}, {abs(found / of_grid - 1):.1e} from that of the grid, {errors[-1]:.2e} from the exact one; run {of_run:.2f}, "
+              f"{abs(of_run / of_grid - 1):.1e} from that of the grid")
+        assert abs(found / of_grid - 1) < 1e-11 and abs(of_run / of_grid - 1) < 2e-6, (found, of_run, of_grid)
+    assert abs(np.log2(errors[0] / errors[1]) - 2) < 0.01, errors
 
 
 def main():
@@ -98,6 +132,7 @@ def main():
             sizes = np.abs(found)
             print(what, "distances", sizes, "orders", np.log2(sizes[:-1] / sizes[1:]))
             assert sizes[-1] < 5e-4 and np.log2(sizes[:-1] / sizes[1:]).min() > 1.8, what
+        check_damped_by_mass(folder)
 
 
 if __name__ == "__main__":

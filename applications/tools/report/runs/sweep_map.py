@@ -1,5 +1,7 @@
 """Section on maps: what happens at each point of a sweep, over its axes."""
 
+import os
+
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.colors import ListedColormap
@@ -19,6 +21,7 @@ REGIMES = {"permanent stick": YELLOW, "stick-slip": ORANGE, "stick-slip-separati
 GROWTH = "complex_modes.largest_growth_rate"
 # Name in the map, words, factor, unit.
 QUANTITIES = [("global_interface_friction_coefficient", "global interface friction coefficient", 1, ""), ("main_frequency", "main frequency", 1e-3, "kHz"),
+              ("reference_velocity_amplitude", "amplitude of the velocity of the reference node", 1, "m/s"),
               ("slip_fraction", "share of slip", 100, "%"), ("stick_fraction", "share of stick", 100, "%"),
               ("separation_fraction", "share of separation", 100, "%"), (GROWTH, "growth rate of the fastest complex mode", 1, "1/s"),
               ("largest_strain", "largest strain", 100, "%")]
@@ -118,7 +121,21 @@ def maps(page, run):
         html += note(f"Six of {len(found.slices())} maps over the first two axes are shown.")
     if not found.is_grid():
         html += page.figure(scattered(found), f"Points of {escape(run.name)} over their first two axes, coloured by the regime of the reference node.")
-    return html
+    return html + points(page, found)
+
+
+def points(page, found, most=1000):
+    """A folded table of the points, each with a link to the summary of its run."""
+    axes = [np.atleast_1d(found.run.need(f"/axes/{name}")) for name in (["branch"] if found.branches else []) + found.names]
+    folders = [text.decode() for text in found.run.need("/folder").ravel()]
+    mu = found.number(QUANTITIES[0][0])
+    rows = []
+    for k, folder in enumerate(folders[:most]):
+        link = page.link(found.run.file_path(os.path.join(folder, "summary.json")), "summary.json") or escape(found.status[k])
+        rows.append([*(number(float(values[k])) for values in axes), escape(found.regime()[k]), number(float(mu[k])) if mu is not None else "n/a", link])
+    headings = [*(["branch"] if found.branches else []), *(escape(name) for name in found.names), "regime", "mu_inter", "run"]
+    more = note(f"The first {most} of {len(folders)} points.") if len(folders) > most else ""
+    return f"<details><summary>All points, with links to their runs</summary>{table(headings, rows, (len(headings) - 3, len(headings) - 1))}{more}</details>"
 
 
 def failures(found, failed):

@@ -14,7 +14,7 @@ from study import Study, parse_arguments  # noqa: E402
 
 PRM = os.path.join(TOP, "prm", "prediction")
 SEEDS = (1, 2, 3, 4)
-DRAWN = 12
+DRAWN, STOPPED = 12, 100  # random points of the comparison and of the check of early ends
 
 PRESSURE, VELOCITY, FRICTION = "Supports/Top/Pressure", "Flat/Velocity", "Friction/Coefficient"
 DELAY, DAMPING, SPRING = "Friction/Regularization time", "Time/Rayleigh beta", "Supports/Top/Spring stiffness"
@@ -45,11 +45,11 @@ def axes(**numbers):
     return keys
 
 
-def drawn():
+def drawn(number):
     """Random points in pressure, velocity, friction, regularization time and damping."""
     names = ("pressure", "velocity", "friction", "delta", "beta")
     keys = axes(**dict.fromkeys(names, 2))
-    return {**{key: value for key, value in keys.items() if not key.endswith("/Number")}, "Sweep/Points": "random", "Sweep/Random points": DRAWN}
+    return {**{key: value for key, value in keys.items() if not key.endswith("/Number")}, "Sweep/Points": "random", "Sweep/Random points": number}
 
 
 def homogenized(study, name, settings, seed=1):
@@ -60,10 +60,10 @@ def homogenized(study, name, settings, seed=1):
 def add_morphologies(study):
     """The random points for each morphology, with all fibres and homogenized. Steps of the pin with fibres are in single precision."""
     for seed in SEEDS:
-        homogenized(study, f"homogenized-{seed}", {**drawn(), **COMPARED}, seed)
+        homogenized(study, f"homogenized-{seed}", {**drawn(DRAWN), **COMPARED}, seed)
     for seed in SEEDS:
         study.add(f"fibres-{seed}", "contact_dynamics", os.path.join(PRM, "contact_dynamics-heterogeneous.prm"),
-                  {"Body/RVE file": f"{{rve-{seed}}}/rve.h5", **drawn(), **COMPARED, "Time/Precision": "single"})
+                  {"Body/RVE file": f"{{rve-{seed}}}/rve.h5", **drawn(DRAWN), **COMPARED, "Time/Precision": "single"})
 
 
 def add_maps(study):
@@ -76,6 +76,8 @@ def add_maps(study):
     homogenized(study, "beta-friction", {**with_modes, **axes(beta=9, friction=8)})
     homogenized(study, "spring", {**ON_SPRING, **axes(slow=11, stiffness=9)})
     homogenized(study, "disc", {**LONG, **COARSE, **STEEL_DISC, **axes(pressure=11, friction=8)})
+    homogenized(study, "stopped", {**LONG, **COARSE, **drawn(STOPPED)})
+    homogenized(study, "whole", {**LONG, **COARSE, **drawn(STOPPED), "Observation/Stop at limit cycle": False})
     add_morphologies(study)
 
 
