@@ -121,8 +121,8 @@ def page(programs, runs, folder):
         "## Over the stiffness of the contact", "",
         f"![Frequency and growth rate of modes over the stiffness of the contact]({name_of_softer})", "",
         "The same pin with springs between pin and flat (`Flat/Normal stiffness`), which stand for the asperities of rough surfaces. 5 MPa",
-        "compress them by 5 nm at 1e15 Pa/m and by 0.5 micrometres at 1e13 Pa/m. Growth depends on this stiffness:",
-        f"the largest growth rate is {fastest:.1f} 1/ms, at {at_stiffness:.2g} Pa/m.", ""]
+        "compress them by 5 nm at 1e15 Pa/m and by 0.5 micrometres at 1e13 Pa/m.",
+        f"The largest growth rate is {fastest:.1f} 1/ms, at {at_stiffness:.2g} Pa/m.", ""]
     text += participation_text(picked, facts)
     paragraphs = re.sub(r"(?<=[^\n|])\n(?=[^\n|#!])", " ", "\n".join(text))
     write_page(folder, "README.md", paragraphs.rstrip() + "\n")

@@ -24,8 +24,7 @@ results are in `output/NAME`, by
 
     /usr/bin/python3 applications/tools/report/make_report.py output/NAME --output report.html
 
-Seven pictures are not from reports: laws of friction, tribometer with a dashpot, rough contact, damping layer, disc,
-blocks and pulse. `./run.sh gallery` runs all examples and writes this page.
+`./run.sh gallery` runs all examples and writes this page.
 
 {examples}
 """
@@ -72,7 +71,7 @@ def entry(arguments, example):
     save(figures, example.figure, os.path.join(TOP, "doc", "gallery", name + ".png"))
     print(f"{name}: {seconds:.1f} s", file=sys.stderr, flush=True)
     return "\n".join([f"## {example.title}", "", f"{example.text} ({'' if seconds >= 1 else '< '}{max(1, round(seconds))} s)", "",
-                      *("    " + command for command in commands(example)), "", f"![{example.title}](gallery/{name}.png)", ""])
+                      *("    " + command for command in commands(example)), "", f"![picture](gallery/{name}.png)", ""])
 
 
 def main():

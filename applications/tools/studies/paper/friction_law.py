@@ -27,7 +27,7 @@ def step(fragment, runs, names):
     error = np.abs(tangential - exact)[time > STEP_AT].max() / (mu * normal[-1])
     fragment.text("A step of 0.5 MPa presses a body of 10 micrometres on the moving flat. The tangential stress differs from the exact solution of eq. (7), μ|σ_n|(1 − exp(−t/δ)), by at "
                   f"most {100 * error:.2f} % of μ|σ_n|.")
-    fragment.figure(figure, "Tangential contact stress after a step of the normal stress", "At 2 µs the small body overshoots for some nanoseconds.")
+    fragment.figure(figure, "Tangential contact stress after a step of the normal stress")
 
 
 def _stresses(run):

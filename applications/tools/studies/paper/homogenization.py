@@ -77,7 +77,7 @@ def modes(fragment, runs, names):
     axes[0, 0].plot([0, SCALE], [-2.5, -2.5], color=BLACK, lw=2.5, solid_capstyle="butt", clip_on=False)
     axes[0, 0].text(SCALE + 1, -2.5, f"{SCALE} mm", va="center")
     lettered(axes.flat)
-    fragment.figure(figure, "First modes", "Every twentieth grid line; displacements are of arbitrary size. Grey: undeformed outline.")
+    fragment.figure(figure, "First modes", "Grey: undeformed outline.")
 
 
 def _shape(axes, shape, spacing, every=20, scale=2.0):

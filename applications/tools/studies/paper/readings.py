@@ -91,8 +91,7 @@ def _plateaus(fragment, seen):
     others = sum(s["push"] >= begin for s in seen) - len(second)
     fragment.text(f"{len(first)} starts with {span(first, 'push', 1, 1)} (m/s)/MPa lead to regime 1: M slips {span(first, 'slip', 100, 0)} % of the time, mu_inter is {span(first, 'mu', 1, 3)}. "
                   f"{len(second)} starts from {begin:.4g} (m/s)/MPa on lead to regime 2: M slips {span(second, 'slip', 100, 0)} %, mu_inter is {span(second, 'mu', 1, 3)}, the main frequency "
-                  f"{span(second, 'frequency', 1e-3, 1)} kHz; {others} more leave it again. Smaller pushes lead to cycles between regime 1 and the cycle of "
-                  "small amplitude without a push.")
+                  f"{span(second, 'frequency', 1e-3, 1)} kHz; {others} more leave it again.")
 
 
 def _in_the_long_run(fragment, found):

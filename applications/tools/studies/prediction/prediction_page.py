@@ -235,7 +235,7 @@ def _rules(data, keys, tried, errors, runs):
 
     return ["## The rules",
             "Table 2. Error of mu_inter, homogeneous pin with δ* minus heterogeneous pin: root mean square over the morphologies. Cost: CPU time of the runs for a new morphology over the time "
-            "of its full heterogeneous run, without runs that are made once for all; eigenvalues were not timed. Eq. (13) and the best δ* need the full run and predict nothing.",
+            "of its full heterogeneous run, without runs that are made once for all. Eq. (13) and the best δ* need the full run and predict nothing.",
             table(["rule", "δ*", "cost [%]", *map(_case, keys)], rows),
             f"*Other morphologies* is better than δ* = δ in {_better(errors, keys, 'other morphologies')} cases, *other "
             f"pressure* in {_better(errors, keys, 'other pressure')}: δ* has to be found anew for another pressure. "

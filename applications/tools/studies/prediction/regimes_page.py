@@ -156,8 +156,7 @@ def _obtained():
 def _search(found):
     return ["## Search for regime 2",
             f"How many of the {len(found)} runs of the map have the paper's marks of regime 2:",
-            table(["mark of regime 2"] + [f"{w[0] * 1e3:g} to {w[1] * 1e3:g} ms" for w in (regime_map.EARLY, regime_map.LATE)], counts(found)),
-            "Hard pushes give early mu_inter above mu = 0.25, because friction takes the energy of the push as well."]
+            table(["mark of regime 2"] + [f"{w[0] * 1e3:g} to {w[1] * 1e3:g} ms" for w in (regime_map.EARLY, regime_map.LATE)], counts(found))]
 
 
 def _coexistence(found):
@@ -167,7 +166,7 @@ def _coexistence(found):
     points = len({(p, d) for p, d, _ in found})
     return ["## States that depend on the start",
             f"At {len(states)} of {points} points (P, δ) the late mu_inter of two starts differs by more than 0.01 and four standard errors. The largest range is {ends} at "
-            f"{p / 1e6:g} MPa and δ = {d * 1e9:g} ns. Some of these states are coexisting cycles, others still change after 3 ms."]
+            f"{p / 1e6:g} MPa and δ = {d * 1e9:g} ns."]
 
 
 def _choices(choices):

@@ -42,7 +42,7 @@ def summary(folder):
 SUMMARY = """
 # Stability under stress
 
-`./run.sh stability` writes this page on runs of `contact_dynamics`; the test `verification/stability` is a short form of its first three parts.
+`./run.sh stability` writes this page on runs of `contact_dynamics`.
 
 A run is stable if all its data are finite, its energy balance closes to round-off and the body never holds more energy than was put in. If a run \
 cannot be stable, the program has to stop it with exit status 3 and name step, time, place and likely cause.
@@ -87,8 +87,7 @@ and below 1.01 (sharp). The last column compares with the exact largest frequenc
 
 {table(["body", "beta2", "beta (ns)", "observed / predicted", "observed / exact, as held"], rows)}
 
-On cells of 1:10 (four rows) the limit is higher, because the platen holds a large part of the stiffest mode. The program does not use this reserve, \
-which falls with the square of the number of rows.
+On cells of 1:10 (four rows) the limit is higher, because the platen holds a large part of the stiffest mode.
 
 ![time step](time_step.png)
 
@@ -127,8 +126,6 @@ def stress_part(study, page):
 {len(verdicts)} runs of the pin on 70 x 20 cells for 0.5 ms change one setting each.
 
 {table(["stable", "values"], rows)}
-
-Under each of the last three pressures the whole contact opens and closes again at least twice.
 
 The program stops these runs:
 
