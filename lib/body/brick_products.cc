@@ -1,8 +1,8 @@
 #include "base/exchange.h"
 #include "body/brick_body.h"
 #include "body/brick_solver.h"
+#include "body/strain_modes.h"
 #include "elasticity/brick/brick_matrices.h"
-#include "elasticity/strain_modes.h"
 
 #include <algorithm>
 

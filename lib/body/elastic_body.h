@@ -258,11 +258,8 @@ public:
   virtual void
   evaluate(const NodalField<double> &u, const std::size_t group, Cells &cells) const = 0;
 
-  /**
-   * For each phase the integral of strain strain^T over its cells (m^3, in 2D m^2), with
-   * strains as in K: the sum over phases of its scalar product with the stiffness is
-   * u^T K u without springs. The same on all ranks. Collective.
-   */
+  /** Integral of strain strain^T over the cells of each phase (m^3, in 2D m^2): its scalar
+   * products with the stiffnesses sum up to u^T K u without springs. Collective. */
   virtual std::vector<VoigtMatrix<dim>>
   strain_products(const NodalField<double> &u) const = 0;
 

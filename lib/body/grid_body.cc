@@ -1,6 +1,6 @@
 #include "body/grid_body.h"
 
-#include "elasticity/strain_modes.h"
+#include "body/strain_modes.h"
 
 namespace mesoslip
 {

@@ -1,8 +1,8 @@
 #ifndef mesoslip_exchange_body_snapshots_h
 #define mesoslip_exchange_body_snapshots_h
 
-#include "exchange/orientation_datasets.h"
 #include "exchange/run_description.h"
+#include "exchange/rve/orientation_datasets.h"
 #include "exchange/time_window.h"
 #include "grid/cell_block.h"
 #include "io/hdf5_file.h"

@@ -1,8 +1,8 @@
 #ifndef mesoslip_exchange_rve_file_h
 #define mesoslip_exchange_rve_file_h
 
-#include "exchange/orientation_datasets.h"
-#include "exchange/variation_datasets.h"
+#include "exchange/rve/orientation_datasets.h"
+#include "exchange/rve/variation_datasets.h"
 #include "grid/uniform_grid.h"
 #include "io/hdf5_file.h"
 #include "material/orientations.h"

@@ -1,7 +1,7 @@
 #include "homogenization/volumes/grid_volume.h"
 
 #include "base/exchange.h"
-#include "elasticity/strain_modes.h"
+#include "body/strain_modes.h"
 
 namespace mesoslip
 {

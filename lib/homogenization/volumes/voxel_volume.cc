@@ -1,7 +1,7 @@
 #include "homogenization/volumes/voxel_volume.h"
 
 #include "base/exchange.h"
-#include "elasticity/strain_modes.h"
+#include "body/strain_modes.h"
 #include "material/stiffness.h"
 #include "program/machine.h"
 #include "statics/voxel/planes.h"

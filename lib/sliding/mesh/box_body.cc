@@ -7,7 +7,7 @@
 #include "exchange/datasets.h"
 #include "exchange/grid_file.h"
 #include "exchange/mesh_datasets.h"
-#include "exchange/orientation_datasets.h"
+#include "exchange/rve/orientation_datasets.h"
 #include "exchange/rve_file.h"
 #include "material/plausibility.h"
 #include "program/output_folder.h"

@@ -1,5 +1,5 @@
-#ifndef mesoslip_exchange_orientation_datasets_h
-#define mesoslip_exchange_orientation_datasets_h
+#ifndef mesoslip_exchange_rve_orientation_datasets_h
+#define mesoslip_exchange_rve_orientation_datasets_h
 
 #include "grid/cell_reader.h"
 #include "io/hdf5_file.h"

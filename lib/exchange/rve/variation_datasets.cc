@@ -1,4 +1,4 @@
-#include "exchange/variation_datasets.h"
+#include "exchange/rve/variation_datasets.h"
 
 #include "base/errors.h"
 #include "exchange/datasets.h"

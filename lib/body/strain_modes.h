@@ -1,5 +1,5 @@
-#ifndef mesoslip_elasticity_strain_modes_h
-#define mesoslip_elasticity_strain_modes_h
+#ifndef mesoslip_body_strain_modes_h
+#define mesoslip_body_strain_modes_h
 
 #include "material/voigt.h"
 

@@ -1,4 +1,4 @@
-#include "exchange/orientation_datasets.h"
+#include "exchange/rve/orientation_datasets.h"
 
 #include "base/errors.h"
 #include "exchange/cell_datasets.h"

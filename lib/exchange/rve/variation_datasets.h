@@ -1,5 +1,5 @@
-#ifndef mesoslip_exchange_variation_datasets_h
-#define mesoslip_exchange_variation_datasets_h
+#ifndef mesoslip_exchange_rve_variation_datasets_h
+#define mesoslip_exchange_rve_variation_datasets_h
 
 #include "io/hdf5_file.h"
 #include "material/voigt.h"
