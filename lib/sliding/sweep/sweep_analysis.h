@@ -60,7 +60,7 @@ private:
   std::vector<std::optional<std::size_t>>
   tasks_before(const std::vector<Task> &tasks) const;
   std::vector<Task> missing_tasks(const std::string &folder, const Kinds &kinds) const;
-  void wait_for_others(const std::vector<Task> &tasks, RunContext &context) const;
+  void wait_for_others(const std::vector<Task> &tasks, const RunContext &context) const;
   std::vector<std::string> words(const Task &task, const std::string &folder) const;
   void remove_results(const std::string &folder) const;
   std::string
@@ -73,7 +73,7 @@ private:
 
   const SweepParameters parameters;
   const Application single;
-  const unsigned int dim;         ///< of the body
+  const unsigned int dim;         ///< dimension of the body
   std::string base;               ///< a .prm with all keys of a point
   std::vector<std::string> units; ///< per axis, such as Pa; "-" for pure numbers
   std::vector<SweepPoint> points;

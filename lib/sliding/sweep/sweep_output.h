@@ -14,7 +14,7 @@ struct SweepMap
 {
   const SweepParameters &parameters; ///< axes
   std::vector<std::string> units;    ///< per axis, such as Pa; "-" for pure numbers
-  unsigned int dim;                  ///< of the body
+  unsigned int dim;                  ///< dimension of the body
   std::vector<SweepPoint> points;    ///< in the order of the map
   std::vector<SweepResult> results;  ///< in the order of points
 };

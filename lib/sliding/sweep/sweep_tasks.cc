@@ -83,15 +83,14 @@ std::vector<SweepAnalysis::Task> SweepAnalysis::missing_tasks(const std::string 
 }
 
 /** Waits up to half a minute for runs of a map that was killed; they stop by themselves
- * and leave checkpoints. */
+ * and leave checkpoints. Called on rank 0. */
 void SweepAnalysis::wait_for_others(const std::vector<Task> &tasks,
-                                    RunContext &context) const
+                                    const RunContext &context) const
 {
   constexpr std::chrono::milliseconds pause(50);
   unsigned int pauses_left = 600;
   for (const Task &task : tasks)
-    while (pauses_left > 0 && !context.stop_requested() &&
-           is_locked(context.file(task.folder)))
+    while (pauses_left > 0 && is_locked(context.file(task.folder)))
       {
         --pauses_left;
         std::this_thread::sleep_for(pause);

@@ -121,10 +121,10 @@ def maps(page, run):
         html += note(f"Six of {len(found.slices())} maps over the first two axes are shown.")
     if not found.is_grid():
         html += page.figure(scattered(found), f"Points of {escape(run.name)} over their first two axes, coloured by the regime of the reference node.")
-    return html + points(page, found)
+    return html + points_table(page, found)
 
 
-def points(page, found, most=1000):
+def points_table(page, found, most=1000):
     """A folded table of the points, each with a link to the summary of its run."""
     axes = [np.atleast_1d(found.run.need(f"/axes/{name}")) for name in (["branch"] if found.branches else []) + found.names]
     folders = [text.decode() for text in found.run.need("/folder").ravel()]

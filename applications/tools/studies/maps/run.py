@@ -14,7 +14,7 @@ from study import Study, parse_arguments  # noqa: E402
 
 PRM = os.path.join(TOP, "prm", "prediction")
 SEEDS = (1, 2, 3, 4)
-DRAWN, STOPPED = 12, 100  # random points of the comparison and of the check of early ends
+DRAWN, STOPPED = 7, 100  # random points of the comparison and of the check of early ends
 
 PRESSURE, VELOCITY, FRICTION = "Supports/Top/Pressure", "Flat/Velocity", "Friction/Coefficient"
 DELAY, DAMPING, SPRING = "Friction/Regularization time", "Time/Rayleigh beta", "Supports/Top/Spring stiffness"
