@@ -103,6 +103,12 @@ RunContext::RunContext(const std::string &program,
     lock = std::make_unique<FolderLock>(output_folder());
     std::error_code ignored;
     fs::remove(file("terminate"), ignored);
+  });
+  // The parameters come first: a folder with a log but without them is refused, also when
+  // a run was killed in between.
+  if (!run_options.resume)
+    begin();
+  on_root(comm, [&]() {
     log_file.open(file("log.txt"), run_options.resume ? std::ios::app : std::ios::trunc);
     if (!log_file)
       throw UserError(file("log.txt") + ": cannot be written (" + system_message() + ")");
@@ -118,8 +124,6 @@ RunContext::RunContext(const std::string &program,
   log(program + " " + version + ", " + std::to_string(size) +
       (size == 1 ? " process, " : " processes, ") + date_and_time() + ", " +
       run_options.prm_file + " -> " + output_folder());
-  if (!run_options.resume)
-    begin();
   install_signal_handlers();
 }
 
@@ -131,8 +135,8 @@ void RunContext::begin()
   on_root(comm, [&]() {
     std::error_code ignored;
     fs::remove(file("summary.json"), ignored);
-    write_file(file("original.prm"), original_parameters);
     write_file(file("parameters.prm"), effective_parameters);
+    write_file(file("original.prm"), original_parameters);
   });
 }
 
