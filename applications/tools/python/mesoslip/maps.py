@@ -75,5 +75,5 @@ def settings_of(axes):
         raise ValueError("two axes would have one name; give names: {name: (key, values)}")
     settings = {"Sweep/Axes": list(named)}
     for name, (key, values) in named.items():
-        settings |= {f"Sweep/{name}/Key": key, f"Sweep/{name}/Values": list(values)}
+        settings |= {f"Sweep/{name}/Key": key, f"Sweep/{name}/Values": [values] if np.ndim(values) == 0 else list(values)}
     return settings
