@@ -120,7 +120,7 @@ class Support:
         elif kind == "platen":
             across = 0 if name == "Top" else 1
             self.held = [across] if self.k[across] == 0 else []
-        elif random.random() < 0.3 and (name != "Top" or kind == "pressure"):
+        elif random.random() < 0.3 and (name != "Top" or kind in ("pressure", "springs", "absorbing")):
             self.held = [0] if name == "Top" or kind == "free" else [1]
             for values in (self.k, self.z, self.shear, self.rate):  # where it is held they would have no effect
                 values[self.held[0]] = 0.0

@@ -24,7 +24,7 @@ PAGE = """# Maps of the paper's pin
 ![Regimes](pin_regimes.png)
 
 *The homogenized pin: regime of the node in the middle of the contact. (a) Over pressure and friction coefficient, (b) over pressure and velocity of \
-the flat, (c) over friction coefficient and regularization time, (d) over friction coefficient and Rayleigh damping. What is no axis has the value of \
+the flat, (c) over friction coefficient and regularization time, (d) over friction coefficient and Rayleigh damping. Other keys have the values of \
 the paper: 5 MPa, 2 m/s, 0.25, 1.5 µs, 4.4 ns. Black lines: the fastest complex mode neither grows nor decays. Circles: the loads of the paper \
 ([how the paper was read](../paper/reading.md)).*
 
@@ -49,7 +49,7 @@ frequency of pin and holder on the spring.*
 
 ![Rigid flat and disc](pin_disc.png)
 
-*(a) On the rigid flat. (b) On a steel disc of 10 mm with [absorbing sides](../theory.md#supports).*
+*(a) On the rigid flat. (b) On a steel disc of 10 mm with [absorbing sides](../theory.md#4-supports-libdynamicssupports).*
 
 {on_disc}
 
@@ -104,6 +104,7 @@ def comparison(maps, seeds):
     """Rows of the table on homogenization."""
     pairs = [(maps[f"homogenized-{seed}"], maps[f"fibres-{seed}"]) for seed in seeds]
     return [["homogenized against fibres", *compared(pairs)],
+            ["homogenized, 560 x 160 against 140 x 40 cells", *compared([(maps["fine"], pairs[0][0])])],
             ["two homogenized morphologies", *compared(list(combinations([h for h, _ in pairs], 2)))],
             ["two morphologies with fibres", *compared(list(combinations([f for _, f in pairs], 2)))]]
 
@@ -145,8 +146,8 @@ def early_ends(stopped, whole):
     off = np.abs(np.asarray(stopped[MU]) / np.asarray(whole[MU]) - 1)[reached]
     wrong = int(np.sum(~(off < 0.01)))
     return (f"With `Observation/Stop at limit cycle` {np.sum(reached)} of {reached.size} random points of the homogenized pin ended before 8 ms. Against the same "
-            f"points run for 8 ms, mu_inter differs by {percent(np.median(off), 2)} in the median and by {percent(np.max(off), 2)} at most; at {wrong} of "
-            f"them it differs by more than 1 %.")
+            f"points run for 8 ms, mu_inter differs by {percent(np.median(off), 2)} in the median and by {percent(np.max(off), 2)} at most; at {wrong or 'none'} of "
+            "them it differs by more than 1 %.")
 
 
 def on_disc(flat, one):
@@ -183,10 +184,10 @@ def write_of(folder, maps, seeds):
     rows = comparison(maps, seeds)
     last = [one for name, one in maps.items() if name.startswith(("homogenized", "fibres"))]
     n = maps["fibres-1"].status.size
-    summary = (f"**The homogenized pin has the regime of the pin with fibres at {rows[0][1]} of {n} random points in pressure, velocity, friction, "
-               f"regularization time and damping, over {len(seeds)} morphologies; two morphologies with fibres agree at {rows[2][1]}.** The median "
-               f"difference of mu_inter is {rows[0][2]} between the homogenized pin and the pin with fibres, {rows[2][2]} between two morphologies with "
-               "fibres.")
+    summary = (f"**Homogenized pin and pin with fibres have the same regime in {rows[0][1]} of {n * len(seeds)} pairs: {n} random points in pressure, "
+               f"velocity, friction, regularization time and damping, {len(seeds)} morphologies. Two morphologies with fibres have it in {rows[3][1]}.** "
+               f"The median difference of mu_inter is {rows[0][2]} between the homogenized pin and the pin with fibres, {rows[3][2]} between two "
+               "morphologies with fibres.")
     write_csv(folder, "pin.csv", ["map", *(title for title, _ in COLUMNS.values()), "regime", *NUMBERS.values()],
               [row for name, one in maps.items() for row in point_rows(name, one)])
     headings = ["", "same regime", "mu_inter, median", "mu_inter, largest", "main frequency, median", "share of separation, mean"]

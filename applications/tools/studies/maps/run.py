@@ -61,6 +61,7 @@ def add_morphologies(study):
     """The random points for each morphology, with all fibres and homogenized. Steps of the pin with fibres are in single precision."""
     for seed in SEEDS:
         homogenized(study, f"homogenized-{seed}", {**drawn(DRAWN), **COMPARED}, seed)
+    homogenized(study, "fine", {**drawn(DRAWN), **COMPARED, "Body/Cells": "560, 160", "Time/Precision": "single"}, SEEDS[0])
     for seed in SEEDS:
         study.add(f"fibres-{seed}", "contact_dynamics", os.path.join(PRM, "contact_dynamics-heterogeneous.prm"),
                   {"Body/RVE file": f"{{rve-{seed}}}/rve.h5", **drawn(DRAWN), **COMPARED, "Time/Precision": "single"})
