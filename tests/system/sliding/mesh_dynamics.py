@@ -37,7 +37,7 @@ PLANE_PROBES = probes(inside="0.0051, 0.0013", at_node="0.005, 0", contact="0.00
 STATES = ["friction_coefficient", "slip", "stick", "separated", *("blocks/" + name for name in ("time", "slip", "stick", "separated"))]
 OBSERVED = ("history", "energy", "probes", "reference", "contact", "spectrum", "phase_diagram")
 # Of these keys of summary.json grid and mesh say what they are, and how fast.
-OWN = {"kernel", "ranks", "seconds", "cell_updates_per_second", "peak_memory_bytes", "critical_time_step", "energy_balance_residual"}
+OWN = {"kernel", "ranks", "supports", "seconds", "cell_updates_per_second", "peak_memory_bytes", "critical_time_step", "energy_balance_residual"}
 SOLID_PROBES = probes(inside="0.00315, 0.0012, 0.0017", contact="0.0042, 0.0023, 0") + prm({"Observation/Probe interval": 10})
 
 
