@@ -136,11 +136,17 @@ std::vector<std::string> deviation_keys(const Keys &keys)
   return paths;
 }
 
+/** Whether each point of a map has complex modes, too. */
+bool computes_modes_too(const Keys &keys)
+{
+  const std::string of_map = "Sweep/Complex modes";
+  return keys.has(of_map) && keys.value(of_map) == "true";
+}
+
 /** Checks which keys each analysis uses. */
 void check_analysis(const Keys &keys)
 {
-  const std::string of_map = "Sweep/Complex modes";
-  const bool has_modes_too = keys.has(of_map) && keys.value(of_map) == "true";
+  const bool has_modes_too = computes_modes_too(keys);
   const auto only_with     = [&](const std::vector<std::string> &analyses,
                              const std::vector<std::string> &paths) {
     if (!has_modes_too || analyses.back() != "complex modes")
@@ -169,11 +175,6 @@ void check_analysis(const Keys &keys)
   only_with({"transient", "static contact"},
             {"Flat/Profile", "Flat/Profile file", "Flat/Profile size",
              "Flat/Profile height", "Flat/Profile repeats"});
-  keys.only_if(!has_modes_too && keys.value("Analysis") != "complex modes",
-               {"Flat/Tangential stiffness"},
-               "complex modes do not know it, and it changes them in 3D and where "
-               "friction depends on the velocity",
-               "");
   only_with({"transient", "static contact", "complex modes"},
             and_of_supports(keys, {"Motion", "Pressure", "Traction"},
                             {"Body/Acceleration", "Flat/", "Friction/"}));
@@ -247,6 +248,12 @@ void ContactParameters::bind(Keys &keys)
       static_solver = StaticSolverKind::ml;
     }
   check_analysis(keys);
+  keys.require(
+    !contact.slips_on_springs() ||
+      (analysis != ContactAnalysis::complex_modes && !computes_modes_too(keys)),
+    "Flat/Tangential stiffness",
+    "complex modes do not know it, and it changes them in 3D and where friction depends "
+    "on the velocity; remove it");
   check_mesh(keys, *this);
   bind_counter(keys);
   keys.only_if(!counter, deviation_keys(keys),

@@ -121,9 +121,10 @@ void write_uncertainty(const std::vector<ModalCase<dim>> &cases,
       {
         const double frequency          = cases[c].modes.modes[k].frequency;
         const std::vector<double> parts = parts_of(derivatives[c][k], variations);
-        const auto squares              = Eigen::Map<const Eigen::ArrayXd>(
-                               parts.data(), static_cast<Eigen::Index>(parts.size()))
-                               .square();
+        const Eigen::ArrayXd squares =
+          Eigen::Map<const Eigen::ArrayXd>(parts.data(),
+                                           static_cast<Eigen::Index>(parts.size()))
+            .square();
         const double deviation       = std::sqrt(squares.sum());
         std::vector<std::string> row = {cases[c].bottom, std::to_string(k + 1),
                                         to_text(frequency), to_text(deviation),

@@ -81,23 +81,37 @@ def check_differences(folder, what, dim, volume, ratio=0.3, ranks=(1,)):
             close(change, expected, 1e-6, f"{what}, {condition}, {of_ranks} ranks: derivatives and differences")
 
 
-def check_kinds(folder):
+def plane_volume(folder):
+    """Keys of the grid of all voxels in a plane, whose picture is written."""
     folder.write("cells.txt", "\n".join(" ".join(map(str, row)) for row in np.vstack(VOXELS)) + "\n")
-    plane = {"Grid/Cells": "5, 12", "Grid/Size": "5e-3, 9e-3", "Microstructure/Type": "image", "Microstructure/File": "cells.txt",
-             "Microstructure/Oblong pixels": "true"}
+    return {"Grid/Cells": "5, 12", "Grid/Size": "5e-3, 9e-3", "Microstructure/Type": "image", "Microstructure/File": "cells.txt",
+            "Microstructure/Oblong pixels": "true"}
+
+
+def voxel_volume(folder):
+    """Keys of the voxels, whose file is written."""
+    np.save(folder("cells.npy"), VOXELS.astype(np.uint8))
+    return {"Dimension": 3, "Grid/Cells": "5, 4, 3", "Grid/Spacing": "1e-3, 1.3e-3, 0.8e-3", "Microstructure/Type": "voxels",
+            "Microstructure/File": "cells.npy"}
+
+
+def box_of_voxels(size, kind):
+    """Box of unit cells with the phases of the voxels."""
+    return Box([float(m) for m in size], size, lambda x: ("soft", "wood", "crystal")[VOXELS[tuple(np.resize(np.floor(x).astype(int), 3) % 3)]], kind)
+
+
+def check_kinds(folder):
+    plane = plane_volume(folder)
     for solver, ranks in (("multigrid", (1, 2)), ("divided", (1, 3)), ("ml", (1, 2))):
         check_differences(folder, solver, 2, {**plane, "Homogenization/Solver": solver}, 0.49, ranks)
-    np.save(folder("cells.npy"), VOXELS.astype(np.uint8))
-    voxels = {"Dimension": 3, "Grid/Cells": "5, 4, 3", "Grid/Spacing": "1e-3, 1.3e-3, 0.8e-3", "Microstructure/Type": "voxels",
-              "Microstructure/File": "cells.npy"}
+    voxels = voxel_volume(folder)
     check_differences(folder, "voxels", 3, voxels, ranks=(1, 2, 3))
     check_differences(folder, "incompressible", 3, voxels, 0.49)
     np.save(folder("angles.npy"), np.random.default_rng(SEED).uniform((0, 0, 0), (360, 180, 360), (3, 4, 5, 3)))
     check_differences(folder, "grains", 3, {**voxels, "Microstructure/Orientation file": "angles.npy"}, ranks=(1, 2))
     for dim, kind, degree in ((2, "cube", 1), (2, "simplex", 2), (3, "cube", 1), (3, "simplex", 2)):
         size, name = (5, 4, 3)[:dim] if degree == 1 else (3, 2, 2)[:dim], f"{kind}{dim}"
-        Box([float(m) for m in size], size, lambda x: ("soft", "wood", "crystal")[VOXELS[tuple(np.resize(np.floor(x).astype(int), 3) % 3)]],
-            kind).write(folder(name + ".msh"))
+        box_of_voxels(size, kind).write(folder(name + ".msh"))
         check_differences(folder, name, dim, {"Dimension": dim, "Mesh/File": name + ".msh", "Mesh/Scale": 1e-3, "Mesh/Degree": degree},
                           ranks=(1, 2) if degree == 1 else (1,))
 

@@ -14,7 +14,7 @@ import tempfile
 import h5py
 import numpy as np
 
-from derivatives import SEED, VOXELS, constants, moved, settings_of
+from derivatives import box_of_voxels, constants, moved, plane_volume, settings_of, voxel_volume
 from macroscopic_loads import close, run
 
 from mesh_files import Box
@@ -64,7 +64,7 @@ def check(folder, name, dim, stiffness, frequencies, settings, ranks):
         close(change, frequencies[0] - frequencies[1], 1e-5, f"{name}, {of_ranks} ranks: derivatives and differences")
 
 
-def check_heterogeneous(folder, name, dim, volume, body, ratio=0.3, ranks=(1,), turned=None):
+def check_heterogeneous(folder, name, dim, volume, body, ratio=0.3, ranks=(1,)):
     phases = constants(dim, ratio)
     stiffness, frequencies = [], []
     for k, some in enumerate((phases, moved(phases, STEP), moved(phases, -STEP))):
@@ -73,23 +73,14 @@ def check_heterogeneous(folder, name, dim, volume, body, ratio=0.3, ranks=(1,), 
         stiffness.append(phases_in(folder, f"rve{k}1"))
         if k:
             frequencies.append(modal(folder, name, {**HETEROGENEOUS, "Body/RVE file": f"rve{k}1/rve.h5", **body}))
-    if turned is not None:
-        stiffness = [turned(of) for of in stiffness]
     check(folder, name, dim, stiffness, frequencies, {**HETEROGENEOUS, "Body/RVE file": "rve01/rve.h5", **body}, ranks)
 
 
 def check_kinds(folder):
-    folder.write("cells.txt", "\n".join(" ".join(map(str, row)) for row in np.vstack(VOXELS)) + "\n")
-    plane = {"Grid/Cells": "5, 12", "Grid/Size": "5e-3, 9e-3", "Microstructure/Type": "image", "Microstructure/File": "cells.txt",
-             "Microstructure/Oblong pixels": "true"}
-    check_heterogeneous(folder, "grid", 2, plane, {}, 0.499, (1, 2))
-    np.save(folder("cells.npy"), VOXELS.astype(np.uint8))
-    voxels = {"Dimension": 3, "Grid/Cells": "5, 4, 3", "Grid/Spacing": "1e-3, 1.3e-3, 0.8e-3", "Microstructure/Type": "voxels",
-              "Microstructure/File": "cells.npy"}
-    check_heterogeneous(folder, "box", 3, voxels, {"Dimension": 3}, 0.499, (1, 2, 3))
+    check_heterogeneous(folder, "grid", 2, plane_volume(folder), {}, 0.499, (1, 2))
+    check_heterogeneous(folder, "box", 3, voxel_volume(folder), {"Dimension": 3}, 0.499, (1, 2, 3))
     for dim, kind in ((2, "cube"), (2, "simplex"), (3, "cube"), (3, "simplex")):
-        cells = (5, 4, 3)[:dim]
-        box = Box([float(m) for m in cells], cells, lambda x: ("soft", "wood", "crystal")[VOXELS[tuple(np.resize(np.floor(x).astype(int), 3) % 3)]], kind)
+        box = box_of_voxels((5, 4, 3)[:dim], kind)
         box.name_side("Contact", dim - 1, False)
         box.name_side("Top", dim - 1, True)
         box.write(folder("mesh.msh"))
@@ -100,9 +91,7 @@ def check_kinds(folder):
 def check_deviations(folder):
     """Deviation of one constant of the phases, for a body with its phases, one with the effective stiffness, and the groups of a mesh."""
     deviation = 1e-3
-    folder.write("cells.txt", "\n".join(" ".join(map(str, row)) for row in np.vstack(VOXELS)) + "\n")
-    plane = {"Grid/Cells": "5, 12", "Grid/Size": "5e-3, 9e-3", "Microstructure/Type": "image", "Microstructure/File": "cells.txt",
-             "Microstructure/Oblong pixels": "true"}
+    plane = plane_volume(folder)
     phases = constants(2, 0.3)
     kind, values, more = phases["wood"]
     which = list(values).index("E2")
