@@ -10,11 +10,11 @@ namespace mesoslip
 {
 namespace
 {
-constexpr char group[] = "/variation";
+constexpr char variation[] = "/variation";
 
 std::string dataset(const std::string &name)
 {
-  return std::string(group) + "/" + name;
+  return std::string(variation) + "/" + name;
 }
 } // namespace
 
@@ -55,7 +55,7 @@ template <int dim>
 std::vector<VariedConstant<dim>>
 read_variations(const Hdf5File &file, const std::string &name, const std::size_t n_phases)
 {
-  if (!file.exists(group))
+  if (!file.exists(variation))
     return {};
   const std::string hint     = "rve_homogenization writes it";
   const auto phases          = file.read<std::uint64_t>(dataset("phase"), {}, hint);
@@ -71,7 +71,7 @@ read_variations(const Hdf5File &file, const std::string &name, const std::size_t
   for (std::size_t k = 0; k < n; ++k)
     {
       if (phases[k] >= n_phases || !(deviations[k] >= 0.))
-        throw UserError(file.path() + ": " + group + " has a constant of phase " +
+        throw UserError(file.path() + ": " + variation + " has a constant of phase " +
                         std::to_string(phases[k]) + " of " + std::to_string(n_phases) +
                         " with the standard deviation " + std::to_string(deviations[k]) +
                         "; run rve_homogenization again");
