@@ -45,7 +45,7 @@ SweepAnalysis::SweepAnalysis(const SweepParameters &wanted,
   , dim(keys.value("Dimension") == "3" ? 3 : 2)
 {
   for (const SweepAxis &axis : parameters.axes)
-    units.push_back(axis.keys.empty() ? "-" : unit_of(keys, axis.keys[0]));
+    units.push_back(axis.keys.empty() ? "-" : unit_of(keys, axis.keys[0].path));
   std::ostringstream text;
   print_given(keys, text, {"Output folder", "Sweep/"});
   base = text.str();
@@ -221,7 +221,7 @@ void SweepAnalysis::write_results(RunContext &context) const
   nlohmann::json axes = nlohmann::json::array();
   for (std::size_t a = 0; a < parameters.axes.size(); ++a)
     axes.push_back({{"name", parameters.axes[a].name},
-                    {"keys", parameters.axes[a].keys},
+                    {"keys", texts_of(parameters.axes[a].keys)},
                     {"unit", units[a]}});
   context.summary().update({{"analysis", "map"},
                             {"axes", axes},

@@ -130,7 +130,7 @@ void write_map_file(const std::string &path, const SweepMap &map)
                     of_all([&](const std::size_t k) { return map.points[k].values[a]; }),
                     map.units[a]);
       file.write_attribute(name, "number", static_cast<int>(a));
-      file.write_attribute(name, "keys", axis.keys);
+      file.write_attribute(name, "keys", texts_of(axis.keys));
       file.write_attribute(name, "logarithmic", axis.logarithmic ? 1 : 0);
     }
   file.create_group("/numbers");

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <random>
+#include <regex>
 
 namespace mesoslip
 {
@@ -28,33 +29,52 @@ double between(const SweepAxis &axis, const double share)
                                   : axis.from + share * (axis.to - axis.from));
 }
 
-/** Checks that every key accepts all @p values. */
-void check_keys(const Keys &keys,
-                const SweepAxis &axis,
-                const std::vector<double> &values)
+/** Parts of "Section/Key[2]". */
+SweptKey parsed(const std::string &text)
+{
+  static const std::regex with_entry("(.*\\S)\\s*\\[([1-9][0-9]{0,5})\\]");
+  std::smatch found;
+  if (!std::regex_match(text, found, with_entry))
+    return {text, text, 0, {}};
+  return {text, found[1], std::stoul(found[2]), {}};
+}
+
+/** Adds what the file has in the lists, and checks that every key accepts all @p values.
+ */
+void check_keys(const Keys &keys, SweepAxis &axis, const std::vector<double> &values)
 {
   keys.require(!axis.keys.empty(), "Key",
                "it is empty; name the key that changes, as Supports/Top/Pressure");
-  for (const std::string &path : axis.keys)
+  for (SweptKey &swept : axis.keys)
     {
-      keys.require(keys.has(path) && path.rfind("Sweep/", 0) != 0, "Key",
-                   "there is no key " + path +
+      keys.require(keys.has(swept.path) && swept.path.rfind("Sweep/", 0) != 0, "Key",
+                   "there is no key " + swept.path +
                      "; write it as Section/Key, as --print-parameters has it");
-      const Key &key = *std::find_if(keys.all().begin(), keys.all().end(),
-                                     [&](const Key &k) { return k.path() == path; });
+      const Key &key =
+        *std::find_if(keys.all().begin(), keys.all().end(),
+                      [&](const Key &k) { return k.path() == swept.path; });
+      swept.list = split_list(key.value);
+      keys.require(swept.entry <= swept.list.size(), "Key",
+                   swept.path + " has " + std::to_string(swept.list.size()) +
+                     " values in the file, and [" + std::to_string(swept.entry) +
+                     "] is none of them; give it all its values there");
       for (const double value : values)
-        keys.require(!key.is_input && key.accepts(to_text(value)), "Key",
-                     path + " cannot be " + to_text(value) + ": it must be " +
+        keys.require(!key.is_input && key.accepts(swept.with(value)), "Key",
+                     swept.path + " cannot be " + swept.with(value) + ": it must be " +
                        key.allowed);
     }
 }
 
 void bind_values(Keys &keys, SweepAxis &axis)
 {
-  keys.bind_list(
-    "Key", axis.keys, {},
-    "Key that takes the values, as Supports/Top/Pressure; several, separated "
-    "by commas, take the same value");
+  std::vector<std::string> texts = texts_of(axis.keys);
+  keys.bind_list("Key", texts, {},
+                 "Key that takes the values, as Supports/Top/Pressure, or one number of "
+                 "a list, as Body/Size[2]; several, separated by commas, take the same "
+                 "value");
+  axis.keys.clear();
+  for (const std::string &text : texts)
+    axis.keys.push_back(parsed(text));
   keys.bind_list("Values", axis.values, Range::any(),
                  "Its values; empty: those from From to To [unit of the key]", 0, 100000);
   keys.bind("From", axis.from, Range::any(), "First value [unit of the key]");
@@ -109,6 +129,23 @@ void bind_other_axes(Keys &keys, const std::vector<std::string> &names)
       }
 }
 } // namespace
+
+std::string SweptKey::with(const double value) const
+{
+  if (entry == 0)
+    return to_text(value);
+  std::vector<std::string> words = list;
+  words[entry - 1]               = to_text(value);
+  return to_text(words);
+}
+
+std::vector<std::string> texts_of(const std::vector<SweptKey> &keys)
+{
+  std::vector<std::string> texts;
+  for (const SweptKey &key : keys)
+    texts.push_back(key.text);
+  return texts;
+}
 
 void SweepParameters::bind(Keys &keys)
 {
@@ -178,10 +215,11 @@ void SweepParameters::bind(Keys &keys)
                      " has " + std::to_string(axes[0].values.size()) + " and " +
                      axis.name + " " + std::to_string(axis.values.size()));
   for (std::size_t a = 0; a < axes.size(); ++a)
-    for (const std::string &key : axes[a].keys)
+    for (const SweptKey &key : axes[a].keys)
       for (std::size_t b = 0; b < a; ++b)
-        keys.require(std::count(axes[b].keys.begin(), axes[b].keys.end(), key) == 0,
-                     "Axes", axes[b].name + " and " + axes[a].name + " both set " + key);
+        for (const SweptKey &other : axes[b].keys)
+          keys.require(!key.overlaps(other), "Axes",
+                       axes[b].name + " and " + axes[a].name + " both set " + key.text);
   if (continuation == Continuation::both)
     {
       keys.require(

@@ -10,16 +10,37 @@ namespace mesoslip
 {
 class Keys;
 
+/** A key that changes from point to point, or one number of a list. */
+struct SweptKey
+{
+  std::string text;              ///< as typed: "Section/Key" or "Section/Key[2]"
+  std::string path;              ///< "Section/Key"
+  std::size_t entry = 0;         ///< number of the list, counted from 1; 0: all there is
+  std::vector<std::string> list; ///< value of the key in the file, for the other numbers
+
+  /** The value of the key with this number in it: "14e-3, 0.01". */
+  std::string with(const double value) const;
+
+  /** Whether both change the same number. */
+  bool overlaps(const SweptKey &other) const
+  {
+    return path == other.path && (entry == other.entry || entry == 0 || other.entry == 0);
+  }
+};
+
+/** The keys as they were typed. */
+std::vector<std::string> texts_of(const std::vector<SweptKey> &keys);
+
 /** An axis of a map: keys that take the same value, and the values. */
 struct SweepAxis
 {
-  std::string name;              ///< name of its subsection and column
-  std::vector<std::string> keys; ///< "Section/Key"
-  std::vector<double> values;    ///< in the unit of the keys; empty for random points
-  double from         = 0.;      ///< lower end, if no values are listed
-  double to           = 0.;      ///< upper end, if no values are listed
-  unsigned int number = 0;       ///< number of values between the ends
-  bool logarithmic    = false;   ///< whether spacing is logarithmic
+  std::string name;            ///< name of its subsection and column
+  std::vector<SweptKey> keys;  ///< what takes the values
+  std::vector<double> values;  ///< in the unit of the keys; empty for random points
+  double from         = 0.;    ///< lower end, if no values are listed
+  double to           = 0.;    ///< upper end, if no values are listed
+  unsigned int number = 0;     ///< number of values between the ends
+  bool logarithmic    = false; ///< whether spacing is logarithmic
 };
 
 /** How axes are combined to points. */

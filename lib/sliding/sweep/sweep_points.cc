@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -110,7 +111,8 @@ std::vector<SweepPoint> points_of(const SweepParameters &parameters, const Keys 
 {
   std::vector<std::string> skip = {"Output folder", "Checkpoints/", "Sweep/"};
   for (const SweepAxis &axis : parameters.axes)
-    skip.insert(skip.end(), axis.keys.begin(), axis.keys.end());
+    for (const SweptKey &key : axis.keys)
+      skip.push_back(key.path);
   Digest common;
   common.add(version).add(canonical_parameters(keys, skip));
   add_inputs(keys, common);
@@ -123,10 +125,7 @@ std::vector<SweepPoint> points_of(const SweepParameters &parameters, const Keys 
       if (points[p].folder.empty())
         {
           Digest digest = common;
-          // Sorted by name, so that the order of the axes does not matter.
-          const auto assignments = assignments_of(parameters, points[p]);
-          for (const std::string &assignment :
-               std::set<std::string>(assignments.begin(), assignments.end()))
+          for (const std::string &assignment : assignments_of(parameters, points[p]))
             digest.add(assignment);
           if (const auto before = parameters.point_before(p))
             digest.add(points[*before].folder);
@@ -149,10 +148,18 @@ std::string text_of(const SweepParameters &parameters, const SweepPoint &point)
 std::vector<std::string> assignments_of(const SweepParameters &parameters,
                                         const SweepPoint &point)
 {
-  std::vector<std::string> result;
+  // Two axes may change one list. Sorted, so that the order of the axes does not matter.
+  std::map<std::string, SweptKey> changed;
   for (std::size_t a = 0; a < parameters.axes.size(); ++a)
-    for (const std::string &key : parameters.axes[a].keys)
-      result.push_back(key + "=" + to_text(point.values[a]));
+    for (const SweptKey &key : parameters.axes[a].keys)
+      {
+        SweptKey &so_far = changed.try_emplace(key.path, key).first->second;
+        so_far.entry     = key.entry;
+        so_far.list      = split_list(so_far.with(point.values[a]));
+      }
+  std::vector<std::string> result;
+  for (const auto &[path, key] : changed)
+    result.push_back(path + "=" + to_text(key.list));
   return result;
 }
 
