@@ -20,6 +20,8 @@ namespace
  */
 constexpr double negligible = 1e-3;
 
+constexpr char separation[] = "Separation";
+
 /** Growth between parts up to which a negligible amplitude counts as steady. */
 constexpr double sliding_growth = 1.5;
 
@@ -148,8 +150,13 @@ void LimitCycleDetector::check()
     return;
   difference = 0.;
   quantity   = "nothing";
-  compare_resultants(*compared);
-  compare_motion(*compared);
+  if (criterion.stays_apart && is_apart(*compared))
+    kind = separation;
+  else
+    {
+      compare_resultants(*compared);
+      compare_motion(*compared);
+    }
   if (reached())
     {
       if (!(difference <= withdrawal * criterion.tolerance))
@@ -194,6 +201,15 @@ LimitCycleDetector::parts(const std::size_t first) const
   return Parts{record.size() - criterion.windows * length, length};
 }
 
+bool LimitCycleDetector::is_apart(const Parts &parts) const
+{
+  const auto touches = [&](const Column column) {
+    const std::vector<double> means = of_parts(parts, &CycleRecord::mean, column);
+    return std::any_of(means.begin(), means.end(), [](double v) { return v != 0.; });
+  };
+  return !touches(sticking) && !touches(slipping);
+}
+
 void LimitCycleDetector::include(const double found, const char *of)
 {
   if (found <= difference)
@@ -225,7 +241,7 @@ void LimitCycleDetector::compare_resultants(const Parts &parts)
 
 void LimitCycleDetector::compare_motion(const Parts &parts)
 {
-  sliding             = true;
+  bool sliding        = true;
   double of_amplitude = 0.;
   for (std::size_t c = first_displacement; c < record.n_columns(); ++c)
     {
@@ -240,6 +256,7 @@ void LimitCycleDetector::compare_motion(const Parts &parts)
     }
   if (!sliding)
     include(of_amplitude, "an amplitude");
+  kind = sliding ? "Steady sliding" : "Limit cycle";
 }
 
 std::string LimitCycleDetector::description() const
@@ -247,14 +264,18 @@ std::string LimitCycleDetector::description() const
   const std::size_t n_nodes =
     record.size() > 0 ? record.n_columns() - first_displacement : 0;
   const std::string verdict =
-    reached() ? brief_text(4, sliding ? "Steady sliding" : "Limit cycle", " from ", start,
-                           " s on, found at t = ", time_reached, " s, period ",
-                           vibration_period, " s")
+    reached() ? brief_text(4, kind, " from ", start, " s on, found at t = ", time_reached,
+                           " s, period ", vibration_period, " s")
               : brief_text(4, "No limit cycle by t = ", last_time, " s");
   const std::string largest_difference =
     reached() || !(difference >= 0.)
       ? ""
       : brief_text(4, ": ", quantity, " differs by ", 100. * difference, " %");
+  if (reached() && kind == separation)
+    return verdict + brief_text(6, " (the criterion: no node touched the flat in ",
+                                criterion.windows * criterion.periods,
+                                " periods, the second half of the run, and nothing "
+                                "presses the body onto it)");
   return verdict + largest_difference +
          brief_text(6, " (the criterion: motion of ", n_nodes,
                     " contact nodes, frictional power, apparent friction, contact shares "

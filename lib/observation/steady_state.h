@@ -24,6 +24,8 @@ struct LimitCycleCriterion
    * frictional power. */
   double reference_speed = 0.;
 
+  /** Whether nothing presses a body that has left the flat back onto it. */
+  bool stays_apart = false;
 
   /** Period (s) assumed while the signal shows no vibration; runs set an estimate for
    * their body. */
@@ -61,7 +63,9 @@ struct CycleSample
  * it is shorter than half of what has been simulated, and slow beats average out. While
  * the amplitudes are negligible and do not grow they are not compared (steady sliding).
  * Later on the judgement is withdrawn if the time since the steady part began no longer
- * agrees within twice the tolerance. Memory does not grow with the run (CycleRecord).
+ * agrees within twice the tolerance. A body that nothing presses onto the flat is
+ * separated for certain when no node touches the flat in any part; its motion is not
+ * compared. Memory does not grow with the run (CycleRecord).
  */
 class LimitCycleDetector
 {
@@ -110,7 +114,7 @@ public:
   void serialize(Archive &archive, const unsigned int)
   {
     archive &record &motion &n_samples &first_time &last_time &last_friction_energy;
-    archive &next_check &vibration_period &difference &quantity &sliding;
+    archive &next_check &vibration_period &difference &quantity &kind;
     archive &time_reached &start;
   }
 
@@ -142,6 +146,9 @@ private:
                                const RecordFunction value,
                                const std::size_t column) const;
 
+  /** Whether no node touches the flat in any part. */
+  bool is_apart(const Parts &parts) const;
+
   void compare_resultants(const Parts &parts);
   /** Also detects steady sliding. */
   void compare_motion(const Parts &parts);
@@ -159,9 +166,9 @@ private:
   double last_friction_energy = 0.;
   double next_check           = 0.;
   double vibration_period;
-  double difference = -1.; ///< largest among the parts last compared; -1: none
-  std::string quantity;    ///< quantity with the largest difference
-  bool sliding        = false;
+  double difference = -1.;  ///< largest among the parts last compared; -1: none
+  std::string quantity;     ///< quantity with the largest difference
+  std::string kind;         ///< "Steady sliding", "Limit cycle" or "Separation"
   double time_reached = 0.; ///< 0: not reached
   double start        = 0.; ///< start of the steady part
 };

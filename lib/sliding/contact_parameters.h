@@ -197,6 +197,10 @@ struct ContactParameters : SlidingSetup
   /** Whether a side exchanges forces along the normal of the flat. */
   bool sides_carry_normally() const;
 
+  /** Whether a load, weight, a spring, a dashpot, the profile of the flat or a counter
+   * body may press the body onto the flat, or meet it again. */
+  bool presses_on_flat() const;
+
   /** Whether the top carries the whole friction and normal force, so that its forces give
    * the friction. */
   bool friction_is_at_top() const;

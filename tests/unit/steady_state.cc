@@ -218,6 +218,44 @@ TEST(LimitCycle, SteadySlidingIsSteadyUnlessAVibrationGrows)
 
 // Five samples a period: in a long run a bin of the record holds many of them, and its
 // means would show some other frequency.
+TEST(LimitCycle, SeparationNeedsThatNothingPresses)
+{
+  // Its vibration decays by a factor e in 0.3 ms, so that energies never agree.
+  const auto run = [](const double t) {
+    CycleSample sample;
+    const double decay  = std::exp(-t / 3e-4);
+    sample.time         = t;
+    sample.displacement = {1e-6 * decay * oscillation(t), 2e-6 * decay * oscillation(t)};
+    sample.slipping     = t < 1e-4 ? 0.5 : 0.;
+    sample.normal_force = t < 1e-4 ? 1e5 : 0.;
+    sample.kinetic_energy = 0.2 * decay * decay;
+    sample.elastic_energy = 0.2 * decay * decay;
+    return sample;
+  };
+  EXPECT_FALSE(judge(run).reached());
+  LimitCycleCriterion free;
+  free.stays_apart = true;
+  LimitCycleDetector detector(free);
+  for (unsigned int i = 0; i < n_samples; ++i)
+    detector.add(run(i * time_step));
+  EXPECT_TRUE(detector.reached());
+  // Once the second half of the run so far has three parts of three periods, which is
+  // later than twice the time of the last contact; looked for every 2 %.
+  const double nine_periods = 9. / frequency;
+  EXPECT_GE(detector.reached_at(), 2. * nine_periods);
+  EXPECT_LE(detector.reached_at(), 1.03 * 2. * nine_periods);
+  EXPECT_EQ(detector.description().rfind("Separation from", 0), 0u)
+    << detector.description();
+  // A node that touches again withdraws the judgement.
+  for (unsigned int i = n_samples; i < 2 * n_samples; ++i)
+    {
+      CycleSample sample = run(i * time_step);
+      sample.slipping    = i % 100 < 50 ? 0.3 : 0.;
+      detector.add(sample);
+    }
+  EXPECT_FALSE(detector.reached());
+}
+
 TEST(LimitCycle, PeriodOfALongRun)
 {
   const double f = 1. / (5.3 * time_step);

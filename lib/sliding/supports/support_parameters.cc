@@ -182,6 +182,18 @@ bool ContactParameters::sides_carry_normally() const
   });
 }
 
+bool ContactParameters::presses_on_flat() const
+{
+  const auto acts = [](const SideSupport &side) {
+    return side.suspension.is_there() || side.pressure.is_expression();
+  };
+  return counter || !profile.expression.empty() || !profile.file.empty() || acts(top) ||
+         step.acceleration[mesh.mesh.dim - 1] < 0. || top.pressure.amplitude() > 0. ||
+         std::any_of(supports.begin(), supports.end(), [&](const SideSupport &side) {
+           return acts(side) || side.pressure.amplitude() != 0.;
+         });
+}
+
 bool ContactParameters::friction_is_at_top() const
 {
   for (const SideSupport &side : supports)

@@ -16,6 +16,7 @@ LimitCycleCriterion limit_cycle_criterion(const ContactParameters &parameters,
 {
   LimitCycleCriterion criterion = parameters.observation.limit_cycle;
   criterion.reference_speed     = std::fabs(parameters.contact.flat_velocity.amplitude());
+  criterion.stays_apart         = !parameters.presses_on_flat();
   const TopSetup &top           = parameters.top;
   // Expected until a vibration is detected: period of the body, or of the whole body on
   // its springs.

@@ -17,7 +17,7 @@ namespace
 // Layout 1 had no friction target, 2 no samples for statistics, 3 other snapshots and
 // histories, 4 the states beside the rest, 5 the samples of probes without their places,
 // 6 probes in the plane alone, 7 the whole contact of a mesh on each rank.
-const char checkpoint_kind[] = "contact_dynamics, layout 11";
+const char checkpoint_kind[] = "contact_dynamics, layout 12";
 
 std::string place(const CheckpointPosition &position)
 {

@@ -190,8 +190,22 @@ def check_slow_motion(folder):
     close(longer["main_frequency"], 1500, 0.02, "main frequency of a slow pressure")
 
 
+def check_separation(folder):
+    """A damped body thrown off the flat vibrates less and less; nothing brings it back, unless a load presses it."""
+    thrown = {"Body/Cells": "112, 32", "Supports/Top/Kind": "pressure", "Supports/Top/Pressure": 0, "Body/Initial velocity": "0, 1", "Time/End time": 4e-3,
+              "Time/Rayleigh beta": 8.8e-8, "Observation/Stop at limit cycle": "true"}
+    free = Run(folder, thrown)
+    says(free, "Separation from", "a free body")
+    assert free["limit_cycle_reached"] and free["simulated_time"] < 1.5e-3, free["limit_cycle"]
+    assert not (free.data("history/sticking_nodes") + free.data("history/slipping_nodes"))[1:].any()
+    for load in ({"Supports/Top/Pressure": 1e3}, {"Body/Acceleration": "0, -1e3"},
+                 {"Supports/Top/Kind": "springs", "Supports/Top/Spring stiffness": "0, 1e3"}):
+        pressed = Run(folder, {**thrown, "Time/End time": 1.5e-3, **load})
+        assert "Separation from" not in pressed.log, (load, pressed["limit_cycle"])
+
+
 def main():
-    for check in (check_sampling, check_loads, check_periodic, check_energy, check_scale, check_slow_motion):
+    for check in (check_sampling, check_loads, check_periodic, check_energy, check_scale, check_slow_motion, check_separation):
         with tempfile.TemporaryDirectory() as folder:
             check(folder)
 
