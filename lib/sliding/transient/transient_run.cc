@@ -12,6 +12,26 @@
 
 namespace mesoslip
 {
+namespace
+{
+/** Stops a run that single precision spoils, once its largest strain is known.
+ * @throws UserError */
+void require_precision(const LargestStrain &so_far,
+                       const std::uint64_t n,
+                       const TimeStepChoice &time)
+{
+  constexpr double harmful = 1e-2; // energies are off by several percent then
+  if (2 * n < time.n_steps || !(so_far.rounding > harmful * so_far.strain))
+    return;
+  throw UserError("Time/Precision is single, but rounding takes up to " +
+                  quantity_text(so_far.rounding, "") + " of strains up to " +
+                  quantity_text(so_far.strain, "") +
+                  " by t = " + quantity_text(n * time.step.dt, "s") +
+                  ", as nodes are far from where they started; set Time/Precision = "
+                  "double");
+}
+} // namespace
+
 std::string run_identity(const Keys &keys,
                          const ContactParameters &parameters,
                          const std::string &contents)
@@ -71,6 +91,7 @@ TransientRun<dim>::TransientRun(const RunParts<dim> &parts)
   , strains(stepper,
             [this](const Deformation &found, const std::uint64_t n) {
               judge(found, this->parts.place, n);
+              require_precision(strains.so_far(), n, this->parts.time);
               judge_counter(n);
             })
   , statistics(parts.parameters,
@@ -98,6 +119,7 @@ void TransientRun<dim>::judge_counter(const std::uint64_t n)
   of_counter.add(found);
   judge(
     found, [](const CellExtreme &) { return "a cell of the counter body"; }, n);
+  require_precision(of_counter, n, parts.time);
 }
 
 template <int dim>

@@ -68,6 +68,12 @@ def check_rounding(folder):
         assert abs(summary["single_precision_rounding"] / expected - 1) < 0.02, (summary["single_precision_rounding"], expected)
         said = [warning for warning in summary["warnings"] if "single precision" in warning]
         assert len(said) == doubtful and all("Time/Precision = double" in warning for warning in said), summary["warnings"]
+    # Where rounding takes more than a hundredth of the strains, the run stops.
+    fast = {**BLOCK, "Body/Initial velocity": "200, 0", "Time/End time": 4e-3}
+    folder.write("fast.prm", prm(fast))
+    said = folder.run(2, "contact_dynamics", "fast.prm", "--output", "fast")
+    assert "Time/Precision is single, but rounding takes up to" in said and "set Time/Precision = double" in said, said
+    folder.run(0, "contact_dynamics", "fast.prm", "--output", "fast", "--set", "Time/Precision=double")
 
 
 def check_growth(folder):
