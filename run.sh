@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Runs a chain of .prm files: ./run.sh [options] [folder]      (./run.sh --help)
+# Runs a chain of .prm files, or one of them: ./run.sh [options] [folder | file.prm]      (./run.sh --help)
 # or a study: ./run.sh paper | prediction | thickness | maps | stability | verification | benchmarks | gallery [options]      (./run.sh paper --help)
 set -euo pipefail
 cd "$(dirname "$(readlink -f "$0")")"

@@ -5,9 +5,9 @@ import json
 import os
 
 from chain.inputs import ChainError, digest_of, input_files, is_unchanged, output_named, state_of, values
+from program_choice import PROGRAMS
 from ranks import start_of
 
-PROGRAMS = ("rve_homogenization", "contact_dynamics", "stress_localization")
 STAMP = ".up_to_date"
 RESULTS = (".h5", ".csv", ".xdmf")
 
@@ -19,6 +19,14 @@ def results_in(folder):
     return {name: state_of(path) for name, path in paths.items()}
 
 
+def program_path(name, programs):
+    """Raises ChainError."""
+    path = os.path.join(programs, name)
+    if not os.path.isfile(path):
+        raise ChainError(f"there is no program {path}; build it, or name the folder of the programs with --programs")
+    return path
+
+
 class Step:
     def __init__(self, name, folder, programs, earlier):
         self.name = name
@@ -27,9 +35,7 @@ class Step:
         found = [p for p in PROGRAMS if p in name]
         if not found:
             raise ChainError(f"{name}.prm names no program; put one of {', '.join(PROGRAMS)} into the file's name")
-        self.program = os.path.join(programs, found[0])
-        if not os.path.isfile(self.program):
-            raise ChainError(f"there is no program {self.program}; build it, or name the folder of the programs with --programs")
+        self.program = program_path(found[0], programs)
         names = [step.name for step in earlier]
         used = {output_named(value, folder, names) for value in values(self.prm)}
         self.needs = [step for step in earlier if step.name in used]

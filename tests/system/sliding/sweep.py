@@ -323,6 +323,31 @@ def check_python(folder, due):
             assert point.summary["pressure"] == 5e6
 
 
+def check_run_sh(folder, due):
+    """./run.sh with the file: the same map and its report, also after Ctrl-C; what it refuses."""
+    command = [sys.executable, "-B", os.path.join(TOOLS, "run_chain.py"), "--programs", os.path.abspath(PROGRAMS)]
+    files = {"stderr": subprocess.STDOUT, "stdout": subprocess.PIPE, "text": True, "cwd": folder.path}
+    done = subprocess.run([*command, "map.prm", "--output", "sh"], check=False, **files)
+    assert done.returncode == 0 and os.path.isfile(folder("sh", "report.html")), done.stdout
+    equal(content(folder, "sh"), due)
+    with subprocess.Popen([*command, "long.prm", "--no-report"], start_new_session=True, **files) as process:
+        while told_by_points(folder("output", "long")) == 0:
+            assert process.poll() is None, process.stdout.read()
+            time.sleep(0.01)
+        os.killpg(process.pid, signal.SIGINT)
+        said = process.communicate(timeout=120)[0]
+    assert process.returncode == 130 and "with --resume" in said, said
+    done = subprocess.run([*command, "long.prm", "--resume", "--no-report"], check=False, **files)
+    assert done.returncode == 0, done.stdout
+    equal(content(folder, "output/long"), content(folder, "whole"))
+    folder.write("some.txt", "")
+    folder.write("bad.prm", "set Grid = 3\n")
+    for words, sentence in ((["some.txt"], "is no .prm file"), (["map.prm", "--jobs=2"], "--jobs is for the runs of a chain"),
+                            (["bad.prm"], "none of the programs accepts bad.prm")):
+        done = subprocess.run([*command, *words], check=False, **files)
+        assert done.returncode == 2 and sentence in done.stdout and len(done.stdout.splitlines()) == 1, done.stdout
+
+
 def check_report(folder):
     for name, due in (("map", "Regime of the reference node over"), ("skip2", "At 2 others all complex modes"), ("branches", "numbers of the runs over what changes"), ("random", "Points of random"), ("bad", "points failed")):
         done = subprocess.run([sys.executable, "-B", os.path.join(TOOLS, "report", "make_report.py"), folder(name), "--output", folder(name + ".html"),
@@ -352,6 +377,7 @@ def main():
         check_skip(folder)
         check_border(folder)
         check_python(folder, due)
+        check_run_sh(folder, due)
         check_report(folder)
 
 

@@ -1,7 +1,6 @@
 """Starts the three programs and chains of them, and opens what they leave."""
 
 import os
-import re
 import shutil
 import subprocess
 import sys
@@ -9,9 +8,9 @@ import warnings
 
 from .folders import open_folder
 from .maps import settings_of
+from .program_choice import PROGRAMS, Refused, program_for, results_folder, sentence_of
 from .ranks import keep_ranks, ranks_begun_with, ranks_worth, start_of
 
-PROGRAMS = ("rve_homogenization", "contact_dynamics", "stress_localization")
 HERE = os.path.dirname(os.path.abspath(__file__))
 
 
@@ -53,7 +52,7 @@ def run(prm, settings=None, output=None, ranks=None, resume=False, program=None,
     words += [f"--output={os.fspath(output)}"] if output is not None else []
     words += ["--resume"] if resume else []
     path, said = _program_for(prm, words, program, programs)
-    output = re.search(r"; the results would go to (.*)$", said, re.MULTILINE)[1]
+    output = results_folder(said)
     if ranks is None:
         ranks = ranks_begun_with(output) if resume else ranks_worth(said, os.cpu_count() or 1)
     keep_ranks(output, ranks)
@@ -97,29 +96,14 @@ def _value_text(value):
 
 
 def _program_for(prm, words, program, programs):
-    """The program and what it says when it checks the file. Of those that may be meant, the one that accepts the file."""
+    """The program, and what it says when it checks the file. Raises RunError."""
     if program is not None and program not in PROGRAMS:
         raise ValueError(f"there is no program {program}, there are {', '.join(PROGRAMS)}")
-    named = [name for name in PROGRAMS if name in os.path.basename(prm)]
-    candidates = [program] if program else named[:1] or PROGRAMS
-    refusals = []
-    for name in candidates:
-        path = find_program(name, programs)
-        done = subprocess.run([path, "--validate", prm, *words], capture_output=True, text=True, check=False)
-        if done.returncode == 0:
-            return path, done.stdout
-        refusals.append(RunError(_sentence(done.stderr), done.returncode))
-    if len(refusals) > 1 and os.path.isfile(prm):
-        raise RunError(f"none of the programs accepts {prm}; say which with program=...: "
-                       + "; ".join(f"{name}: {error}" for name, error in zip(candidates, refusals)), 2)
-    raise refusals[0]
-
-
-def _sentence(errors):
-    """The last line that is no warning, without the program's name."""
-    lines = [line for line in errors.strip().splitlines() if ": warning: " not in line and not line.startswith("---")]
-    said = [line for line in lines if re.match(r"[\w.]+( \(process \d+\))?: ", line)]
-    return said[-1].partition(": ")[2] if said else " ".join(" ".join(lines).split()) or "it said nothing"
+    try:
+        return program_for(prm, words, lambda name: find_program(name, programs), program)
+    except Refused as refused:
+        advice = "; say which with program=..." if str(refused).startswith("none of the programs") else ""
+        raise RunError(str(refused) + advice, refused.status) from refused
 
 
 def _chain_script(place):
@@ -147,4 +131,4 @@ def _call(command):
         if ": warning: " in line:
             warnings.warn(line.partition(": warning: ")[2], stacklevel=3)
     if child.returncode:
-        raise RunError(_sentence(errors), child.returncode)
+        raise RunError(sentence_of(errors), child.returncode)
