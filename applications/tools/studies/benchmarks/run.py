@@ -22,7 +22,7 @@ from study import parse_arguments  # noqa: E402
 # Part: its module, in which it is a function of that name or `run`.
 PARTS = {**dict.fromkeys(("modes", "bar", "sliding_growth", "oblique_growth"), "model_problem"), **{name: name for name in (
     "stiffness", "localization", "pin", "step_scaling", "static_scaling", "statics", "mesh_statics", "mesh_memory", "mesh_step", "brick_step", "fitted", "localization_speed", "skips", "two_ranks", "busy_cores",
-    "voxel_stiffness", "slab", "voxel_cost", "voxel_ranks", "precision", "earlier")}}
+    "voxel_stiffness", "slab", "voxel_cost", "voxel_ranks", "precision", "many_pins", "earlier")}}
 ON_REQUEST = {"pictures": "redraw", "fans": "fans"}
 
 
