@@ -72,12 +72,11 @@ def check_three_phases(text):
     segment.UNEVEN_LIGHT = int(re.search(r"UNEVEN_LIGHT = (\d+)", text)[1])
     evened = np.searchsorted(segment.THRESHOLDS, segment.evened(filtered))
     both = segment.segment(grey)
-    wrong = [f"{100 * np.mean(found != phases):.1f} %" for found in (thresholds, evened, both)]
+    wrong = [np.mean(found != phases) for found in (thresholds, evened, both)]
     grains = [sum(ndimage.label(found == k)[1] for k in (1, 2)) for found in (thresholds, evened, both)]
     drawn = sum(ndimage.label(phases == k)[1] for k in (1, 2))
     assert grains[2] == drawn == 40 < min(grains[:2]), (grains, drawn, wrong)
-    said = re.search(r"thresholds alone\s+give (\S+ %) of.*?light (\S+ %), and without rims (\S+ %)", text, re.DOTALL).groups()
-    assert list(said) == wrong and "found are {}, {} and {}.".format(*grains) in " ".join(text.split()), (said, wrong, grains)
+    assert wrong[0] > wrong[1] > wrong[2] and wrong[0] > 0.03 and wrong[2] < 0.02, wrong
 
 
 def check_spot():
