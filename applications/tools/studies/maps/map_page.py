@@ -1,6 +1,7 @@
 """The page of the maps of the paper's pin."""
 
 import contextlib
+import re
 from itertools import combinations
 
 import mesoslip
@@ -23,9 +24,10 @@ PAGE = """# Maps of the paper's pin
 
 ![Regimes](pin_regimes.png)
 
-*The homogenized pin: regime of the node in the middle of the contact. Other keys have the values of the paper: 5 MPa, 2 m/s, 0.25, 1.5 µs, 4.4 ns. \
-Black lines: the fastest complex mode neither grows nor decays. Circles: the loads of the paper \
-([how the paper was read](../paper/reading.md)).*
+*The homogenized pin: regime of the node in the middle of the contact. Other keys: P = 5 MPa, V = 2 m/s, mu = 0.25, delta = 1.5 µs, \
+beta = 4.4 ns. Black lines: the fastest complex mode neither grows nor decays; map (b) has no complex modes. In (a) the line is interpolated between the \
+friction coefficients 0.05 and 0.1; with the stiffness of eq. (10) finer steps find [0.09 to 0.1](../guide/squeal.md#2-at-which-friction-coefficient-does-squeal-begin). Circles: the \
+loads of the paper, 0.4 and 0.5 MPa ([how the paper was read](../paper/reading.md)).*
 
 ## Where the pin slips, sticks and separates
 
@@ -39,7 +41,7 @@ The table has the share of the points of each map in each [regime](../glossary.m
 
 ![Pin on a spring](pin_spring.png)
 
-*The homogenized pin below a holder of 50 kg/m² that a spring along x holds. (a) Regime of the node in the middle. (b) Main frequency over the \
+*The homogenized pin below a holder of 50 kg/m² on a spring along x. (a) Regime of the node in the middle. (b) Main frequency divided by the natural \
 frequency of pin and holder on the spring.*
 
 {on_spring}
@@ -54,8 +56,8 @@ frequency of pin and holder on the spring.*
 
 ## What homogenization gets right
 
-The table compares two pins at {drawn} random points within the ranges of the maps above. If homogenized pin and pin with fibres differ no more than two morphologies \
-with fibres, the homogenized pin is as good as a pin with another [morphology](../glossary.md#morphology) of the same material.
+The table compares two pins at {drawn} random points within the ranges of the maps above. If homogenized pin and pin with fibres differ no more than two \
+morphologies with fibres, the homogenized pin is as good as a pin with another [morphology](../glossary.md#morphology) of the same material. {verdict}
 
 {comparison}
 
@@ -79,8 +81,9 @@ within a slip of 0.1 µm. [pin.csv](pin.csv) has all points.
 
 ## Limits
 
-{reached} of the {compared} runs of the comparison reached a limit cycle within 2 ms. Another vibration that grows slowly may still follow. A regime is \
-that of one node: at its border a small change of the load changes the regime, but mu_inter little.
+{reached} of the {compared} runs of the comparison reached a limit cycle within 2 ms. In the other {unsettled} runs, and after an early end, a \
+slowly growing vibration may still change the result. The regime describes one node. Near a border between regimes a small change of the load changes \
+the regime, but hardly mu_inter.
 """
 
 
@@ -93,9 +96,9 @@ def compared(couples):
     off = np.array([one[MU] / other[MU] - 1 for one, other in couples])
     frequency = np.array([one["main_frequency"] / other["main_frequency"] - 1 for one, other in couples])
     separation = np.array([one["separation_fraction"] - other["separation_fraction"] for one, other in couples])
-    same = np.mean([one["regime"] == other["regime"] for one, other in couples])
-    return [percent(same), percent(np.nanmedian(np.abs(off)), 1), percent(np.nanmax(np.abs(off))), percent(np.nanmedian(np.abs(frequency)), 1),
-            percent(np.nanmean(np.abs(separation)))]
+    same = np.array([one["regime"] == other["regime"] for one, other in couples])
+    return [f"{np.sum(same)} of {same.size} pairs ({percent(np.mean(same))})", percent(np.nanmedian(np.abs(off)), 1), percent(np.nanmax(np.abs(off))),
+            percent(np.nanmedian(np.abs(frequency)), 1), percent(np.nanmean(np.abs(separation)))]
 
 
 def comparison(maps, seeds):
@@ -107,6 +110,16 @@ def comparison(maps, seeds):
             ["two morphologies with fibres", *compared(list(combinations([f for _, f in pairs], 2)))]]
 
 
+def verdict(homogenized, fibres):
+    """Whether a homogenized pin is as close to a pin with fibres as another morphology with fibres; from both rows of the table."""
+    as_good = {True: [], False: []}
+    for name, column, sign in (("for the regime", 1, 1), ("for the median of mu_inter", 2, -1)):
+        one, other = (re.search(r"([\d.]+) %", row[column]) for row in (homogenized, fibres))
+        as_good[sign * float(one[1]) >= sign * float(other[1])].append(f"{name} ({one[0]} against {other[0]})")
+    parts = [f"{words} good {' and '.join(as_good[key])}" for key, words in ((True, "as"), (False, "not as")) if as_good[key]]
+    return f"The homogenized pin is {', but '.join(parts)}."
+
+
 def shares(maps):
     """Rows: share of each regime in each map of the homogenized pin."""
     names = [name for name in REGIMES if any((maps[key]["regime"] == name).any() for key in TITLES)]
@@ -116,15 +129,19 @@ def shares(maps):
 
 def at_border(maps):
     """How often complex modes that decay mean steady sliding, and modes that grow a vibration with stick or separation."""
-    decays, slides = [], []
+    decays, slides, separated = [], [], []
     for key in TITLES:
         if GROWTH in maps[key]:
             growth = np.ravel(maps[key][GROWTH])
             decays.append(~(growth > 0))
             slides.append(np.ravel(maps[key]["regime"]) == "permanent slip")
-    decays, slides = np.concatenate(decays), np.concatenate(slides)
-    return (f"Where all complex modes decay, the pin slides on at {np.sum(decays & slides)} of {np.sum(decays)} points in spite of its push. Where a mode "
-            f"grows, the contact sticks or separates at {np.sum(~decays & ~slides)} of {np.sum(~decays)} points; elsewhere the vibration is still small.")
+            separated.append(np.ravel(maps[key]["separation_fraction"]))
+    decays, slides, separated = (np.concatenate(parts) for parts in (decays, slides, separated))
+    grows, still = np.sum(~decays), np.sum(~decays & slides)
+    return (f"The maps (a), (c) and (d) have complex modes. Where all modes decay, the node in the middle slips permanently at {np.sum(decays & slides)} of "
+            f"{np.sum(decays)} points, in spite of the push; at low pressure up to {percent(np.max(separated[decays]))} of the contact is separated. Where a "
+            f"mode grows ({grows} points), the node in the middle sticks or separates at {grows - still} points; at the other {still} its vibration is still "
+            "small at the end of the run.")
 
 
 def on_spring(one, own):
@@ -132,9 +149,10 @@ def on_spring(one, own):
     slow = np.asarray(one["main_frequency"]) < 1.1 * own[None, :]
     sticks = np.asarray(one["stick_fraction"]) > 0.01
     fastest = max((float(v) for v, row in zip(one.axes["slow"], slow & sticks) if row.any()), default=0.0)
-    return (f"At {np.sum(slow & sticks)} of {slow.size} points pin and holder stick and slip together, at most as fast as they vibrate on the spring; the "
-            f"flat moves there at {fastest:.2g} m/s at most. At {np.sum(sticks & ~slow)} points nodes stick in faster vibrations of the pin itself, and at "
-            f"{np.sum(~sticks)} points nodes stick less than 1 % of the time.")
+    middle = np.sum(["stick" in regime for regime in np.ravel(one["regime"])])
+    return (f"Averaged over all contact nodes, sticking takes more than 1 % of the time at {np.sum(sticks)} of {sticks.size} points (the table counts the node in "
+            f"the middle: {middle} points). At {np.sum(slow & sticks)} of them pin and holder stick and slip together, at most as fast as they vibrate on the "
+            f"spring; the flat moves there at {fastest:.2g} m/s at most. At the other {np.sum(sticks & ~slow)} points nodes stick in faster vibrations of the pin itself.")
 
 
 def early_ends(stopped, whole):
@@ -178,16 +196,18 @@ def write_of(folder, maps, seeds):
     save_picture(homogenization(maps, seeds), folder, "pin_friction.png")
     rows = comparison(maps, seeds)
     last = [one for name, one in maps.items() if name.startswith(("homogenized", "fibres"))]
-    n = maps["fibres-1"].status.size
-    summary = (f"**Homogenized pin and pin with fibres have the same regime in {rows[0][1]} of {n * len(seeds)} pairs: {n} random points in pressure, "
-               f"velocity, friction, regularization time and damping, {len(seeds)} morphologies. Two morphologies with fibres have it in {rows[3][1]}.** "
+    n, runs = maps["fibres-1"].status.size, sum(one.status.size for one in last)
+    reached = int(sum(np.nansum(one[REACHED]) for one in last))
+    summary = (f"**Homogenized pin and pin with fibres have the same regime in {rows[0][1]}: {len(seeds)} morphologies at {n} random points in pressure, "
+               f"velocity, friction, regularization time and damping. Two morphologies with fibres have the same regime in {rows[3][1]}.** "
                f"The median difference of mu_inter is {rows[0][2]} between the homogenized pin and the pin with fibres, {rows[3][2]} between two "
                "morphologies with fibres.")
     write_csv(folder, "pin.csv", ["map", *(title for title, _ in COLUMNS.values()), "regime", *NUMBERS.values()],
               [row for name, one in maps.items() for row in point_rows(name, one)])
-    headings = ["", "same regime", "mu_inter, median", "mu_inter, largest", "main frequency, median", "share of separation, mean"]
+    headings = ["", "same regime", *(f"difference of {what}" for what in ("mu_inter, median", "mu_inter, largest", "main frequency, median",
+                                                                          "share of separation, mean"))]
     write_page(folder, "pin.md", PAGE.format(
         summary=summary, shares=shares(maps), borders=at_border(maps), on_spring=on_spring(maps["spring"], own),
-        on_disc=on_disc(maps["pressure-friction"], maps["disc"]), drawn=n, early=early_ends(maps["stopped"], maps["whole"]), comparison=table(headings, rows),
+        on_disc=on_disc(maps["pressure-friction"], maps["disc"]), drawn=n, early=early_ends(maps["stopped"], maps["whole"]), comparison=table(headings, rows), verdict=verdict(rows[0], rows[3]),
         maps=len(maps), runs=sum(one.status.size for one in maps.values()), seeds=len(seeds),
-        reached=int(sum(np.nansum(one[REACHED]) for one in last)), compared=sum(one.status.size for one in last)))
+        reached=reached, unsettled=runs - reached, compared=runs))
