@@ -19,10 +19,7 @@ from study import parse_arguments  # noqa: E402
 PAGE = """# Gallery of examples
 
 This page shows every `.prm` file of [prm/examples](../prm/examples). The time in brackets is for one core. Run the
-commands in the top folder. `./run.sh` with a folder also writes a report. Make the report of a single file, whose
-results are in `output/NAME`, by
-
-    /usr/bin/python3 applications/tools/report/make_report.py output/NAME --output report.html
+commands in the top folder. `./run.sh` with a folder or a `.prm` file also writes a report.
 
 `./run.sh gallery` runs all examples and writes this page.
 

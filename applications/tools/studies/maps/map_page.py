@@ -56,8 +56,8 @@ frequency of pin and holder on the spring.*
 
 ## What homogenization gets right
 
-The table compares two pins at {drawn} random points within the ranges of the maps above. If homogenized pin and pin with fibres differ no more than two \
-morphologies with fibres, the homogenized pin is as good as a pin with another [morphology](../glossary.md#morphology) of the same material. {verdict}
+The table compares two pins at {drawn} random points within the ranges of the maps above. Compared with another \
+[morphology](../glossary.md#morphology) of the same material, {verdict}
 
 {comparison}
 
@@ -117,7 +117,7 @@ def verdict(homogenized, fibres):
         one, other = (re.search(r"([\d.]+) %", row[column]) for row in (homogenized, fibres))
         as_good[sign * float(one[1]) >= sign * float(other[1])].append(f"{name} ({one[0]} against {other[0]})")
     parts = [f"{words} good {' and '.join(as_good[key])}" for key, words in ((True, "as"), (False, "not as")) if as_good[key]]
-    return f"The homogenized pin is {', but '.join(parts)}."
+    return f"the homogenized pin is {', but '.join(parts)}."
 
 
 def shares(maps):
@@ -151,7 +151,7 @@ def on_spring(one, own):
     fastest = max((float(v) for v, row in zip(one.axes["slow"], slow & sticks) if row.any()), default=0.0)
     middle = np.sum(["stick" in regime for regime in np.ravel(one["regime"])])
     return (f"Averaged over all contact nodes, sticking takes more than 1 % of the time at {np.sum(sticks)} of {sticks.size} points (the table counts the node in "
-            f"the middle: {middle} points). At {np.sum(slow & sticks)} of them pin and holder stick and slip together, at most as fast as they vibrate on the "
+            f"the middle: {middle} points). At {np.sum(slow & sticks)} of these points pin and holder stick and slip together, at most as fast as they vibrate on the "
             f"spring; the flat moves there at {fastest:.2g} m/s at most. At the other {np.sum(sticks & ~slow)} points nodes stick in faster vibrations of the pin itself.")
 
 
