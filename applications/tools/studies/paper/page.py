@@ -6,7 +6,7 @@ import pages
 
 INTRODUCTION = """# The paper's tables and figures
 
-This page compares mesoslip with the tables and figures of the [paper](../../README.md).
+This page compares mesoslip with the tables and figures of the [paper](../theory.md).
 
 * Effective stiffness, modes, static contact and friction by phase agree with the paper.
 * Both regimes of the sliding pin appear at the printed pressures if the pin starts with a velocity along x, a push; the paper mentions no push.
