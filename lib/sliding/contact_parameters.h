@@ -217,7 +217,7 @@ struct ContactParameters : SlidingSetup
 private:
   void bind_loads(Keys &keys);
   void bind_top(Keys &keys);
-  void set_top(const Keys &keys, const std::string &kind);
+  void check_top(const Keys &keys) const;
   void bind_sides(Keys &keys);
   void hold_sides();
   void check_platen(const Keys &keys) const;

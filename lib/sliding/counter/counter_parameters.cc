@@ -2,7 +2,7 @@
 #include "sliding/contact_parameters.h"
 #include "sliding/counter/counter_text.h"
 #include "sliding/keys/body_keys.h"
-#include "sliding/supports/side_keys.h"
+#include "sliding/supports/support_keys.h"
 
 #include <algorithm>
 #include <array>
@@ -68,7 +68,7 @@ void ContactParameters::bind_supports_below(Keys &keys, ContactParameters &other
   const auto section             = keys.section("Supports");
   const unsigned int dim         = mesh.mesh.dim;
   const bool turned              = other.is_turned_over();
-  const SideSupport bottom       = bind_side(keys, "Bottom", dim, "held");
+  const SideSupport bottom       = bind_support(keys, "Bottom", dim, {"held"});
   std::vector<std::string> names = sides_of_grid;
   for (const std::string &name : keys.typed_sections())
     if (name != "Bottom" && !is_side_of_grid(name))
@@ -79,7 +79,7 @@ void ContactParameters::bind_supports_below(Keys &keys, ContactParameters &other
   };
   for (const std::string &name : names)
     {
-      const SideSupport side = bind_side(keys, name, dim);
+      const SideSupport side = bind_support(keys, name, dim);
       keys.require(other.mesh.is_given() || is_side_of_grid(name), name,
                    "the counter body is a grid, whose sides are Left, Right, Front, Back "
                    "and Bottom; name one of them, or set Counter body/Mesh/File");

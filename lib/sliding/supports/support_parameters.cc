@@ -1,7 +1,7 @@
 #include "parameters/keys.h"
 #include "sliding/contact_parameters.h"
 #include "sliding/supports/load_keys.h"
-#include "sliding/supports/side_keys.h"
+#include "sliding/supports/support_keys.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,93 +13,44 @@ namespace mesoslip
 {
 void ContactParameters::bind_top(Keys &keys)
 {
-  const auto section = keys.section("Supports/Top");
-  std::string kind   = "platen";
-  double pressure = 5e6, hold_from = automatic;
-  keys.bind("Kind", kind, {"free", "pressure", "platen", "held", "springs", "absorbing"},
-            "What the top stands on: nothing; a pressure on each node; a rigid platen "
-            "(u_x = 0, one common u_y) pushed by the resultant of the pressure; no "
-            "motion (u = 0); springs and dashpots of each node, with a pressure; or "
-            "dashpots that absorb waves, as if the body went on, with a pressure");
-  keys.bind("Pressure", pressure, Range::any(),
-            "Pressure on the top, positive when it presses the body on the flat [Pa]");
-  top.pressure = bind_history(keys, pressure, "pressure", "Pa");
-  std::vector<std::string> held;
-  keys.bind_list("Held", held, {"u_x", "u_y"},
-                 "Displacement components along the flat, u_x and, in 3D, u_y, that are "
-                 "zero on the top, whatever Kind says of the others; empty: none [-]");
-  top.name = "Top";
-  top.held = {};
-  for (const std::string &component : held)
-    top.held[component == "u_x" ? 0 : 1] = true;
-  keys.require(mesh.mesh.dim == 3 || !top.held[1], "Held",
-               "u_y is along the normal of the flat; set Kind = held, or name u_x only");
-  bind_platen_mass(keys, top, "the top");
-  bind_suspension(keys, top.suspension, "the top", mesh.mesh.dim);
+  const auto outer = keys.section("Supports");
+  // Complex modes take the pressure in steady sliding from it, whatever holds the top.
+  static_cast<SideSupport &>(top) =
+    bind_support(keys, "Top", mesh.mesh.dim,
+                 {"platen", 5e6, true, analysis == ContactAnalysis::transient});
+  const auto section = keys.section("Top");
+  double hold_from   = automatic;
   keys.bind_or_auto("Hold from", hold_from, Range::non_negative(),
                     "Time from which on the top stays where it is; auto: never [s]");
   if (!std::isnan(hold_from))
     top.hold_from = hold_from;
-  keys.only_with("Kind", {"pressure", "springs", "absorbing"}, {"Held"});
-  keys.only_with("Kind", {"springs"}, {"Mass"});
-  keys.only_with("Kind", {"springs", "platen"},
-                 {"Spring stiffness", "Dashpot", "Motion"});
-  keys.only_with("Kind", {"pressure", "platen", "springs", "absorbing"},
-                 {"Ramp", "Ramp time", "Expression"});
   keys.only_with("Kind", {"pressure", "platen"}, {"Hold from"});
-  keys.only_with("Kind", {"pressure", "springs", "absorbing"}, {"Traction"});
-  for (unsigned int c = 0; c + 1 < mesh.mesh.dim; ++c)
-    keys.require(!top.held[c] ||
-                   !(top.suspension.stiffness[c] > 0. || top.suspension.dashpot[c] > 0. ||
-                     top.suspension.traction.acts(c)),
-                 "Held",
-                 std::string("u_") + "xy"[c] +
-                   " is held, so that Spring stiffness, Dashpot and Traction along " +
-                   "xy"[c] + " have no effect; leave one of the two out");
-  // Complex modes take the pressure in steady sliding from it.
-  if (analysis == ContactAnalysis::transient)
-    keys.only_with("Kind", {"pressure", "platen", "springs", "absorbing"}, {"Pressure"});
-  set_top(keys, kind);
+  check_top(keys);
 }
 
-void ContactParameters::set_top(const Keys &keys, const std::string &kind)
+void ContactParameters::check_top(const Keys &keys) const
 {
-  for (unsigned int c = 0; c + 1 < mesh.mesh.dim; ++c)
-    keys.require(
-      analysis == ContactAnalysis::transient || kind != "absorbing" ||
-        !top.suspension.traction.acts(c),
-      "Traction",
-      "a top that absorbs is held along the flat in the static state, so that "
-      "a traction along it has no effect; leave it out, or set Kind = springs");
-  Suspension &suspension = top.suspension;
-  top.is_platen          = kind == "platen";
-  if (kind == "held")
-    top.hold();
-  suspension.absorbing = kind == "absorbing";
-  if (kind == "free")
-    top.pressure = LoadHistory();
-  keys.require(kind != "springs" || suspension.is_suspended(), "Kind",
-               "it is springs, but Spring stiffness, Dashpot and Mass are 0; give one of "
-               "them, or set Kind = pressure");
+  const Suspension &suspension = top.suspension;
   keys.require(step.alpha_of_phases.empty() || !std::isfinite(top.hold_from), "Hold from",
                "a top that is stopped is not known with a Body/Rayleigh alpha by phase; "
                "give one value for all phases, or set Kind = held");
   keys.require(!suspension.is_there() || !std::isfinite(top.hold_from), "Hold from",
                "the top is held from then on, but there are springs, dashpots or a "
                "traction; leave one of the two out");
-  for (unsigned int c = 0; c < mesh.mesh.dim; ++c)
-    keys.require(!suspension.motion[c].is_expression() || suspension.stiffness[c] > 0. ||
-                   suspension.dashpot[c] > 0.,
-                 "Motion",
-                 std::string("along ") + "xyz"[c] +
-                   " it has no effect, as there is neither Spring stiffness nor Dashpot; "
-                   "give one of them, or leave the expression empty");
   for (unsigned int c = 0; c + 1 < mesh.mesh.dim; ++c)
-    keys.require(kind != "platen" || suspension.stiffness[c] > 0. ||
-                   suspension.dashpot[c] == 0.,
-                 "Dashpot",
-                 std::string("along ") + "xy"[c] +
-                   " the platen moves on springs only; give a Spring stiffness there");
+    {
+      keys.require(
+        analysis == ContactAnalysis::transient || !suspension.absorbing ||
+          !suspension.traction.acts(c),
+        "Traction",
+        "a top that absorbs is held along the flat in the static state, so that "
+        "a traction along it has no effect; leave it out, or set Kind = springs");
+      keys.require(!top.is_platen || suspension.stiffness[c] > 0. ||
+                     suspension.dashpot[c] == 0.,
+                   "Dashpot",
+                   std::string("along ") + "xy"[c] +
+                     " the platen moves on springs only; give a Spring stiffness there");
+    }
 }
 
 /** Binds the sections of sides; on a mesh, of the groups named in the .prm. */
@@ -113,7 +64,7 @@ void ContactParameters::bind_sides(Keys &keys)
   supports.clear();
   for (const std::string &name : names)
     {
-      const SideSupport side = bind_side(keys, name, mesh.mesh.dim);
+      const SideSupport side = bind_support(keys, name, mesh.mesh.dim);
       keys.require(mesh.is_given() || is_side_of_grid(name), name,
                    "the body is a grid, whose sides are Left, Right, Front, Back and "
                    "Top; name one of them, or set Mesh/File");

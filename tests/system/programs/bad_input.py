@@ -179,7 +179,7 @@ UNUSED = [
     ("contact_dynamics", CONTACT, ["Supports/Top/Expression=5e6", "Supports/Top/Ramp=linear"], ["Supports/Top/Ramp", "leave Supports/Top/Expression empty"]),
     ("contact_dynamics", CONTACT, ["Flat/Ramp=smooth"], ["Flat/Ramp time", "it is 0, so that the velocity acts at once", "Ramp = step"]),
     ("contact_dynamics", CONTACT, ["Flat/Ramp time=1e-7"], ["Flat/Ramp time", "Flat/Ramp = linear or smooth"]),
-    ("contact_dynamics", CONTACT, ["Supports/Top/Held=u_x"], ["Supports/Top/Held", "Supports/Top/Kind = pressure"]),
+    ("contact_dynamics", CONTACT, ["Supports/Top/Held=u_x"], ["Supports/Top/Held", "Supports/Top/Kind = free or pressure"]),
     ("contact_dynamics", CONTACT, ["Supports/Top/Kind=pressure", "Supports/Top/Platen mass=1"], ["Supports/Top/Platen mass", "Supports/Top/Kind = platen"]),
     ("contact_dynamics", CONTACT, ["Supports/Top/Kind=held", "Supports/Top/Hold from=1e-7"], ["Supports/Top/Hold from", "Supports/Top/Kind = pressure or platen"]),
     ("contact_dynamics", CONTACT, ["Friction/Law=coulomb", "Friction/Regularization time=1e-6"], ["Regularization time", "Law = constant time"]),
