@@ -26,7 +26,8 @@ constexpr std::array<const char *, 4> papers = {
   {"summary.json", "log.txt", "parameters.prm", "original.prm"}};
 
 /** Results of the programs, without the XDMF files that belong to them. */
-constexpr std::array<const char *, 30> results = {{"complex_modes.csv",
+constexpr std::array<const char *, 31> results = {{"complex_modes.csv",
+                                                   "border.csv",
                                                    "complex_modes.h5",
                                                    "complex_modes_sweep.csv",
                                                    "conductivity.csv",

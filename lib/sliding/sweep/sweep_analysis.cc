@@ -49,7 +49,10 @@ SweepAnalysis::SweepAnalysis(const SweepParameters &wanted,
   std::ostringstream text;
   print_given(keys, text, {"Output folder", "Sweep/"});
   base = text.str();
-  on_root(MPI_COMM_WORLD, [&]() { points = points_of(parameters, keys); });
+  on_root(MPI_COMM_WORLD, [&]() {
+    folders = std::make_unique<PointFolders>(parameters, keys);
+    points  = folders->points();
+  });
   if (mpi::this_mpi_process(MPI_COMM_WORLD) > 0)
     for (const std::vector<double> &values : parameters.all_points())
       points.push_back({values, ""});
@@ -142,11 +145,11 @@ std::string SweepAnalysis::cause(const Task &task,
                                  const Outcome &outcome,
                                  const RunContext &context) const
 {
-  const auto before = parameters.point_before(task.point);
+  const auto before =
+    task.is_of_modes ? std::nullopt : parameters.point_before(task.point);
   std::error_code ignored;
-  if (task.is_of_modes || !before ||
-      std::filesystem::exists(run_end_file(context.file(points[*before].folder)),
-                              ignored))
+  if (!before || std::filesystem::exists(
+                   run_end_file(context.file(points[*before].folder)), ignored))
     return outcome.message;
   return "it starts from the end of " + text_of(parameters, points[*before]) +
          ", which failed";
@@ -204,7 +207,7 @@ bool SweepAnalysis::compute(const std::vector<Task> &tasks, RunContext &context)
 
 void SweepAnalysis::write_results(RunContext &context) const
 {
-  SweepMap map       = {parameters, units, dim, points, {}};
+  SweepMap map       = {parameters, units, dim, points, {}, border};
   std::size_t n_done = 0, n_skipped = 0, n_of_failed = 0, n_with_warnings = 0;
   for (const SweepPoint &point : points)
     {
@@ -218,6 +221,8 @@ void SweepAnalysis::write_results(RunContext &context) const
     }
   write_map_file(context.file("map.h5"), map);
   write_map_table(context.file("map.csv"), map);
+  if (parameters.wants_border())
+    write_border_table(context.file("border.csv"), map);
   nlohmann::json axes = nlohmann::json::array();
   for (std::size_t a = 0; a < parameters.axes.size(); ++a)
     axes.push_back({{"name", parameters.axes[a].name},
@@ -237,7 +242,10 @@ void SweepAnalysis::write_results(RunContext &context) const
        ? ", " + std::to_string(n_skipped) + " are not run, as their vibrations decay"
        : "") +
     (n_of_failed > 0 ? ", " + std::to_string(n_of_failed) + " failed" : "") +
-    ": map.h5, map.csv");
+    ": map.h5, map.csv" +
+    (parameters.wants_border()
+       ? ", border.csv (" + std::to_string(border.size()) + " points)"
+       : ""));
   if (n_of_failed > 0)
     context.warn(
       std::to_string(n_of_failed) + " of " + std::to_string(points.size()) +
@@ -249,17 +257,20 @@ void SweepAnalysis::write_results(RunContext &context) const
                  "log.txt of their folders");
 }
 
-/** Computes the missing runs of @p kinds.
+/** Computes the missing runs of @p kinds of the points from number @p first on.
  * @return false if it was stopped. Collective. */
-bool SweepAnalysis::compute_missing(const Kinds &kinds, RunContext &context)
+bool SweepAnalysis::compute_missing(const std::string &title,
+                                    const std::size_t first,
+                                    const Kinds &kinds,
+                                    RunContext &context)
 {
   std::vector<Task> tasks;
   on_root(context.communicator(), [&]() {
-    tasks = missing_tasks(context.output_folder(), kinds);
+    tasks = missing_tasks(context.output_folder(), first, kinds);
     wait_for_others(tasks, context);
   });
   broadcast_object(context.communicator(), tasks);
-  const std::size_t n_runs = points.size() * kinds.size();
+  const std::size_t n_runs = (points.size() - first) * kinds.size();
   n_tasks                  = tasks.size();
   n_ended                  = 0;
   if (n_tasks < n_runs)
@@ -267,8 +278,7 @@ bool SweepAnalysis::compute_missing(const Kinds &kinds, RunContext &context)
                 (parameters.skip_stable && kinds == Kinds{false}
                    ? " points are there already, or not run as their vibrations decay"
                    : " runs are there already"));
-  context.progress().start(kinds == Kinds{true} ? "Modes" : "Map",
-                           std::max<std::size_t>(1, n_tasks));
+  context.progress().start(title, std::max<std::size_t>(1, n_tasks));
   bool is_complete = false;
   {
     const auto scope = context.timer().scope("Points");
@@ -286,11 +296,15 @@ void SweepAnalysis::run(RunContext &context)
   // With skip_stable, modes come first: they decide which points need not be run.
   const bool is_complete =
     parameters.skip_stable
-      ? compute_missing({true}, context) && compute_missing({false}, context)
-      : compute_missing(parameters.complex_modes ? Kinds{false, true} : Kinds{false},
+      ? compute_missing("Modes", 0, {true}, context) &&
+          compute_missing("Map", 0, {false}, context)
+      : compute_missing("Map", 0,
+                        parameters.complex_modes ? Kinds{false, true} : Kinds{false},
                         context);
+  const bool has_border =
+    is_complete && (!parameters.wants_border() || find_border(context));
   on_root(context.communicator(), [&]() { write_results(context); });
-  if (!is_complete)
+  if (!has_border)
     throw Interrupted("the map was stopped with " + std::to_string(n_tasks - n_ended) +
                       " runs left; the same command computes the rest");
 }

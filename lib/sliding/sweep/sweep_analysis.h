@@ -59,7 +59,9 @@ private:
   bool is_there(const std::string &folder, const bool is_of_modes) const;
   std::vector<std::optional<std::size_t>>
   tasks_before(const std::vector<Task> &tasks) const;
-  std::vector<Task> missing_tasks(const std::string &folder, const Kinds &kinds) const;
+  std::vector<Task> missing_tasks(const std::string &folder,
+                                  const std::size_t first,
+                                  const Kinds &kinds) const;
   void wait_for_others(const std::vector<Task> &tasks, const RunContext &context) const;
   std::vector<std::string> words(const Task &task, const std::string &folder) const;
   void remove_results(const std::string &folder) const;
@@ -67,20 +69,28 @@ private:
   cause(const Task &task, const Outcome &outcome, const RunContext &context) const;
   void finish(const Task &task, const Outcome &outcome, RunContext &context);
   bool compute(const std::vector<Task> &tasks, RunContext &context);
-  bool compute_missing(const Kinds &kinds, RunContext &context);
+  bool compute_missing(const std::string &title,
+                       const std::size_t first,
+                       const Kinds &kinds,
+                       RunContext &context);
+  std::vector<FastestGrowth> growth_of(const std::size_t first,
+                                       const RunContext &context) const;
+  bool find_border(RunContext &context);
   void write_results(RunContext &context) const;
   std::string size_text() const;
 
   const SweepParameters parameters;
   const Application single;
-  const unsigned int dim;         ///< dimension of the body
-  std::string base;               ///< a .prm with all keys of a point
-  std::vector<std::string> units; ///< per axis, such as Pa; "-" for pure numbers
-  std::vector<SweepPoint> points;
-  std::unique_ptr<Analysis> first; ///< checks and describes the first point
-  bool is_trial       = false;     ///< --try
-  std::size_t n_tasks = 0;         ///< runs of compute_missing()
-  std::size_t n_ended = 0;         ///< runs completed or failed so far
+  const unsigned int dim;                ///< dimension of the body
+  std::string base;                      ///< a .prm with all keys of a point
+  std::vector<std::string> units;        ///< per axis, such as Pa; "-" for pure numbers
+  std::unique_ptr<PointFolders> folders; ///< on rank 0
+  std::vector<SweepPoint> points;        ///< of the map, then trials of find_border()
+  std::vector<BorderPoint> border;       ///< on rank 0
+  std::unique_ptr<Analysis> first;       ///< checks and describes the first point
+  bool is_trial       = false;           ///< --try
+  std::size_t n_tasks = 0;               ///< runs of compute_missing()
+  std::size_t n_ended = 0;               ///< runs completed or failed so far
 };
 } // namespace mesoslip
 

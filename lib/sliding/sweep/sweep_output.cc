@@ -106,6 +106,54 @@ std::vector<std::string> names_of_numbers(const SweepMap &map)
   return {names.begin(), names.end()};
 }
 
+namespace
+{
+/** Writes the group /border. */
+void write_border(Hdf5File &file, const SweepMap &map)
+{
+  const std::size_t n = map.border.size();
+  file.create_group("/border");
+  std::vector<std::string> along;
+  for (const BorderPoint &point : map.border)
+    along.push_back(map.parameters.axes[point.axis].name);
+  file.write("/border/along", {n}, along);
+  for (std::size_t a = 0; a < map.parameters.axes.size(); ++a)
+    {
+      std::vector<double> values;
+      for (const BorderPoint &point : map.border)
+        values.push_back(point.values[a]);
+      write_dataset(file, "/border/" + map.parameters.axes[a].name, {n}, values,
+                    map.units[a]);
+    }
+  file.write_attribute("/border", "tolerance", map.parameters.border_tolerance);
+}
+
+/** Headings of the columns of the axes. */
+std::vector<std::string> columns_of_axes(const SweepMap &map)
+{
+  std::vector<std::string> columns;
+  for (std::size_t a = 0; a < map.parameters.axes.size(); ++a)
+    columns.push_back(map.parameters.axes[a].name + " [" + map.units[a] + "]");
+  return columns;
+}
+} // namespace
+
+void write_border_table(const std::string &path, const SweepMap &map)
+{
+  std::vector<std::string> columns = columns_of_axes(map);
+  columns.emplace_back("along");
+  TableWriter table(path, columns);
+  for (const BorderPoint &point : map.border)
+    {
+      std::vector<std::string> row;
+      for (const double value : point.values)
+        row.push_back(table.cell(value));
+      row.push_back(map.parameters.axes[point.axis].name);
+      table.add_row(row);
+    }
+  table.flush();
+}
+
 void write_map_file(const std::string &path, const SweepMap &map)
 {
   Hdf5File file = Hdf5File::create(path);
@@ -133,6 +181,8 @@ void write_map_file(const std::string &path, const SweepMap &map)
       file.write_attribute(name, "keys", texts_of(axis.keys));
       file.write_attribute(name, "logarithmic", axis.logarithmic ? 1 : 0);
     }
+  if (map.parameters.wants_border())
+    write_border(file, map);
   file.create_group("/numbers");
   for (const std::string &name : names_of_numbers(map))
     {
@@ -165,9 +215,7 @@ void write_map_table(const std::string &path, const SweepMap &map)
 {
   const std::vector<std::string> numbers = names_of_numbers(map),
                                  texts   = names_of_texts(map);
-  std::vector<std::string> columns;
-  for (std::size_t a = 0; a < map.parameters.axes.size(); ++a)
-    columns.push_back(map.parameters.axes[a].name + " [" + map.units[a] + "]");
+  std::vector<std::string> columns       = columns_of_axes(map);
   columns.emplace_back("status");
   columns.insert(columns.end(), texts.begin(), texts.end());
   for (const std::string &name : numbers)

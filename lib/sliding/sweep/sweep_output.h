@@ -17,6 +17,7 @@ struct SweepMap
   unsigned int dim;                  ///< dimension of the body
   std::vector<SweepPoint> points;    ///< in the order of the map
   std::vector<SweepResult> results;  ///< in the order of points
+  std::vector<BorderPoint> border;   ///< where growth of the complex modes begins
 };
 
 /** Names of all numbers that occur in a result. */
@@ -28,6 +29,9 @@ void write_map_file(const std::string &path, const SweepMap &map);
 
 /** Writes map.csv: a row for each point, empty where a number is not known. */
 void write_map_table(const std::string &path, const SweepMap &map);
+
+/** Writes border.csv: a row for each point of the border of growth. */
+void write_border_table(const std::string &path, const SweepMap &map);
 } // namespace mesoslip
 
 #endif

@@ -14,14 +14,6 @@ namespace mesoslip
 {
 namespace
 {
-/** Removes the round-off of a division: 0.3, not 0.30000000000000004. */
-double rounded(const double value)
-{
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.12g", value);
-  return std::strtod(text, nullptr);
-}
-
 /** The value at @p share of the way from one end to the other. */
 double between(const SweepAxis &axis, const double share)
 {
@@ -130,6 +122,13 @@ void bind_other_axes(Keys &keys, const std::vector<std::string> &names)
 }
 } // namespace
 
+double rounded(const double value)
+{
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.12g", value);
+  return std::strtod(text, nullptr);
+}
+
 std::string SweptKey::with(const double value) const
 {
   if (entry == 0)
@@ -178,6 +177,11 @@ void SweepParameters::bind(Keys &keys)
     "after the other [-]");
   keys.bind("Complex modes", complex_modes,
             "Also compute the complex modes of steady sliding at each point");
+  keys.bind("Border tolerance", border_tolerance, Range::closed(0., 0.5),
+            "Largest error, relative to the value of a key, of the border at which the "
+            "fastest complex mode neither grows nor decays; found by more complex modes "
+            "between neighbouring points of a grid of which one has a growing mode and "
+            "the other has none; 0: no border [-]");
   keys.bind(
     "Skip stable", skip_stable,
     "Compute the complex modes first, and do not run points at which all vibrations "
@@ -200,8 +204,10 @@ void SweepParameters::bind(Keys &keys)
     "there are no axes", "set Sweep/Axes");
   keys.only_if(points == SweepPoints::random, {"Random points", "Seed"},
                "the points are not random", "set Sweep/Points = random");
-  keys.only_if(complex_modes, {"Skip stable"}, "no complex modes are computed",
-               "set Sweep/Complex modes = true");
+  keys.only_if(points == SweepPoints::grid, {"Border tolerance"},
+               "the points are no grid", "set Sweep/Points = grid");
+  keys.only_if(complex_modes, {"Skip stable", "Border tolerance"},
+               "no complex modes are computed", "set Sweep/Complex modes = true");
   keys.require(
     !skip_stable || continuation == Continuation::none, "Skip stable",
     "with Continue points start from the end of their neighbours, which have to "

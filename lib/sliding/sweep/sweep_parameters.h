@@ -43,6 +43,9 @@ struct SweepAxis
   bool logarithmic    = false; ///< whether spacing is logarithmic
 };
 
+/** A value without the round-off of a division: 0.3, not 0.30000000000000004. */
+double rounded(const double value);
+
 /** How axes are combined to points. */
 enum class SweepPoints
 {
@@ -72,6 +75,7 @@ struct SweepParameters
   unsigned int n_random     = 100;                ///< random points
   unsigned int seed         = 0;                  ///< seed of random points
   unsigned int processes    = 0;                  ///< side by side; 0: one per core
+  double border_tolerance   = 0.01;  ///< of the border of growth, relative; 0: none
   bool complex_modes        = false; ///< whether each point has complex modes, too
   bool skip_stable          = false; ///< whether points without growing modes are skipped
   bool keep_results         = false; ///< whether the result files of the points are kept
@@ -79,6 +83,12 @@ struct SweepParameters
   /** Binds the keys; call it after all other keys are bound.
    * @throws UserError */
   void bind(Keys &keys);
+
+  /** Whether the border of growth is searched between the points. */
+  bool wants_border() const
+  {
+    return complex_modes && points == SweepPoints::grid && border_tolerance > 0.;
+  }
 
   /** Whether a map is wanted. */
   bool is_given() const

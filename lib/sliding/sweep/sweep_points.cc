@@ -1,6 +1,5 @@
 #include "sliding/sweep/sweep_points.h"
 
-#include "base/digest.h"
 #include "base/errors.h"
 #include "base/files.h"
 #include "base/text.h"
@@ -9,6 +8,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -107,15 +107,34 @@ std::vector<std::size_t> chain_to(const SweepParameters &parameters, const std::
 }
 } // namespace
 
-std::vector<SweepPoint> points_of(const SweepParameters &parameters, const Keys &keys)
+PointFolders::PointFolders(const SweepParameters &given, const Keys &keys)
+  : parameters(given)
 {
   std::vector<std::string> skip = {"Output folder", "Checkpoints/", "Sweep/"};
   for (const SweepAxis &axis : parameters.axes)
     for (const SweptKey &key : axis.keys)
       skip.push_back(key.path);
-  Digest common;
   common.add(version).add(canonical_parameters(keys, skip));
   add_inputs(keys, common);
+}
+
+Digest PointFolders::of_point(const SweepPoint &point) const
+{
+  Digest digest = common;
+  for (const std::string &assignment : assignments_of(parameters, point))
+    digest.add(assignment);
+  return digest;
+}
+
+SweepPoint PointFolders::point(const std::vector<double> &values) const
+{
+  SweepPoint result = {values, ""};
+  result.folder     = "points/" + of_point(result).hex();
+  return result;
+}
+
+std::vector<SweepPoint> PointFolders::points() const
+{
   std::vector<SweepPoint> points;
   for (const std::vector<double> &values : parameters.all_points())
     points.push_back({values, ""});
@@ -124,9 +143,7 @@ std::vector<SweepPoint> points_of(const SweepParameters &parameters, const Keys 
     for (const std::size_t p : chain_to(parameters, k))
       if (points[p].folder.empty())
         {
-          Digest digest = common;
-          for (const std::string &assignment : assignments_of(parameters, points[p]))
-            digest.add(assignment);
+          Digest digest = of_point(points[p]);
           if (const auto before = parameters.point_before(p))
             digest.add(points[*before].folder);
           else if (parameters.continuation != Continuation::none)
@@ -169,17 +186,19 @@ bool has_ended(const std::string &folder)
   return json.is_object() && !json.value("again", false);
 }
 
-bool is_stable(const std::string &folder)
+FastestGrowth fastest_growth(const std::string &folder)
 {
   const std::string of_modes = folder + complex_modes_folder;
   if (marked(of_modes).is_null())
-    return false;
+    return std::nullopt;
   SweepResult modes;
   add_run(of_modes, "", modes);
   const auto missing = modes.numbers.find("missing_modes");
   const auto growth  = modes.numbers.find("largest_growth_rate");
-  return missing != modes.numbers.end() && missing->second == 0. &&
-         (growth == modes.numbers.end() || growth->second < 0.);
+  if (missing == modes.numbers.end() || missing->second != 0.)
+    return std::nullopt;
+  return growth != modes.numbers.end() ? growth->second
+                                       : -std::numeric_limits<double>::infinity();
 }
 
 SweepResult read_point(const std::string &folder, const SweepParameters &parameters)

@@ -1,7 +1,8 @@
 #ifndef mesoslip_sliding_sweep_sweep_points_h
 #define mesoslip_sliding_sweep_sweep_points_h
 
-#include "sliding/sweep/sweep_parameters.h"
+#include "base/digest.h"
+#include "sliding/sweep/border_search.h"
 
 #include <map>
 #include <string>
@@ -16,6 +17,13 @@ struct SweepPoint
   std::string
     folder; ///< folder of its results in the output folder; the name contains a digest of
             ///< its input
+
+  /** For boost::serialization. */
+  template <class Archive>
+  void serialize(Archive &archive, const unsigned int)
+  {
+    archive &values &folder;
+  }
 };
 
 /** Outcome of a point. */
@@ -36,9 +44,26 @@ struct SweepResult
   std::map<std::string, std::string> texts = {}; ///< texts of its summary, by name
 };
 
-/** The points of the map that @p keys describe; input files are read once.
- * @throws UserError */
-std::vector<SweepPoint> points_of(const SweepParameters &parameters, const Keys &keys);
+/** Names the folders of points by digests of all input that decides their results. */
+class PointFolders
+{
+public:
+  /** For the map that @p keys describe; reads the input files.
+   * @throws UserError */
+  PointFolders(const SweepParameters &parameters, const Keys &keys);
+
+  /** The points of the map. */
+  std::vector<SweepPoint> points() const;
+
+  /** A point that does not start from a neighbour. */
+  SweepPoint point(const std::vector<double> &values) const;
+
+private:
+  Digest of_point(const SweepPoint &point) const;
+
+  const SweepParameters parameters;
+  Digest common; ///< of all keys that do not change, and the input files
+};
 
 /** "pressure = 2e6, friction = 0.3". */
 std::string text_of(const SweepParameters &parameters, const SweepPoint &point);
@@ -53,9 +78,16 @@ constexpr char complex_modes_folder[] = "/complex_modes";
 /** Whether mark_point() has marked the folder as ended, and not for another try. */
 bool has_ended(const std::string &folder);
 
+/** The growth of the fastest complex mode in the folder of a point; empty also if its
+ * modes were not computed. */
+FastestGrowth fastest_growth(const std::string &folder);
+
 /** Whether the complex modes in the folder of a point were computed and none up to their
  * highest frequency grows; false if the search may have missed growing modes. */
-bool is_stable(const std::string &folder);
+inline bool is_stable(const std::string &folder)
+{
+  return fastest_growth(folder).value_or(0.) < 0.;
+}
 
 /** The result in the folder (a path) of a point, including complex modes in its
  * subfolder; a default result if it was not computed. */

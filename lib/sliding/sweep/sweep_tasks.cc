@@ -53,11 +53,12 @@ bool SweepAnalysis::is_there(const std::string &folder, const bool is_of_modes) 
 }
 
 std::vector<SweepAnalysis::Task> SweepAnalysis::missing_tasks(const std::string &folder,
+                                                              const std::size_t first,
                                                               const Kinds &kinds) const
 {
   std::vector<Task> tasks;
   std::set<std::string> wanted; // points may be repeated
-  for (std::size_t k = 0; k < points.size(); ++k)
+  for (std::size_t k = first; k < points.size(); ++k)
     for (const bool is_of_modes : kinds)
       {
         const std::string place =
@@ -75,7 +76,7 @@ std::vector<SweepAnalysis::Task> SweepAnalysis::missing_tasks(const std::string 
       before = parameters.point_before(*before);
     return n;
   };
-  if (parameters.continuation != Continuation::none)
+  if (parameters.continuation != Continuation::none && first == 0)
     std::stable_sort(tasks.begin(), tasks.end(), [&](const Task &a, const Task &b) {
       return n_before(a.point) < n_before(b.point);
     });
@@ -135,8 +136,8 @@ SweepAnalysis::tasks_before(const std::vector<Task> &tasks) const
     by_folder[tasks[k].folder] = k;
   std::vector<std::optional<std::size_t>> result(tasks.size());
   for (std::size_t k = 0; k < tasks.size(); ++k)
-    if (const auto before = parameters.point_before(tasks[k].point);
-        before && !tasks[k].is_of_modes)
+    if (const auto before =
+          tasks[k].is_of_modes ? std::nullopt : parameters.point_before(tasks[k].point))
       if (const auto found = by_folder.find(points[*before].folder);
           found != by_folder.end())
         result[k] = found->second;
