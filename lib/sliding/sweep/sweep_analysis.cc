@@ -273,7 +273,7 @@ bool SweepAnalysis::compute_missing(const std::string &title,
   const std::size_t n_runs = (points.size() - first) * kinds.size();
   n_tasks                  = tasks.size();
   n_ended                  = 0;
-  if (n_tasks < n_runs)
+  if (n_tasks < n_runs && first == 0)
     context.log(std::to_string(n_runs - n_tasks) + " of " + std::to_string(n_runs) +
                 (parameters.skip_stable && kinds == Kinds{false}
                    ? " points are there already, or not run as their vibrations decay"

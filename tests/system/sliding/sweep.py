@@ -296,7 +296,7 @@ def check_border(folder):
     """Where growth of the complex modes is zero, vibrations of the runs neither grow nor decay."""
     values = np.array([0.27, 0.28, 0.3, 0.31])
     folder.write("border.prm", prm({**SMOOTH, "Time/End time": 0.02, "Observation/History interval": 8, "Observation/Energy interval": 0,
-                                    "Sweep/friction/Values": ", ".join(map(str, values)), "Sweep/Keep results": "true", "Complex modes/Fastest decay": 5000}))
+                                    "Sweep/friction/Values": ", ".join(map(str, values)), "Sweep/Keep results": "true", "Complex modes/Fastest decay": 5000, "Sweep/Border tolerance": 1e-3}))
     folder.run(0, "contact_dynamics", "border.prm", "--output", "border")
     found = content(folder, "border")
     due = found["numbers/complex_modes.largest_growth_rate"][0]
@@ -305,12 +305,27 @@ def check_border(folder):
     zero = lambda growth: np.polyval(np.polyfit(growth, values, 2), 0.0)  # noqa: E731
     print(f"border at a friction of {zero(due):.5f} by complex modes, {zero(rates):.5f} by runs; growth {due}, {rates}")
     assert due[0] < 0 < due[-1] and abs(zero(rates) / zero(due) - 1) < 2e-3, (due, rates)
+    # The border that the map finds by itself: complex modes just beside it decay and grow.
+    border = found["border/friction"][0]
+    assert len(border) == 1 and found["border/along"][0].tolist() == [b"friction"] and abs(border[0] / zero(due) - 1) < 2e-3, (border, zero(due))
+    with open(folder("border", "border.csv"), encoding="utf-8") as file:
+        assert [(float(row["friction [-]"]), row["along"]) for row in csv.DictReader(file)] == [(border[0], "friction")]
+    for beside, grows in ((0.999, False), (1.001, True)):
+        folder.write("beside.prm", prm({key: value for key, value in SMOOTH.items() if not key.startswith("Sweep")}))
+        folder.run(0, "contact_dynamics", "beside.prm", "--output", "beside", "--ignore-unused", "--set", "Analysis=complex modes",
+                   "--set", "Complex modes/Fastest decay=5000", "--set", f"Friction/Coefficient={beside * border[0]!r}")
+        assert (folder.summary("beside")["largest_growth_rate"] > 0) == grows, (beside, border)
     assert np.abs(rates - due).max() < 3, (due, rates)
 
 
 def check_python(folder, due):
     sys.path.insert(0, os.path.join(TOOLS, "python"))
     import mesoslip
+
+    with mesoslip.open(folder("border")) as run:
+        assert list(run.map.border) == ["friction", "along"] and list(run.map.border["along"]) == ["friction"], run.map.border
+    with mesoslip.open(folder("map")) as run:
+        assert run.map.border is None
 
     folder.write("plain.prm", prm(PIN))
     axes = {"Supports/Top/Pressure": PRESSURES, "mu": ("Friction/Coefficient", FRICTION)}

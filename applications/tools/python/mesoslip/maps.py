@@ -1,5 +1,7 @@
 """Maps: map.h5 of a run with section Sweep."""
 
+import re
+
 import numpy as np
 
 from .array import Array
@@ -41,6 +43,14 @@ class SweepMap:
         return {name: Array(np.moveaxis(np.asarray(values).reshape(self.shape), k, 0).reshape(self.shape[k], -1)[:, 0], values.unit, name)
                 for k, (name, values) in enumerate(found.items())}
 
+    @property
+    def border(self):
+        """{name: Array of the values along the axis} of the points where the fastest complex mode neither grows nor decays, and under "along"
+        the name of the axis along which each was found; None if the map has no border."""
+        if "border" not in self._file.hdf5:
+            return None
+        return {name: np.array(self._file["border/along"]) if name == "along" else self._file[f"border/{name}"] for name in [*self.axes, "along"]}
+
     def is_logarithmic(self, name):
         """Whether the values along an axis are equally spaced in their logarithms."""
         return bool(self._file.attributes(f"axes/{name}")["logarithmic"])
@@ -70,7 +80,7 @@ def settings_of(axes):
     named = {}
     for name, given in axes.items():
         key, values = given if isinstance(given, tuple) and isinstance(given[0], str) else (name, given)
-        named[name.rpartition("/")[2].lower()] = (key, values)
+        named[re.sub(r"\[(\d+)\]$", r"_\1", name.rpartition("/")[2]).lower()] = (key, values)
     if len(named) < len(axes):
         raise ValueError("two axes would have one name; give names: {name: (key, values)}")
     settings = {"Sweep/Axes": list(named)}

@@ -4,6 +4,7 @@ import os
 
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.collections import LineCollection
 from matplotlib.colors import ListedColormap
 from matplotlib.patches import Patch
 from matplotlib.patheffects import Normal, Stroke
@@ -42,7 +43,7 @@ class Map:
         self.shape = [int(n) for n in np.atleast_1d(run.attribute("/axes", "shape"))]
         self.names = sorted(run.members("/axes"), key=lambda name: int(run.attribute(f"/axes/{name}", "number")))
         self.branches = self.take_branches()
-        self.values, self.units = zip(*(self.scaled_axis(name) for name in self.names))
+        self.values, self.units, self.factors = zip(*(self.scaled_axis(name) for name in self.names))
         self.status = np.array([text.decode() for text in run.need("/status").ravel()])
 
     def take_branches(self):
@@ -56,11 +57,11 @@ class Map:
         return len(self.shape) == len(self.names)
 
     def scaled_axis(self, name):
-        """Values along an axis in a readable unit, and the unit."""
+        """Values along an axis in a readable unit, the unit, and the factor that they were divided by."""
         values, unit = self.run.need(f"/axes/{name}"), self.run.attribute(f"/axes/{name}", "unit").item()
         unit = unit.decode() if isinstance(unit, bytes) else str(unit)
         factor, unit = scaled(values, units=STRESSES) if unit == "Pa" else (1.0, unit)
-        return values / factor, unit
+        return values / factor, unit, factor
 
     def label(self, axis):
         return self.names[axis] + (f" ({self.units[axis]})" if self.units[axis] != "-" else "")
@@ -84,6 +85,12 @@ class Map:
         """NaN where a point has none; None if no point has one."""
         found, known = self.run.get(f"/numbers/{name}"), self.run.get(f"/known/{name}")
         return np.where(known.astype(bool), found, np.nan) if found is not None and known is not None and known.any() else None
+
+    def border(self):
+        """Points of the border of growth in a row each, along the axes; None if the map has none."""
+        if not self.run.members("/border"):
+            return None
+        return np.stack([np.atleast_1d(self.run.need(f"/border/{name}")) / factor for name, factor in zip(self.names, self.factors)], axis=1)
 
     def regime(self):
         """Of each point; empty where it is not known."""
@@ -151,7 +158,7 @@ def pictures(page, found, title, points):
     where = f" at {escape(title)}" if title else ""
     if len(found.shape) == 1:
         return page.figure(along(found), "Regime of the reference node (colours of the points) and numbers of the runs over what changes from run to run.")
-    modes = " Black line: border of growth of the complex modes at the same points." if found.number(GROWTH) is not None else ""
+    modes = " Black line: the fastest complex mode neither grows nor decays." if found.border() is not None else ""
     html = page.figure(regime_map(found, points), f"Regime of the reference node over {escape(found.names[0])} and {escape(found.names[1])}{where}.{modes} White: "
                                                   "no run that was done.")
     known = [entry for entry in QUANTITIES if found.number(entry[0]) is not None and np.isfinite(found.number(entry[0])[points]).any()]
@@ -180,14 +187,21 @@ def prepared(found, points, height=3.6):
 
 def border(found, axes, points):
     """The line where the fastest complex mode neither grows nor decays."""
-    growth = found.number(GROWTH)
-    if growth is None or min(points.shape) < 2:
-        return
-    values = np.ma.masked_invalid(growth[points])
-    if values.count() and values.min() < 0 < values.max():
-        line = axes.contour(found.values[0][points[0]], found.values[1][points[:, 0]], values, [0.0], colors=BLACK, linewidths=1.6)
-        for drawn in getattr(line, "collections", [line]):
-            drawn.set_path_effects([Stroke(linewidth=3.2, foreground="white"), Normal()])
+    known = found.border()
+    if known is not None:
+        others = [found.values[axis][points[0, 0]] for axis in range(2, len(found.names))]
+        draw_border(axes, known[np.all(known[:, 2:] == others, axis=1), :2], found.values[0][points[0]], found.values[1][points[:, 0]])
+
+
+def draw_border(axes, known, x, y):
+    """Pieces between the points of a border, a row each, that lie on the sides of each cell between the rising values x and y."""
+    pieces = []
+    for left, right in zip(x[:-1], x[1:]):
+        for lower, upper in zip(y[:-1], y[1:]):
+            corners = known[(known[:, 0] >= left) & (known[:, 0] <= right) & (known[:, 1] >= lower) & (known[:, 1] <= upper)]
+            pieces += [corners[k:k + 2] for k in range(0, len(corners) - 1, 2)]
+    line = LineCollection(pieces, colors=BLACK, linewidths=1.6, capstyle="round", path_effects=[Stroke(linewidth=3.2, foreground="white"), Normal()])
+    axes.add_collection(line, autolim=False)
 
 
 def regime_map(found, points):
@@ -229,6 +243,8 @@ def along(found):
                 axis.plot(x[picked], values[picked], "o", ms=4, color=colour, label=kind)
         if name == GROWTH:
             axis.axhline(0, color=BLACK, lw=0.8)
+        for (value,) in [] if found.border() is None else found.border():
+            axis.axvline(value, color=BLACK, lw=0.8, ls=":")
         axis.set_title(words + (f" ({unit})" if unit else ""), loc="left")
     shares = axes[-1]
     for name, colour, words in (("slip_fraction", BLUE, "slip"), ("stick_fraction", STICK, "stick"), ("separation_fraction", GREY, "separation")):

@@ -25,8 +25,7 @@ PAGE = """# Maps of the paper's pin
 ![Regimes](pin_regimes.png)
 
 *The homogenized pin: regime of the node in the middle of the contact. Other keys: P = 5 MPa, V = 2 m/s, mu = 0.25, delta = 1.5 µs, \
-beta = 4.4 ns. Black lines: the fastest complex mode neither grows nor decays; map (b) has no complex modes. In (a) the line is interpolated between the \
-friction coefficients 0.05 and 0.1; with the stiffness of eq. (10) finer steps find [0.09 to 0.1](../guide/squeal.md#2-at-which-friction-coefficient-does-squeal-begin). Circles: the \
+beta = 4.4 ns. Black lines: the fastest complex mode neither grows nor decays; map (b) has no complex modes. Circles: the \
 loads of the paper, 0.4 and 0.5 MPa ([how the paper was read](../paper/reading.md)).*
 
 ## Where the pin slips, sticks and separates

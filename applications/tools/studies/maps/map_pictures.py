@@ -3,9 +3,8 @@
 import numpy as np
 from matplotlib.colors import ListedColormap, LogNorm
 from matplotlib.patches import Patch
-from matplotlib.patheffects import Normal, Stroke
 from report.base.figures import BLACK, BLUE, ORANGE, above_all, plt
-from report.runs.sweep_map import GROWTH, REGIMES, edges, plain_ticks
+from report.runs.sweep_map import REGIMES, draw_border, edges, plain_ticks
 
 MU = "global_interface_friction_coefficient"
 # Axis: factor and label.
@@ -36,11 +35,8 @@ def draw_regimes(axis, one, names, swapped=False):
     regime = turned(one["regime"])
     shown = np.select([regime == name for name in names], range(len(names)), np.nan)
     axis.pcolormesh(*borders, np.ma.masked_invalid(shown), cmap=ListedColormap([REGIMES[name] for name in names]), vmin=-0.5, vmax=len(names) - 0.5)
-    growth = np.nan_to_num(turned(one[GROWTH]), nan=-1.0) if GROWTH in one else np.ones((1, 1))
-    if growth.min() < 0 < growth.max():
-        line = axis.contour(*values, growth, [0.0], colors=BLACK, linewidths=1.6)
-        for drawn in getattr(line, "collections", [line]):
-            drawn.set_path_effects([Stroke(linewidth=3.2, foreground="white"), Normal()])
+    if one.border is not None:
+        draw_border(axis, np.stack([AXES[name][0] * np.asarray(one.border[name]) for name in keys], axis=1), *values)
     for letter, name in zip("xy", keys):
         scale(axis, letter, name)
     axis.grid(False)
