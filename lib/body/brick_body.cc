@@ -112,7 +112,7 @@ GridBody<3>::GridBody(const BrickBox &box,
   set_sides();
 }
 
-bool GridBody<3>::is_original(const Place &at) const
+bool GridBody<3>::is_master(const Place &at) const
 {
   return !(box.periodic[0] && at[0] == box.grid.cells[0]) &&
          !(box.periodic[1] && at[1] == box.grid.cells[1]);
@@ -153,16 +153,16 @@ void GridBody<3>::number_points()
           points.push_back(point);
         }
   };
-  const auto any       = [](const Place &) { return true; };
-  const auto original  = [this](const Place &at) { return is_original(at); };
-  const auto duplicate = [this](const Place &at) { return !is_original(at); };
+  const auto any    = [](const Place &) { return true; };
+  const auto master = [this](const Place &at) { return is_master(at); };
+  const auto copy   = [this](const Place &at) { return !is_master(at); };
   if (is_whole)
     add(0, own, any);
   else
-    add(0, own, original);
+    add(0, own, master);
   n_counted = points.size();
   if (!is_whole)
-    add(0, own, duplicate);
+    add(0, own, copy);
   n_owned = points.size();
   add(own, n_planes(box, K->grid), any);
   for (unsigned int axis = 0; axis < 2 && is_whole; ++axis)
@@ -171,7 +171,7 @@ void GridBody<3>::number_points()
         {
           const NodeIndex node = node_at(at);
           at[axis]             = 0;
-          duplicates.push_back({{node, node_at(at)}});
+          copies.push_back({{node, node_at(at)}});
         }
 }
 
@@ -192,7 +192,7 @@ void GridBody<3>::set_sides()
       for (at[b] = 0; at[b] <= n[b]; ++at[b])
         for (at[a] = 0; at[a] <= n[a]; ++at[a])
           {
-            if (!is_original(at))
+            if (!is_master(at))
               continue;
             double area = quarter;
             for (const unsigned int d : {a, b})

@@ -69,8 +69,8 @@ public:
 
   std::optional<NodeIndex> find(const unsigned int number) const override;
   std::uint64_t number(const NodeIndex &node) const override;
-  void copy_duplicates(NodalField<double> &field) const override;
-  using ElasticBody<3>::copy_duplicates;
+  void update_copies(NodalField<double> &field) const override;
+  using ElasticBody<3>::update_copies;
   std::array<double, 3> point(const NodeIndex &node) const override;
   std::vector<double> mass_of_cells() const override;
   std::size_t n_cell_groups() const override;
@@ -95,7 +95,7 @@ private:
 
   void number_points();
   void set_sides();
-  bool is_original(const Place &at) const;
+  bool is_master(const Place &at) const;
   Place place_of(const unsigned int point) const;
   unsigned int point_at(const Place &at) const;
   unsigned int phase_beside(const Place &node, const unsigned int corner) const;

@@ -67,7 +67,7 @@ void GridBody<3>::from_voxels(const voxel::VoxelField<double> &field,
           to.row(c, 0)[node_of[place]] = field.row(c, j % n[1] + 1, k + 1)[i % n[0] + 1];
 }
 
-void GridBody<3>::copy_duplicates(NodalField<double> &field) const
+void GridBody<3>::update_copies(NodalField<double> &field) const
 {
   to_voxels(field, input);
   from_voxels(input, field);

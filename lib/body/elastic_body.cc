@@ -55,7 +55,7 @@ void ElasticBody<dim>::stand_on(const Foundation &given)
       counted += is_counted(node) ? of_node : 0.;
     }
   mass += mpi::sum(counted, sharing);
-  copy_duplicates(field);
+  update_copies(field);
   for (unsigned int j = 0; j < rows; ++j)
     extra.insert(extra.end(), field.row(0, j), field.row(0, j) + columns);
 }
@@ -77,42 +77,42 @@ void ElasticBody<dim>::vmult(NodalField<double> &Ku, const NodalField<double> &u
     return;
   for (const SpringEntry &spring : under.springs)
     Ku(spring.c, spring.node) += spring.stiffness * u(spring.d, spring.node);
-  copy_duplicates(Ku);
+  update_copies(Ku);
 }
 
 template <int dim>
-std::vector<bool> ElasticBody<dim>::counted_originals() const
+std::vector<bool> ElasticBody<dim>::counted_masters() const
 {
   std::vector<bool> counted(static_cast<std::size_t>(columns) * rows, false);
   std::fill_n(counted.begin(), n_counted, true);
-  for (const auto &[duplicate, original] : duplicates)
-    counted[index(duplicate)] = false;
+  for (const auto &[copy, master] : copies)
+    counted[index(copy)] = false;
   return counted;
 }
 
 template <int dim>
-void ElasticBody<dim>::add_duplicates(NodalField<double> &field) const
+void ElasticBody<dim>::add_copies(NodalField<double> &field) const
 {
-  for (const auto &[duplicate, original] : duplicates)
+  for (const auto &[copy, master] : copies)
     for (unsigned int c = 0; c < dim; ++c)
-      field(c, duplicate) = field(c, original) = field(c, original) + field(c, duplicate);
+      field(c, copy) = field(c, master) = field(c, master) + field(c, copy);
 }
 
 template <int dim>
-void ElasticBody<dim>::copy_duplicates(NodalField<double> &field) const
+void ElasticBody<dim>::update_copies(NodalField<double> &field) const
 {
-  for (const auto &[duplicate, original] : duplicates)
+  for (const auto &[copy, master] : copies)
     for (unsigned int c = 0; c < dim; ++c)
-      field(c, duplicate) = field(c, original);
+      field(c, copy) = field(c, master);
 }
 
 template <int dim>
-void ElasticBody<dim>::copy_duplicates(DofMask &mask) const
+void ElasticBody<dim>::update_copies(DofMask &mask) const
 {
-  for (const auto &[duplicate, original] : duplicates)
+  for (const auto &[copy, master] : copies)
     for (unsigned int c = 0; c < dim; ++c)
-      if (mask.is_constrained(c, original))
-        mask.constrain(c, duplicate);
+      if (mask.is_constrained(c, master))
+        mask.constrain(c, copy);
 }
 
 template <int dim>

@@ -30,7 +30,7 @@ struct SurfaceNodes
   std::vector<NodeIndex> nodes;
 
   /** In 2D with periodic sides: the last node is the periodic copy of the first one.
-   * Meshes with Mesh::originals have no periodic copies here. */
+   * Meshes with Mesh::masters have no periodic copies here. */
   bool closed = false;
 
   /** Integral of the outward normal times the shape function of each node: its tributary
@@ -161,24 +161,24 @@ public:
   /** Pairs of periodic copy and periodic master, axis after axis: the master of a corner
    * is itself the copy of another node along the next axis. Empty for distributed
    * fields. */
-  const std::vector<std::array<NodeIndex, 2>> &duplicate_nodes() const
+  const std::vector<std::array<NodeIndex, 2>> &periodic_copies() const
   {
-    return duplicates;
+    return copies;
   }
 
   /** For each node, row after row: whether it is locally owned and no periodic copy. */
-  std::vector<bool> counted_originals() const;
+  std::vector<bool> counted_masters() const;
 
   /** Sums the values of periodic copies and masters, and stores the sum at both. */
-  void add_duplicates(NodalField<double> &field) const;
+  void add_copies(NodalField<double> &field) const;
 
   /** Updates periodic copies and ghost nodes with the values of their masters and owners.
    * Collective. */
-  virtual void copy_duplicates(NodalField<double> &field) const;
+  virtual void update_copies(NodalField<double> &field) const;
 
   /** Constrains periodic copies whose masters are constrained. Solvers of distributed
    * fields read masters only. */
-  void copy_duplicates(DofMask &mask) const;
+  void update_copies(DofMask &mask) const;
 
   /** Length of the body's bounding box along axis @p d (m). */
   double extent(const unsigned int d) const
@@ -310,15 +310,15 @@ protected:
     return static_cast<std::size_t>(node.j) * columns + node.i;
   }
 
-  std::array<double, dim> extents = {};             ///< see extent()
-  double total_volume             = 0.;             ///< see volume()
-  double mass                     = 0.;             ///< see total_mass()
-  std::size_t number_of_cells     = 0;              ///< see n_cells()
-  bool distributed                = false;          ///< see is_distributed()
-  MPI_Comm sharing                = MPI_COMM_SELF;  ///< see communicator()
-  std::size_t n_counted;                            ///< locally owned, come first
-  std::array<SurfaceNodes<dim>, 2UL * dim> sides;   ///< see surface()
-  std::vector<std::array<NodeIndex, 2>> duplicates; ///< see duplicate_nodes()
+  std::array<double, dim> extents = {};            ///< see extent()
+  double total_volume             = 0.;            ///< see volume()
+  double mass                     = 0.;            ///< see total_mass()
+  std::size_t number_of_cells     = 0;             ///< see n_cells()
+  bool distributed                = false;         ///< see is_distributed()
+  MPI_Comm sharing                = MPI_COMM_SELF; ///< see communicator()
+  std::size_t n_counted;                           ///< locally owned, come first
+  std::array<SurfaceNodes<dim>, 2UL * dim> sides;  ///< see surface()
+  std::vector<std::array<NodeIndex, 2>> copies;    ///< see periodic_copies()
 
 private:
   template <typename Value>

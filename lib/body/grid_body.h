@@ -60,14 +60,14 @@ public:
         add(0, {0, j}, 1, j);
         add(1, {last[0], j}, 1, j);
         if (material.periodicity().x)
-          duplicates.push_back({{{last[0], j}, {0, j}}});
+          copies.push_back({{{last[0], j}, {0, j}}});
       }
     for (unsigned int i = 0; i <= last[0]; ++i)
       {
         add(2, {i, 0}, 0, i);
         add(3, {i, last[1]}, 0, i);
         if (material.periodicity().y)
-          duplicates.push_back({{{i, last[1]}, {i, 0}}});
+          copies.push_back({{{i, last[1]}, {i, 0}}});
       }
   }
 

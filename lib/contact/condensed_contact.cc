@@ -38,7 +38,7 @@ Eigen::VectorXd CondensedContact<dim>::internal_forces(NodalField<double> &u,
     for (unsigned int c = 0; c < dim; ++c)
       if (const Eigen::Index at = number(bottom.place(k), c); at >= 0)
         u(c, bottom.nodes[k]) = d[at];
-  body.copy_duplicates(u);
+  body.update_copies(u);
   solver.solve(u, force, 1e-12);
   const std::vector<double> internal =
     body.surface_values(ElasticBody<dim>::bottom, solver.internal_force());
@@ -58,7 +58,7 @@ std::optional<StaticContactSolution> CondensedContact<dim>::solve(const double t
     for (unsigned int c = 0; c < dim; ++c)
       if (number(bottom.place(k), c) >= 0)
         held.constrain(c, bottom.nodes[k]);
-  body.copy_duplicates(held);
+  body.update_copies(held);
   solver.set_constrained(held);
   const std::vector<double> given =
     body.surface_values(ElasticBody<dim>::bottom, problem.force);

@@ -200,8 +200,8 @@ public:
    */
   bool rests(const unsigned int i, const double acceleration) const
   {
-    const unsigned int original = setup.periodic && i == n_distinct ? 0 : i;
-    return acceleration <= 0. && column(Column::gap)[original] <= 0. &&
+    const unsigned int master = setup.periodic && i == n_distinct ? 0 : i;
+    return acceleration <= 0. && column(Column::gap)[master] <= 0. &&
            !setup.is_compliant();
   }
 

@@ -117,7 +117,7 @@ private:
     for (const SpringEntry &spring : springs)
       left(spring.c, spring.node) -=
         spring.stiffness * (u(spring.d, spring.node) - spring.rest);
-    body.copy_duplicates(left);
+    body.update_copies(left);
     return left;
   }
 

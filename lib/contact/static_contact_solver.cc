@@ -131,8 +131,8 @@ DofMask ActiveSetIteration<dim>::constrain_contact()
       for (unsigned int c = 0; c < n_tangents; ++c)
         put(c, node, tangential.sticks_at(i, c));
   });
-  body.copy_duplicates(constrained);
-  body.copy_duplicates(u);
+  body.update_copies(constrained);
+  body.update_copies(u);
   return constrained;
 }
 
@@ -195,7 +195,7 @@ void ActiveSetIteration<dim>::set_forces()
     for (unsigned int c = 0; c < n_tangents; ++c)
       force(c, node) = problem.force(c, node) + friction[index(i, c)];
   });
-  body.copy_duplicates(force);
+  body.update_copies(force);
 }
 
 template <int dim>

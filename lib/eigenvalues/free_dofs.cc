@@ -20,7 +20,7 @@ FreeDofs<dim>::FreeDofs(const ElasticBody<dim> &body,
   : body(body)
   , platens(platens)
 {
-  const std::vector<bool> counted = body.counted_originals();
+  const std::vector<bool> counted = body.counted_masters();
   const std::vector<double> mass  = body.lumped_mass();
   for (unsigned int j = 0; j < body.n_rows(); ++j)
     for (unsigned int c = 0; c < dim; ++c)
@@ -114,7 +114,7 @@ void FreeDofs<dim>::scatter(NodalField<double> &field, const Vector &values) con
   for (std::size_t k = 0; k < pushed.size(); ++k)
     for (const NodeIndex &node : counted_nodes[platen_dofs[k].platen])
       field(platen_dofs[k].component, node) = pushed[k];
-  body.copy_duplicates(field);
+  body.update_copies(field);
 }
 
 template <int dim>

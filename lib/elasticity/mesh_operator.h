@@ -11,7 +11,7 @@ namespace mesoslip
 /**
  * Stiffness and lumped mass of a partitioned mesh. Each rank multiplies with its own
  * cells, beginning with cells that have points shared with other ranks or periodic points
- * (see Mesh::originals); the sums at these points overlap with the work on the remaining
+ * (see Mesh::masters); the sums at these points overlap with the work on the remaining
  * cells.
  *
  * Fields are those of ElementOperator on all points of the part, ghost points included;

@@ -70,7 +70,7 @@ public:
   {
     complete(rows, cell_row);
     the_kernels.functions.store[several](*the_kernels.constants, rows);
-    duplicate({rows.fx, rows.fy}, rows.f_stride, several);
+    update_copies({rows.fx, rows.fy}, rows.f_stride, several);
   }
 
   /** Advances the rows in time, in place; arguments as store(). */
@@ -78,7 +78,7 @@ public:
   {
     complete(rows, cell_row);
     the_kernels.functions.step[several](*the_kernels.constants, rows);
-    duplicate({rows.ux, rows.uy, rows.wx, rows.wy}, rows.stride, several);
+    update_copies({rows.ux, rows.uy, rows.wx, rows.wy}, rows.stride, several);
   }
 
   /** Stores the internal forces on the top row, which has no cells above. */
@@ -86,7 +86,7 @@ public:
   {
     complete(rows, 0);
     the_kernels.functions.finish(*the_kernels.constants, rows);
-    duplicate({rows.fx, rows.fy}, 0, false);
+    update_copies({rows.fx, rows.fy}, 0, false);
   }
 
 private:
@@ -104,9 +104,9 @@ private:
   }
 
   /** Updates the periodic copy, the last column of a periodic grid. */
-  void duplicate(const std::initializer_list<Number *> arrays,
-                 const std::size_t stride,
-                 const bool several) const
+  void update_copies(const std::initializer_list<Number *> arrays,
+                     const std::size_t stride,
+                     const bool several) const
   {
     const unsigned int n = several ? the_kernels.functions.rows_at_once : 1;
     for (Number *row : arrays)

@@ -107,7 +107,7 @@ void UniformGridOperator::vmult(NodalField<Number> &dst,
   check(dst);
   traverse(&dst, src, [](unsigned int, unsigned int, const auto &, unsigned int) {});
   if (material.periodicity().y)
-    material.copy_duplicates(dst);
+    material.update_copies(dst);
 }
 
 void UniformGridOperator::diagonal(NodalField<double> &diagonal) const

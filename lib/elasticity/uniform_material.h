@@ -199,7 +199,7 @@ public:
 
   /** Updates the periodic copies, last column and row, of a field on the whole grid. */
   template <typename Number>
-  void copy_duplicates(NodalField<Number> &field) const
+  void update_copies(NodalField<Number> &field) const
   {
     for (unsigned int c = 0; c < 2; ++c)
       {

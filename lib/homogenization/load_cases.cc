@@ -130,7 +130,7 @@ private:
     NodalField<double> force = body.zero_field(), fluctuation = body.zero_field();
     body.vmult(force, u);
     if (condition == BoundaryCondition::PBC)
-      periodic_body->add_duplicates(force);
+      periodic_body->add_copies(force);
     for (std::size_t n = 0; n < force.size(); ++n)
       force.begin()[n] *= -1.;
     const SolverReport report = solver->solve(fluctuation, force, tolerance);
@@ -152,7 +152,7 @@ private:
     set_up(condition, n_voigt<2>);
     NodalField<double> force = of_heat;
     if (condition == BoundaryCondition::PBC)
-      periodic_body->add_duplicates(force);
+      periodic_body->add_copies(force);
     return solver->solve(u, force, tolerance);
   }
 

@@ -96,12 +96,12 @@ struct Mesh
 
   /** Periodic master of each point; a master is its own. Empty without periodic sides.
    * See join_sides(). */
-  std::vector<unsigned int> originals;
+  std::vector<unsigned int> masters;
 
   /** Periodic master of @p point, which may be @p point itself. */
-  unsigned int original(const unsigned int point) const
+  unsigned int master(const unsigned int point) const
   {
-    return originals.empty() ? point : originals[point];
+    return masters.empty() ? point : masters[point];
   }
 
   /** Saves or restores all members (Boost.Serialization). */

@@ -54,7 +54,7 @@ ranks_of_shared_points(const Mesh<dim> &mesh,
   for (std::size_t k = 0; k < mesh.cells.size(); ++k)
     for (const unsigned int v : mesh.cells[k].vertices)
       {
-        const unsigned int p = mesh.original(v);
+        const unsigned int p = mesh.master(v);
         if (first[p] == nobody)
           first[p] = rank_of_cell[k];
         else if (first[p] != rank_of_cell[k])
@@ -63,7 +63,7 @@ ranks_of_shared_points(const Mesh<dim> &mesh,
   std::vector<PointAndRank> ranks;
   for (std::size_t k = 0; k < mesh.cells.size(); ++k)
     for (const unsigned int v : mesh.cells[k].vertices)
-      if (const unsigned int p = mesh.original(v); shared[p])
+      if (const unsigned int p = mesh.master(v); shared[p])
         ranks.emplace_back(p, rank_of_cell[k]);
   std::sort(ranks.begin(), ranks.end());
   ranks.erase(std::unique(ranks.begin(), ranks.end()), ranks.end());
@@ -109,9 +109,9 @@ public:
             if (local[p] == nobody)
               {
                 local[p] = 0;
-                (owners[p] != rank       ? foreign
-                 : mesh.original(p) == p ? part.point_in_mesh
-                                         : own_copies)
+                (owners[p] != rank     ? foreign
+                 : mesh.master(p) == p ? part.point_in_mesh
+                                       : own_copies)
                   .push_back(p);
               }
         }
@@ -124,7 +124,7 @@ public:
       {
         local[part.point_in_mesh[i]] = i;
         part.points.push_back(mesh.points[part.point_in_mesh[i]]);
-        part.original_in_mesh.push_back(mesh.original(part.point_in_mesh[i]));
+        part.master_in_mesh.push_back(mesh.master(part.point_in_mesh[i]));
       }
     for (const unsigned int k : part.cell_in_mesh)
       {
@@ -143,21 +143,21 @@ private:
   {
     std::vector<std::pair<unsigned int, unsigned int>> in_order;
     for (const unsigned int p : part.point_in_mesh)
-      in_order.emplace_back(mesh.original(p), local[p]);
+      in_order.emplace_back(mesh.master(p), local[p]);
     std::sort(in_order.begin(), in_order.end());
     std::map<unsigned int, std::vector<unsigned int>> shared;
     for (std::size_t k = 0, first = 0; k < in_order.size(); ++k)
       {
-        const auto [original, point] = in_order[k];
-        if (k > first && original == in_order[first].first)
+        const auto [master, point] = in_order[k];
+        if (k > first && master == in_order[first].first)
           {
             part.copies.emplace_back(point, in_order[first].second);
             continue;
           }
         first = k;
         for (auto entry =
-               std::lower_bound(ranks.begin(), ranks.end(), PointAndRank(original, 0U));
-             entry != ranks.end() && entry->first == original; ++entry)
+               std::lower_bound(ranks.begin(), ranks.end(), PointAndRank(master, 0U));
+             entry != ranks.end() && entry->first == master; ++entry)
           if (entry->second != rank)
             shared[entry->second].push_back(point);
       }
@@ -199,19 +199,19 @@ dealii::SparsityPattern graph_of_cells(const Mesh<dim> &mesh)
 
 template <int dim>
 PointIndex::PointIndex(const MeshPart<dim> &part,
-                       const std::vector<unsigned int> &originals)
+                       const std::vector<unsigned int> &masters)
 {
   std::vector<bool> is_wanted;
-  for (const unsigned int original : originals)
+  for (const unsigned int master : masters)
     {
-      if (original >= is_wanted.size())
-        is_wanted.resize(original + std::size_t{1}, false);
-      is_wanted[original] = true;
+      if (master >= is_wanted.size())
+        is_wanted.resize(master + std::size_t{1}, false);
+      is_wanted[master] = true;
     }
-  for (unsigned int i = 0; i < part.original_in_mesh.size(); ++i)
-    if (const unsigned int original = part.original_in_mesh[i];
-        original < is_wanted.size() && is_wanted[original])
-      sorted.emplace_back(original, i);
+  for (unsigned int i = 0; i < part.master_in_mesh.size(); ++i)
+    if (const unsigned int master = part.master_in_mesh[i];
+        master < is_wanted.size() && is_wanted[master])
+      sorted.emplace_back(master, i);
   std::sort(sorted.begin(), sorted.end());
 }
 
@@ -221,13 +221,13 @@ PointIndex::copies_in(const MeshPart<dim> &part)
 {
   std::vector<bool> is_there;
   std::vector<unsigned int> again;
-  for (const unsigned int original : part.original_in_mesh)
+  for (const unsigned int master : part.master_in_mesh)
     {
-      if (original >= is_there.size())
-        is_there.resize(2 * (original + std::size_t{1}), false);
-      if (is_there[original])
-        again.push_back(original);
-      is_there[original] = true;
+      if (master >= is_there.size())
+        is_there.resize(2 * (master + std::size_t{1}), false);
+      if (is_there[master])
+        again.push_back(master);
+      is_there[master] = true;
     }
   std::vector<std::pair<unsigned int, unsigned int>> pairs;
   const auto sorted = PointIndex(part, again).sorted;
@@ -240,12 +240,12 @@ PointIndex::copies_in(const MeshPart<dim> &part)
   return pairs;
 }
 
-std::vector<unsigned int> PointIndex::find(const unsigned int original) const
+std::vector<unsigned int> PointIndex::find(const unsigned int master) const
 {
   std::vector<unsigned int> points;
   for (auto found =
-         std::lower_bound(sorted.begin(), sorted.end(), std::make_pair(original, 0U));
-       found != sorted.end() && found->first == original; ++found)
+         std::lower_bound(sorted.begin(), sorted.end(), std::make_pair(master, 0U));
+       found != sorted.end() && found->first == master; ++found)
     points.push_back(found->second);
   return points;
 }

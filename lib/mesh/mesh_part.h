@@ -12,7 +12,7 @@ namespace mesoslip
 /**
  * The part of a partitioned mesh on one rank: its cells and all their points. A point
  * shared by several ranks is owned by the lowest of them. Periodic copies, see
- * Mesh::originals, are points of their own.
+ * Mesh::masters, are points of their own.
  */
 template <int dim>
 struct MeshPart
@@ -43,9 +43,9 @@ struct MeshPart
   /** Sorted along a space-filling curve; vertices are indices into points. */
   std::vector<Cell> cells;
 
-  std::vector<unsigned int> point_in_mesh;    ///< indices of the points in the whole mesh
-  std::vector<unsigned int> original_in_mesh; ///< indices of their periodic masters
-  std::vector<unsigned int> cell_in_mesh;     ///< indices of the cells in the whole mesh
+  std::vector<unsigned int> point_in_mesh;  ///< indices of the points in the whole mesh
+  std::vector<unsigned int> master_in_mesh; ///< indices of their periodic masters
+  std::vector<unsigned int> cell_in_mesh;   ///< indices of the cells in the whole mesh
 
   std::vector<Neighbour> neighbours; ///< sorted by rank
 
@@ -56,7 +56,7 @@ struct MeshPart
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    archive &points &n_distinct &n_owned &cells &point_in_mesh &original_in_mesh;
+    archive &points &n_distinct &n_owned &cells &point_in_mesh &master_in_mesh;
     archive &cell_in_mesh &neighbours &copies;
   }
 };
@@ -65,13 +65,13 @@ struct MeshPart
 class PointIndex
 {
 public:
-  /** @p originals: masters of interest, numbers in the whole mesh. */
+  /** @p masters: masters of interest, numbers in the whole mesh. */
   template <int dim>
-  PointIndex(const MeshPart<dim> &part, const std::vector<unsigned int> &originals);
+  PointIndex(const MeshPart<dim> &part, const std::vector<unsigned int> &masters);
 
-  /** Points of the part with the periodic master @p original (number in the whole mesh);
+  /** Points of the part with the periodic master @p master (number in the whole mesh);
    * the locally owned master (see MeshPart::n_distinct) comes first. */
-  std::vector<unsigned int> find(const unsigned int original) const;
+  std::vector<unsigned int> find(const unsigned int master) const;
 
   /** Pairs (periodic copy, first point of its group), sorted by point. */
   template <int dim>

@@ -115,20 +115,20 @@ OppositePoints<dim> join_sides(Mesh<dim> &mesh,
       to_text(longest) +
       " m behind those opposite; the one has to be the other, shifted along "
       "this axis");
-  std::vector<unsigned int> &originals = mesh.originals;
-  if (originals.empty())
+  std::vector<unsigned int> &masters = mesh.masters;
+  if (masters.empty())
     {
-      originals.resize(mesh.points.size());
-      std::iota(originals.begin(), originals.end(), 0U);
+      masters.resize(mesh.points.size());
+      std::iota(masters.begin(), masters.end(), 0U);
     }
-  const auto root = [&originals](unsigned int p) {
-    while (originals[p] != p)
-      p = originals[p];
+  const auto root = [&masters](unsigned int p) {
+    while (masters[p] != p)
+      p = masters[p];
     return p;
   };
   for (const auto &[p, opposite] : joined.pairs)
-    originals[root(p)] = root(opposite);
-  for (unsigned int &p : originals)
+    masters[root(p)] = root(opposite);
+  for (unsigned int &p : masters)
     p = root(p);
   return joined;
 }

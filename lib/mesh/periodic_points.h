@@ -27,7 +27,7 @@ OppositePoints<dim> opposite_points(const Mesh<dim> &mesh,
                                     const double cell_size);
 /**
  * Makes the mesh periodic along @p axis: the opposite point of @p lower becomes the
- * periodic master of each point of @p upper (see Mesh::originals); in 3D this includes
+ * periodic master of each point of @p upper (see Mesh::masters); in 3D this includes
  * edges that are joined along both axes.
  * @return the pairs
  * @throws UserError as opposite_points(), or unless all pairs are equally far apart

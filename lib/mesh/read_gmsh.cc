@@ -86,7 +86,7 @@ std::vector<Bulge<dim>> bulges_of(const GmshContent &content, const double scale
   return bulges;
 }
 
-/** Removes zero bulges and duplicates, and sorts by corners.
+/** Removes zero bulges and copies, and sorts by corners.
  * @throws UserError if cells that share an edge or face disagree on its bulge */
 template <int dim>
 void sort_bulges(Mesh<dim> &mesh, const std::string &file)

@@ -54,7 +54,7 @@ MeshPlace place_in(const Mesh<dim> &mesh,
   const CellShapes<dim> shapes = shapes_at(mesh, place.corners, at);
   place.shape                  = shapes.values;
   for (unsigned int &corner : place.corners)
-    corner = mesh.original(corner);
+    corner = mesh.master(corner);
   for (const auto &gradient : shapes.gradients)
     for (unsigned int d = 0; d < dim; ++d)
       place.gradient.push_back(gradient[d]);
@@ -153,7 +153,7 @@ MeshProbes<dim>::MeshProbes(const std::vector<MeshPlace> &places,
           const auto &of_cell = part.cells[found - part.cell_in_mesh.begin()].vertices;
           corners.back().push_back(
             *std::find_if(of_cell.begin(), of_cell.end(), [&](const unsigned int point) {
-              return part.original_in_mesh[point] == place.corners[v];
+              return part.master_in_mesh[point] == place.corners[v];
             }));
         }
       contact_node.push_back(contact ? nearest_contact(place, contact->points)

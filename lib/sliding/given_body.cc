@@ -222,14 +222,13 @@ void add_to(Foundation &foundation,
             const SupportNodes &support,
             const Suspension &suspension,
             const MovedNodes &movers,
-            const MovedNodes &duplicates)
+            const MovedNodes &copies)
 {
   for (std::size_t k = 0; k < support.nodes.size(); ++k)
     {
       const NodeIndex &node = support.nodes[k];
       const double area     = support.carried.area[k];
-      if (!(area > 0.) ||
-          duplicates.count(std::array<unsigned int, 2>{{node.i, node.j}}) > 0)
+      if (!(area > 0.) || copies.count(std::array<unsigned int, 2>{{node.i, node.j}}) > 0)
         continue;
       for (unsigned int c = 0; c < dim; ++c)
         {
@@ -254,10 +253,10 @@ Foundation GivenBody<dim>::foundation() const
 {
   Foundation foundation;
   const SupportNodes top = top_nodes();
-  MovedNodes movers, duplicates; // nodes moved by earlier surfaces; periodic copies
-  for (const auto &[duplicate, original] : elastic().duplicate_nodes())
-    duplicates.insert(std::array<unsigned int, 2>{{duplicate.i, duplicate.j}});
-  add_to<dim>(foundation, top, parameters.top.suspension, movers, duplicates);
+  MovedNodes movers, copies; // nodes moved by earlier surfaces; periodic copies
+  for (const auto &[copy, master] : elastic().periodic_copies())
+    copies.insert(std::array<unsigned int, 2>{{copy.i, copy.j}});
+  add_to<dim>(foundation, top, parameters.top.suspension, movers, copies);
   const auto take = [&](const std::vector<NodeIndex> &nodes) {
     for (const NodeIndex &node : nodes)
       movers.insert(std::array<unsigned int, 2>{{node.i, node.j}});
@@ -268,7 +267,7 @@ Foundation GivenBody<dim>::foundation() const
   const std::vector<SupportNodes> nodes = side_nodes();
   for (std::size_t k = 0; k < sides.size(); ++k)
     {
-      add_to<dim>(foundation, nodes[k], sides[k].suspension, movers, duplicates);
+      add_to<dim>(foundation, nodes[k], sides[k].suspension, movers, copies);
       take(nodes[k].nodes);
     }
   return foundation;

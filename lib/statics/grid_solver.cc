@@ -133,7 +133,7 @@ double GridSolver::right_hand_side_norm(const NodalField<double> &u,
       for (unsigned int c = 0; c < 2; ++c)
         if (node.has(c))
           p.row(c, j)[node.column] = u.row(c, j)[node.column];
-  material.copy_duplicates(p);
+  material.update_copies(p);
   return residual(p, f);
 }
 
@@ -149,7 +149,7 @@ SolverReport GridSolver::solve(NodalField<double> &u,
     report.single_iterations = 0;
   while (true)
     {
-      material.copy_duplicates(u);
+      material.update_copies(u);
       const double start = residual(u, force);
       const double scale = reference > 0. ? reference : start;
       const auto failure =
@@ -166,7 +166,7 @@ SolverReport GridSolver::solve(NodalField<double> &u,
       twice = std::make_unique<Cycle<double>>(gentle, gentle_stiffness, mask);
       report.single_iterations = report.iterations;
     }
-  material.copy_duplicates(u);
+  material.update_copies(u);
   modes.remove_from(u);
   return report;
 }
@@ -217,7 +217,7 @@ std::optional<NotConverged::Reason> GridSolver::iterate(Preconditioner &precondi
       for (unsigned int c = 0; c < 2; ++c)
         for (unsigned int j = 0; j < material.n_rows(); ++j)
           k.direction(n, residual_norm, beta, z.row(c, j), p.row(c, j));
-      material.copy_duplicates(p);
+      material.update_copies(p);
 
       stiffness.vmult(q, p);
       restrict_to_unknowns(q);

@@ -74,9 +74,9 @@ struct Box
          phases,
          communicator)
   {
-    mesh.originals.resize(mesh.points.size());
+    mesh.masters.resize(mesh.points.size());
     for (unsigned int p = 0; p < mesh.points.size(); ++p)
-      mesh.originals[p] = original(p);
+      mesh.masters[p] = master(p);
     const auto id = random_phases();
     for (std::size_t k = 0; k < id.size(); ++k)
       mesh.cells[k].material_id = id[k];
@@ -91,7 +91,7 @@ struct Box
     return id;
   }
 
-  unsigned int original(const unsigned int p) const
+  unsigned int master(const unsigned int p) const
   {
     const auto &n        = box.grid.cells;
     const unsigned int i = p % (n[0] + 1), j = p / (n[0] + 1) % (n[1] + 1),
@@ -106,7 +106,7 @@ struct Box
     std::vector<unsigned int> points;
     const unsigned int size = (box.grid.cells[0] + 1) * (box.grid.cells[1] + 1);
     for (unsigned int p = k * size; p < (k + 1) * size; ++p)
-      if (original(p) == p)
+      if (master(p) == p)
         points.push_back(p);
     return points;
   }
@@ -123,7 +123,7 @@ void set_random(const MeshPart<3> &part, NodalField<double> &field, const double
 {
   for (unsigned int p = 0; p < part.points.size(); ++p)
     {
-      std::mt19937 generator(part.original_in_mesh[p] + 1);
+      std::mt19937 generator(part.master_in_mesh[p] + 1);
       std::uniform_real_distribution<double> uniform(-scale, scale);
       generator.discard(3);
       for (unsigned int c = 0; c < 3; ++c)

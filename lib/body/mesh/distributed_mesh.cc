@@ -134,37 +134,36 @@ void DistributedMesh<dim>::require_cells() const
                     " ranks; start at most as many ranks as there are cells");
 }
 
-std::map<dealii::types::global_dof_index, dealii::types::global_dof_index> originals_of(
-  const std::vector<std::array<dealii::types::global_dof_index, 2>> &duplicates)
+std::map<dealii::types::global_dof_index, dealii::types::global_dof_index>
+masters_of(const std::vector<std::array<dealii::types::global_dof_index, 2>> &copies)
 {
   // Periodic copies of periodic copies (corners) are mapped to their final periodic
   // master.
-  std::map<dealii::types::global_dof_index, dealii::types::global_dof_index> originals;
-  for (auto pair = duplicates.rbegin(); pair != duplicates.rend(); ++pair)
+  std::map<dealii::types::global_dof_index, dealii::types::global_dof_index> masters;
+  for (auto pair = copies.rbegin(); pair != copies.rend(); ++pair)
     {
-      const auto next       = originals.find((*pair)[1]);
-      originals[(*pair)[0]] = next == originals.end() ? (*pair)[1] : next->second;
+      const auto next     = masters.find((*pair)[1]);
+      masters[(*pair)[0]] = next == masters.end() ? (*pair)[1] : next->second;
     }
-  return originals;
+  return masters;
 }
 
-void tie_duplicates(
-  const std::vector<std::array<dealii::types::global_dof_index, 2>> &duplicates,
-  const dealii::IndexSet &owned,
-  const dealii::IndexSet &relevant,
-  dealii::AffineConstraints<double> &constraints)
+void tie_copies(const std::vector<std::array<dealii::types::global_dof_index, 2>> &copies,
+                const dealii::IndexSet &owned,
+                const dealii::IndexSet &relevant,
+                dealii::AffineConstraints<double> &constraints)
 {
-  const auto originals  = originals_of(duplicates);
+  const auto masters    = masters_of(copies);
   dealii::IndexSet used = relevant;
-  for (const auto &[duplicate, original] : originals)
-    if (relevant.is_element(duplicate))
-      used.add_index(original);
+  for (const auto &[copy, master] : masters)
+    if (relevant.is_element(copy))
+      used.add_index(master);
   reinit(constraints, owned, used);
-  for (const auto &[duplicate, original] : originals)
-    if (relevant.is_element(duplicate))
+  for (const auto &[copy, master] : masters)
+    if (relevant.is_element(copy))
       {
-        constraints.add_line(duplicate);
-        constraints.add_entry(duplicate, original, 1.);
+        constraints.add_line(copy);
+        constraints.add_entry(copy, master, 1.);
       }
 }
 

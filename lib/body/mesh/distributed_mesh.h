@@ -100,19 +100,18 @@ private:
  * Final periodic master of each periodic copy; the master in one pair may be the copy in
  * a later pair.
  */
-std::map<dealii::types::global_dof_index, dealii::types::global_dof_index> originals_of(
-  const std::vector<std::array<dealii::types::global_dof_index, 2>> &duplicates);
+std::map<dealii::types::global_dof_index, dealii::types::global_dof_index>
+masters_of(const std::vector<std::array<dealii::types::global_dof_index, 2>> &copies);
 
 /**
- * Constrains periodic copies to their periodic masters, see originals_of(). Adds lines
+ * Constrains periodic copies to their periodic masters, see masters_of(). Adds lines
  * only for @p relevant degrees of freedom, a superset of the locally @p owned ones.
  * Masters on any rank become local to @p constraints, which is not closed.
  */
-void tie_duplicates(
-  const std::vector<std::array<dealii::types::global_dof_index, 2>> &duplicates,
-  const dealii::IndexSet &owned,
-  const dealii::IndexSet &relevant,
-  dealii::AffineConstraints<double> &constraints);
+void tie_copies(const std::vector<std::array<dealii::types::global_dof_index, 2>> &copies,
+                const dealii::IndexSet &owned,
+                const dealii::IndexSet &relevant,
+                dealii::AffineConstraints<double> &constraints);
 } // namespace mesoslip
 
 #endif

@@ -162,7 +162,7 @@ template <int dim>
 void MeshBody<dim>::set_sides(const MeshShare<dim> &share)
 {
   this->of_contact     = share.outline.sides[ElasticBody<dim>::bottom].points;
-  const bool may_close = dim == 2 && !share.is_divided && mesh.originals.empty();
+  const bool may_close = dim == 2 && !share.is_divided && mesh.masters.empty();
   for (unsigned int id = 0; id < 2 * dim; ++id)
     {
       const auto &points      = share.outline.sides[id].points;
@@ -176,16 +176,16 @@ void MeshBody<dim>::set_sides(const MeshShare<dim> &share)
             side.place_of_nodes.push_back(k);
           }
     }
-  const std::vector<unsigned int> &pairs = share.outline.duplicates;
+  const std::vector<unsigned int> &pairs = share.outline.copies;
   for (std::size_t k = 0; k < pairs.size() && !share.is_divided; k += 2)
-    this->duplicates.push_back({{node(pairs[k]), node(pairs[k + 1])}});
+    this->copies.push_back({{node(pairs[k]), node(pairs[k + 1])}});
 }
 
 template <int dim>
-void MeshBody<dim>::copy_duplicates(NodalField<double> &field) const
+void MeshBody<dim>::update_copies(NodalField<double> &field) const
 {
   if (this->communicator() == MPI_COMM_SELF)
-    ElasticBody<dim>::copy_duplicates(field); // replicated fields: no communication
+    ElasticBody<dim>::update_copies(field); // replicated fields: no communication
   else
     discretization->to_field(field, discretization->to_vector(field));
 }
@@ -262,13 +262,13 @@ template <int dim>
 std::vector<MatrixEntry> MeshBody<dim>::stiffness_entries() const
 {
   // The matrix has unit entries in the rows of periodic copies.
-  std::vector<bool> duplicate(mesh.points.size(), false);
-  for (const auto &pair : this->duplicates)
-    duplicate[static_cast<std::size_t>(pair[0].j) * this->n_columns() + pair[0].i] = true;
+  std::vector<bool> copy(mesh.points.size(), false);
+  for (const auto &pair : this->copies)
+    copy[static_cast<std::size_t>(pair[0].j) * this->n_columns() + pair[0].i] = true;
   constexpr std::uint64_t none = std::numeric_limits<std::uint64_t>::max();
   std::vector<std::uint64_t> numbers(discretization->n_dofs(), none);
   for (std::size_t p = 0; p < mesh.points.size(); ++p)
-    for (unsigned int c = 0; c < dim && !duplicate[p]; ++c)
+    for (unsigned int c = 0; c < dim && !copy[p]; ++c)
       numbers[discretization->dof(c, node(p))] = dim * p + c;
   std::vector<MatrixEntry> entries;
   discretization->stiffness().for_each(

@@ -21,7 +21,7 @@ struct MeshBodyInput
   std::vector<ElasticPhase<dim>> phases; ///< stiffness (Pa) and density (kg/m^3)
 
   /**
-   * Axes with periodic sides. In 2D sides of the bounding box; with Mesh::originals the
+   * Axes with periodic sides. In 2D sides of the bounding box; with Mesh::masters the
    * axes along which these repeat the mesh.
    */
   Periodicity periodicity = {};
@@ -93,8 +93,8 @@ public:
     return cell_in_mesh;
   }
 
-  void copy_duplicates(NodalField<double> &field) const override;
-  using ElasticBody<dim>::copy_duplicates;
+  void update_copies(NodalField<double> &field) const override;
+  using ElasticBody<dim>::update_copies;
   std::uint64_t number(const NodeIndex &node) const override;
   std::array<double, dim> point(const NodeIndex &node) const override;
   std::vector<double> mass_of_cells() const override;

@@ -16,27 +16,27 @@ MeshDiscretization<dim>::MeshDiscretization(MeshShare<dim> &&share,
   , dofs(std::move(share.dofs))
   , is_apart(mesoslip::has_two_matrices(*distributed, body.phases()))
 {
-  std::vector<std::array<Index, 2>> duplicates;
-  for (std::size_t k = 0; k < share.duplicates.size(); k += 2UL * dim)
+  std::vector<std::array<Index, 2>> copies;
+  for (std::size_t k = 0; k < share.copies.size(); k += 2UL * dim)
     for (unsigned int c = 0; c < dim; ++c)
-      duplicates.push_back({{share.duplicates[k + c], share.duplicates[k + dim + c]}});
-  tie_duplicates(duplicates, distributed->dofs().locally_owned_dofs(),
-                 distributed->relevant(), constraints);
+      copies.push_back({{share.copies[k + c], share.copies[k + dim + c]}});
+  tie_copies(copies, distributed->dofs().locally_owned_dofs(), distributed->relevant(),
+             constraints);
   constraints.close();
-  find_places(originals_of(duplicates));
+  find_places(masters_of(copies));
   assemble();
 }
 
 template <int dim>
-void MeshDiscretization<dim>::find_places(const std::map<Index, Index> &originals)
+void MeshDiscretization<dim>::find_places(const std::map<Index, Index> &masters)
 {
   const dealii::IndexSet &owned = distributed->dofs().locally_owned_dofs();
   in_owned.assign(dofs.size(), nowhere);
   for (std::size_t k = 0; k < dofs.size(); ++k)
     {
-      const auto original = originals.find(dofs[k]);
-      if (original != originals.end())
-        dofs[k] = original->second;
+      const auto master = masters.find(dofs[k]);
+      if (master != masters.end())
+        dofs[k] = master->second;
       else if (owned.is_element(dofs[k]))
         in_owned[k] = static_cast<int>(owned.index_within_set(dofs[k]));
     }

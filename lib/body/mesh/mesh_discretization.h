@@ -105,7 +105,7 @@ private:
   template <typename Action>
   void for_each_owned(const Action &action) const;
 
-  void find_places(const std::map<Index, Index> &originals);
+  void find_places(const std::map<Index, Index> &masters);
   void assemble();
 
   const ElasticBody<dim> &body;

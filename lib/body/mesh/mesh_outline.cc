@@ -43,13 +43,13 @@ std::vector<BoundaryFace<dim>> faces_in_plane(const Mesh<dim> &mesh,
 
 /** Sums areas of periodic copies at their periodic master. */
 template <int dim>
-BoundaryPoints<dim> of_originals(const Mesh<dim> &mesh, const BoundaryPoints<dim> &all)
+BoundaryPoints<dim> of_masters(const Mesh<dim> &mesh, const BoundaryPoints<dim> &all)
 {
-  if (mesh.originals.empty())
+  if (mesh.masters.empty())
     return all;
   std::map<unsigned int, dealii::Tensor<1, dim>> area;
   for (std::size_t k = 0; k < all.points.size(); ++k)
-    area[mesh.original(all.points[k])] += all.normal_area[k];
+    area[mesh.master(all.points[k])] += all.normal_area[k];
   BoundaryPoints<dim> result;
   for (const auto &[point, of_point] : area)
     {
@@ -118,9 +118,9 @@ void find_sides(const Mesh<dim> &mesh,
                                                                : std::string();
       outline.sides.push_back(in_order(
         mesh,
-        of_originals(mesh, boundary_points(mesh, name.empty()
-                                                   ? faces_in_plane(mesh, faces, box, id)
-                                                   : faces_called(mesh, faces, name))),
+        of_masters(mesh, boundary_points(mesh, name.empty()
+                                                 ? faces_in_plane(mesh, faces, box, id)
+                                                 : faces_called(mesh, faces, name))),
         id));
     }
 }
@@ -130,22 +130,22 @@ void tie_sides(const Mesh<dim> &mesh,
                const Periodicity &periodicity,
                MeshOutline<dim> &outline)
 {
-  for (unsigned int p = 0; p < mesh.originals.size(); ++p)
-    if (mesh.originals[p] != p)
-      outline.duplicates.insert(outline.duplicates.end(), {p, mesh.originals[p]});
-  if (!mesh.originals.empty())
+  for (unsigned int p = 0; p < mesh.masters.size(); ++p)
+    if (mesh.masters[p] != p)
+      outline.copies.insert(outline.copies.end(), {p, mesh.masters[p]});
+  if (!mesh.masters.empty())
     return;
   const std::array<bool, 2> periodic = {{periodicity.x, periodicity.y}};
   const auto faces                   = boundary_faces(mesh);
   const dealii::BoundingBox<dim> box(mesh.points);
   for (unsigned int axis = 0; axis < 2; ++axis)
     if (periodic[axis])
-      for (const auto &[duplicate, original] :
+      for (const auto &[copy, master] :
            opposite_points(mesh, faces_in_plane(mesh, faces, box, 2 * axis),
                            faces_in_plane(mesh, faces, box, 2 * axis + 1), axis,
                            cell_quality(mesh).smallest_edge)
              .pairs)
-        outline.duplicates.insert(outline.duplicates.end(), {duplicate, original});
+        outline.copies.insert(outline.copies.end(), {copy, master});
 }
 } // namespace
 

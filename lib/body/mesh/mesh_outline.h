@@ -43,7 +43,7 @@ struct MeshOutline
    * Numbers in the whole mesh of periodic copies and their periodic masters, pair after
    * pair, axis after axis.
    */
-  std::vector<unsigned int> duplicates;
+  std::vector<unsigned int> copies;
 
   /** Saves or restores all members (Boost.Serialization). */
   template <class Archive>

@@ -69,9 +69,8 @@ MeshShare<dim> whole_share(const MeshBodyInput<dim> &given, const MPI_Comm commu
   share.cell_in_mesh.resize(given.mesh.cells.size());
   std::iota(share.cell_in_mesh.begin(), share.cell_in_mesh.end(), 0U);
   share.n_counted = share.n_owned = share.point_in_mesh.size();
-  share.dofs = share.all_ranks->dofs_of_points(given.mesh, share.point_in_mesh);
-  share.duplicates =
-    share.all_ranks->dofs_of_points(given.mesh, share.outline.duplicates);
+  share.dofs   = share.all_ranks->dofs_of_points(given.mesh, share.point_in_mesh);
+  share.copies = share.all_ranks->dofs_of_points(given.mesh, share.outline.copies);
   return share;
 }
 
@@ -84,8 +83,8 @@ MeshShare<dim> divided_share(const Mesh<dim> &mesh,
   share.is_divided = true;
   on_root(communicator, [&]() { share.outline = outline_of(mesh, given); });
   broadcast_object(communicator, share.outline);
-  share.all_ranks  = std::make_unique<DistributedMesh<dim>>(mesh, communicator);
-  share.duplicates = share.all_ranks->dofs_of_points(mesh, share.outline.duplicates);
+  share.all_ranks = std::make_unique<DistributedMesh<dim>>(mesh, communicator);
+  share.copies    = share.all_ranks->dofs_of_points(mesh, share.outline.copies);
   MeshPart<dim> part =
     distribute(mesh, rank_of_cells(mesh, *share.all_ranks), communicator);
   const auto dofs = dofs_of_part(part, *share.all_ranks);
@@ -93,8 +92,8 @@ MeshShare<dim> divided_share(const Mesh<dim> &mesh,
   // the point in MeshPart.
   const dealii::IndexSet &owned = share.all_ranks->dofs().locally_owned_dofs();
   const auto kind               = [&](const unsigned int i) {
-    const bool is_original = part.original_in_mesh[i] == part.point_in_mesh[i];
-    return owned.is_element(dofs[dim * i]) ? (is_original ? 0 : 1) : 2;
+    const bool is_master = part.master_in_mesh[i] == part.point_in_mesh[i];
+    return owned.is_element(dofs[dim * i]) ? (is_master ? 0 : 1) : 2;
   };
   std::vector<unsigned int> order(part.points.size()), place(order.size());
   std::iota(order.begin(), order.end(), 0U);

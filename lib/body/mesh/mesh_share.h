@@ -29,8 +29,7 @@ struct MeshShare
   std::size_t n_counted = 0; ///< locally owned points that are periodic masters
   std::size_t n_owned   = 0; ///< locally owned points
   std::vector<Index> dofs;   ///< degrees of freedom, dim per point
-  std::vector<Index>
-    duplicates; ///< whole mesh: dim pairs (copy, master) per periodic copy
+  std::vector<Index> copies; ///< whole mesh: dim pairs (copy, master) per periodic copy
 };
 
 /**

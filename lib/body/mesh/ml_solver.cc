@@ -90,10 +90,10 @@ void MlSolver<dim>::set_constrained_on_springs(const DofMask &mask,
   is_ready                               = true;
   constrained_dofs                       = mask;
   // Axis after axis, so that masters of masters are constrained, too.
-  for (const auto &[duplicate, original] : body.duplicate_nodes())
+  for (const auto &[copy, master] : body.periodic_copies())
     for (unsigned int c = 0; c < dim; ++c)
-      if (constrained_dofs.is_constrained(c, duplicate))
-        constrained_dofs.constrain(c, original);
+      if (constrained_dofs.is_constrained(c, copy))
+        constrained_dofs.constrain(c, master);
   fixed = discretization.held_by(constrained_dofs);
 
   motions.clear();

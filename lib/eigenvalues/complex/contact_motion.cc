@@ -82,9 +82,8 @@ RealMatrix reactions_of_flat(const ElasticBody<dim> &body, const RealMatrix &nor
   std::vector<Triplet> entries;
   for (Eigen::Index column = 0; column < normal.cols(); ++column)
     entries.emplace_back(column, column, 1.);
-  for (const auto &[duplicate, original] : body.duplicate_nodes())
-    entries.emplace_back(row_of(body, original, dim - 1),
-                         row_of(body, duplicate, dim - 1), 1.);
+  for (const auto &[copy, master] : body.periodic_copies())
+    entries.emplace_back(row_of(body, master, dim - 1), row_of(body, copy, dim - 1), 1.);
   return normal * matrix_of(normal.cols(), normal.cols(), entries);
 }
 

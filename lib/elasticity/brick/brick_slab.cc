@@ -90,7 +90,7 @@ public:
                       n_points = (n_columns * slab.n_nodes[1] + n_copies) * slab.n_planes;
     part.points.reserve(n_points);
     part.point_in_mesh.reserve(n_points);
-    part.original_in_mesh.reserve(n_points);
+    part.master_in_mesh.reserve(n_points);
     for (unsigned int p = begin; p < end; ++p)
       add_plane(p);
     part.n_distinct = static_cast<unsigned int>(part.points.size());
@@ -120,7 +120,7 @@ private:
                              grid.origin[1] + j * grid.spacing[1],
                              grid.origin[2] + k * grid.spacing[2]);
     part.point_in_mesh.push_back(number(i, j));
-    part.original_in_mesh.push_back(
+    part.master_in_mesh.push_back(
       number(slab.box.periodic[0] && i == grid.cells[0] ? 0 : i,
              slab.box.periodic[1] && j == grid.cells[1] ? 0 : j));
   }

@@ -16,22 +16,22 @@ ConductionCells<dim> conduction_cells(const UniformGrid<dim> &grid)
   ConductionCells<dim> cells;
   cells.mesh      = mesh_of_cells(grid);
   cells.are_equal = true;
-  cells.mesh.originals.resize(cells.mesh.points.size());
+  cells.mesh.masters.resize(cells.mesh.points.size());
   for (unsigned int p = 0; p < cells.mesh.points.size(); ++p)
     {
-      unsigned int rest = p, stride = 1, original = 0;
+      unsigned int rest = p, stride = 1, master = 0;
       for (unsigned int d = 0; d < dim; ++d)
         {
           const unsigned int n = grid.cells[d], index = rest % (n + 1);
           rest /= n + 1;
-          original += stride * (index % n);
+          master += stride * (index % n);
           stride *= n + 1;
           if (index == 0)
             cells.sides[2 * d].push_back(p);
           if (index == n)
             cells.sides[2 * d + 1].push_back(p);
         }
-      cells.mesh.originals[p] = original;
+      cells.mesh.masters[p] = master;
     }
   return cells;
 }

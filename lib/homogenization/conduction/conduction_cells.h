@@ -18,7 +18,7 @@ namespace mesoslip
 template <int dim>
 struct ConductionCells
 {
-  /** A box. Mesh::originals are the periodic masters, Cell::material_id is the
+  /** A box. Mesh::masters are the periodic masters, Cell::material_id is the
    * material. */
   Mesh<dim> mesh;
 

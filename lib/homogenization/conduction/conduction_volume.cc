@@ -92,13 +92,13 @@ void ConductionVolume<dim>::number_unknowns(const unsigned int axis)
         unknown[point] = held;
   const bool periodic = condition == BoundaryCondition::PBC;
   if (periodic || condition == BoundaryCondition::SUBC)
-    unknown[periodic ? mesh.original(0) : 0] = held; // fixes the constant
+    unknown[periodic ? mesh.master(0) : 0] = held; // fixes the constant
   n_unknowns = 0;
   for (unsigned int p = 0; p < unknown.size(); ++p)
-    if (unknown[p] != held && !(periodic && mesh.original(p) != p))
+    if (unknown[p] != held && !(periodic && mesh.master(p) != p))
       unknown[p] = n_unknowns++;
   for (unsigned int p = 0; periodic && p < unknown.size(); ++p)
-    unknown[p] = unknown[mesh.original(p)];
+    unknown[p] = unknown[mesh.master(p)];
 }
 
 template <int dim>

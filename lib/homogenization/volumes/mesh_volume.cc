@@ -123,7 +123,7 @@ MeshVolume<dim>::MeshVolume(const Mesh<dim> &given,
   broadcast(communicator, not_periodic);
   find_sides(given);
   if (not_periodic.empty())
-    find_duplicates(mpi::broadcast(tolerance, 0, communicator));
+    find_copies(mpi::broadcast(tolerance, 0, communicator));
   held          = mpi::broadcast(held, 0, communicator);
   const auto at = mesh.dofs_of_points(given, held_points);
   for (std::size_t k = 0; k < held.size(); ++k)
@@ -185,7 +185,7 @@ void MeshVolume<dim>::find_sides(const Mesh<dim> &given)
 }
 
 template <int dim>
-void MeshVolume<dim>::find_duplicates(const double tolerance)
+void MeshVolume<dim>::find_copies(const double tolerance)
 {
   for (unsigned int axis = 0; axis < dim; ++axis)
     {
@@ -217,7 +217,7 @@ void MeshVolume<dim>::find_duplicates(const double tolerance)
           if (nearest == nullptr)
             throw UserError(std::string("Mesh/File: the sides at both ends of ") +
                             "xyz"[axis] + " have nodes that are not opposite");
-          duplicates.push_back({{here.dof, nearest->dof}});
+          copies.push_back({{here.dof, nearest->dof}});
         }
     }
 }
@@ -231,8 +231,7 @@ void MeshVolume<dim>::set_constraints(const unsigned int k)
     {
       if (!not_periodic.empty())
         throw UserError(not_periodic);
-      tie_duplicates(duplicates, mesh.dofs().locally_owned_dofs(), mesh.relevant(),
-                     constraints);
+      tie_copies(copies, mesh.dofs().locally_owned_dofs(), mesh.relevant(), constraints);
       // Fixes the fluctuation at one point, which is not a periodic copy.
       fixed.assign(supports.begin(), supports.begin() + dim);
     }

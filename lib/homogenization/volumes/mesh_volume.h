@@ -62,7 +62,7 @@ private:
   void set_constraints(const unsigned int k);
   void assemble();
   void find_sides(const Mesh<dim> &given);
-  void find_duplicates(const double tolerance);
+  void find_copies(const double tolerance);
   std::vector<Vector> rigid_motions() const;
   SolverReport solve_case(const unsigned int k, const double tolerance);
   VolumeSums<dim> integrate() const;
@@ -91,7 +91,7 @@ private:
 
   /** Pairs (dof of an upper side, opposite dof of the lower side), axis by axis; if there
    * are none, not_periodic says why. */
-  std::vector<std::array<Index, 2>> duplicates;
+  std::vector<std::array<Index, 2>> copies;
   std::string not_periodic;
 
   dealii::AffineConstraints<double> constraints;

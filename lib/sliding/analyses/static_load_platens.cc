@@ -47,7 +47,7 @@ Eigen::VectorXd StaticLoad<dim>::platen_force() const
 {
   NodalField<double> internal = elastic.zero_field();
   elastic.vmult(internal, problem.displacement);
-  const std::vector<bool> counted = elastic.counted_originals();
+  const std::vector<bool> counted = elastic.counted_masters();
   Eigen::VectorXd force(platen_moves.size());
   for (std::size_t k = 0; k < platen_moves.size(); ++k)
     {

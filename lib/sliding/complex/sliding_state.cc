@@ -162,7 +162,7 @@ SlidingState sliding_state(const ElasticBody<dim> &body,
       state.state_time = nodes[k].state_time;
       state.place.push_back(k);
     }
-  body.copy_duplicates(state.held);
+  body.update_copies(state.held);
   if (state.contact.nodes.empty())
     throw UserError("no contact node touches the flat in the static state of sliding");
   return state;

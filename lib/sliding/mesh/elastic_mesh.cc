@@ -63,7 +63,7 @@ std::size_t n_free_on_mesh(const Mesh<dim> &mesh,
   // Periodic copies are not constrained themselves.
   std::size_t n_copies = 0;
   for (unsigned int p = 0; p < mesh.points.size(); ++p)
-    n_copies += mesh.original(p) == p ? 0 : 1;
+    n_copies += mesh.master(p) == p ? 0 : 1;
   broadcast_object(MPI_COMM_WORLD, n_copies);
   return dim * (body.n_points - n_copies) - held.size();
 }

@@ -139,8 +139,8 @@ ReferenceNode reference_node(const BodyMesh<dim> &morphology,
   for (const unsigned int point : contact.points)
     number.emplace(point, static_cast<unsigned int>(number.size()));
   std::vector<unsigned int> all = contact.points;
-  for (unsigned int point = 0; point < mesh.originals.size(); ++point)
-    if (mesh.originals[point] != point && number.count(mesh.originals[point]) > 0)
+  for (unsigned int point = 0; point < mesh.masters.size(); ++point)
+    if (mesh.masters[point] != point && number.count(mesh.masters[point]) > 0)
       all.push_back(point);
   std::sort(all.begin(), all.end(), [&](const unsigned int a, const unsigned int b) {
     return std::lexicographical_compare(&mesh.points[a][0], &mesh.points[a][0] + dim,
@@ -166,7 +166,7 @@ ReferenceNode reference_node(const BodyMesh<dim> &morphology,
       if (!(away.norm() <= nearest + 1e-9 * (upper - lower).norm()))
         continue;
       nearest     = away.norm();
-      node.number = number.at(mesh.original(all[i]));
+      node.number = number.at(mesh.master(all[i]));
     }
   std::copy_n(&mesh.points[contact.points[node.number]][0], dim, node.position.begin());
   node.area        = -contact.area[node.number];
@@ -294,7 +294,7 @@ MeshBodyDescription describe_body(const BodyMesh<dim> &morphology,
            boundary_points(mesh,
                            faces_with(parameters.section + "Supports/" + name, name))
              .points)
-        body.held.push_back({mesh.original(point), c});
+        body.held.push_back({mesh.master(point), c});
   describe_sides(body, morphology, faces, given);
   check_supports(body, dim - 1, given);
   body.n_points = morphology.n_points();

@@ -16,7 +16,7 @@ MeshBoundary mesh_boundary(const Mesh<dim> &mesh,
   const BoundaryPoints<dim> found = boundary_points(mesh, faces);
   std::map<unsigned int, double> area; // by periodic master
   for (std::size_t k = 0; k < found.points.size(); ++k)
-    area[mesh.original(found.points[k])] += found.normal_area[k][dim - 1];
+    area[mesh.master(found.points[k])] += found.normal_area[k][dim - 1];
   MeshBoundary boundary;
   for (const auto &[point, of_point] : area)
     boundary.points.push_back(point);
@@ -64,7 +64,7 @@ std::vector<double> mean_of_phases(const Mesh<dim> &mesh,
           const dealii::Tensor<1, dim> &area = of_face.normal_area[k];
           const double share =
             weight[phase] * (std::fabs(area[dim - 1]) + standing * area.norm());
-          auto &sum = sums[mesh.original(of_face.points[k])];
+          auto &sum = sums[mesh.master(of_face.points[k])];
           sum[0] += share * property[phase];
           sum[1] += share;
         }
@@ -93,7 +93,7 @@ std::vector<SurfaceFacet> facets_of(const Mesh<dim> &mesh,
         {
           const unsigned int at    = face.n_points == 4 && v > 1 ? 5 - v : v,
                              point = face.points[v];
-          facet.node[at]           = number.at(mesh.original(point));
+          facet.node[at]           = number.at(mesh.master(point));
           for (unsigned int d = 0; d + 1 < dim; ++d)
             facet.place[at][d] = mesh.points[point][d];
         }
@@ -116,7 +116,7 @@ std::vector<double> extreme_of_phases(const Mesh<dim> &mesh,
       const double here = property[mesh.cells[face.cell].material_id];
       for (const unsigned int point : boundary_points<dim>(mesh, {face}).points)
         {
-          double &extreme = found.emplace(mesh.original(point), here).first->second;
+          double &extreme = found.emplace(mesh.master(point), here).first->second;
           extreme         = largest ? std::max(extreme, here) : std::min(extreme, here);
         }
     }

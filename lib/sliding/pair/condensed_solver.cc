@@ -64,15 +64,15 @@ CondensedStiffness<dim>::CondensedStiffness(const ElasticBody<dim> &body,
         at_contact.push_back(dof_of<dim>(node.i, c));
         is_contact[static_cast<std::size_t>(at_contact.back())] = true;
       }
-  std::vector<bool> is_duplicate(body.n_columns());
-  for (const auto &[duplicate, original] : body.duplicate_nodes())
-    is_duplicate[duplicate.i] = true;
+  std::vector<bool> is_copy(body.n_columns());
+  for (const auto &[copy, master] : body.periodic_copies())
+    is_copy[copy.i] = true;
   for (unsigned int i = 0; i < body.n_columns(); ++i)
     for (unsigned int c = 0; c < dim; ++c)
       if (const std::size_t dof = std::size_t{dim} * i + c; !is_contact[dof])
         {
           is_held[dof] = mask.is_constrained(c, {i, 0});
-          if (!is_held[dof] && !is_duplicate[i])
+          if (!is_held[dof] && !is_copy[i])
             inner.push_back(static_cast<std::int64_t>(dof));
         }
   std::vector<Triplet> entries;
@@ -189,7 +189,7 @@ SolverReport CondensedSolver<dim>::solve(NodalField<double> &u,
   for (std::size_t k = 0; k < stiffness->at_contact.size(); ++k)
     x[stiffness->at_contact[k]] += at_contact[static_cast<Eigen::Index>(k)];
   take<dim>(u, x);
-  body.copy_duplicates(u);
+  body.update_copies(u);
   return {1, 0.};
 }
 

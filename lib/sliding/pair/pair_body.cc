@@ -67,12 +67,12 @@ PairBody<dim>::PairBody(const PointBody<dim> &above,
   this->number_of_cells = above.n_cells() + below.n_cells();
   for (const unsigned int id : {ElasticBody<dim>::bottom, ElasticBody<dim>::top})
     this->sides[id] = above.surface(id);
-  this->duplicates = above.duplicate_nodes();
-  for (const auto &[duplicate, original] : below.duplicate_nodes())
-    this->duplicates.push_back({{below_node(duplicate), below_node(original)}});
+  this->copies = above.periodic_copies();
+  for (const auto &[copy, master] : below.periodic_copies())
+    this->copies.push_back({{below_node(copy), below_node(master)}});
   std::iota(follows.begin(), follows.end(), 0U);
-  for (const auto &[duplicate, original] : this->duplicates)
-    follows[duplicate.i] = follows[original.i];
+  for (const auto &[copy, master] : this->copies)
+    follows[copy.i] = follows[master.i];
   if (motion == Motion::relative)
     this->n_counted = n_above;
   masses                          = above.lumped_mass();
@@ -227,7 +227,7 @@ template <int dim>
 void PairBody<dim>::multiply(NodalField<double> &Ku, const NodalField<double> &u) const
 {
   take<dim>(Ku, K * vector_of<dim>(u), 0);
-  this->copy_duplicates(Ku);
+  this->update_copies(Ku);
 }
 
 template <int dim>

@@ -47,7 +47,7 @@ MeshSide mesh_side(const BodyMesh<dim> &morphology,
         {
           const dealii::Tensor<1, dim> &normal_area = found.normal_area[k];
           const double area                         = normal_area.norm();
-          PointSums<dim> &sum = sums[mesh.original(found.points[k])];
+          PointSums<dim> &sum                       = sums[mesh.master(found.points[k])];
           sum.area += area;
           sum.push -= normal_area;
           if (absorbing && area > 0.)

@@ -150,12 +150,10 @@ public:
     for (unsigned int j = 0; j < y.n_nodes(); ++j)
       for (unsigned int i = 0; i < x.n_nodes(); ++i)
         {
-          const unsigned int duplicate_i =
-                               x.periodic && i == 0 ? mask.n_columns() - 1 : i,
-                             duplicate_j = y.periodic && j == 0 ? mask.n_rows() - 1 : j;
-          const unsigned int bits = mask.bits({i, j}) | mask.bits({duplicate_i, j}) |
-                                    mask.bits({i, duplicate_j}) |
-                                    mask.bits({duplicate_i, duplicate_j});
+          const unsigned int copy_i = x.periodic && i == 0 ? mask.n_columns() - 1 : i,
+                             copy_j = y.periodic && j == 0 ? mask.n_rows() - 1 : j;
+          const unsigned int bits   = mask.bits({i, j}) | mask.bits({copy_i, j}) |
+                                    mask.bits({i, copy_j}) | mask.bits({copy_i, copy_j});
           if (bits != 0)
             rows[j].push_back({i, static_cast<std::uint8_t>(bits == 3 ? 7 : bits)});
         }

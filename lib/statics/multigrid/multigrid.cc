@@ -102,7 +102,7 @@ template <typename Number>
 void Multigrid<Number>::finest_residual(NodalField<Number> &x,
                                         const NodalField<Number> &b)
 {
-  material.copy_duplicates(x);
+  material.update_copies(x);
   stiffness.vmult(finest_r, x);
   const unsigned int n = whole_vectors<Number>(material.n_columns());
   for (unsigned int c = 0; c < 2; ++c)
@@ -132,7 +132,7 @@ void Multigrid<Number>::vmult(NodalField<Number> &x, const NodalField<Number> &b
   finest_residual(x, b);
   finest_smoother.columns(finest_r, x, true);
   constrained[0].clear(x, 2);
-  material.copy_duplicates(x);
+  material.update_copies(x);
 }
 
 template <typename Number>

@@ -76,7 +76,7 @@ TEST(UniformGridOperator, EqualsDenseElements)
                 random_material(random, cells, n_classes, anisotropic, false, p);
               NodalField<double> u(material.n_columns(), material.n_rows()), f(u);
               random.fill(u);
-              material.copy_duplicates(u);
+              material.update_copies(u);
               const NodalField<double> reference = reference_product(material, u);
               const UniformGridOperator K(material, isa);
               K.vmult(f, u);
@@ -133,7 +133,7 @@ TEST(UniformGridOperator, Diagonal)
             {
               u.set_zero();
               u.row(c, p.y ? j % 5 : j)[p.x ? i % 6 : i] = 1.;
-              material.copy_duplicates(u);
+              material.update_copies(u);
               K.vmult(f, u);
               ASSERT_NEAR(diagonal.row(c, j)[i], f.row(c, j)[i], 1e-13);
             }
@@ -183,7 +183,7 @@ TEST(UniformGridOperator, RigidMotionAndConstantStrain)
     }
 }
 
-TEST(UniformGridOperator, EnergyCountsDuplicatesOnce)
+TEST(UniformGridOperator, EnergyCountsCopiesOnce)
 {
   Random random;
   const Periodicity p{true, true};
@@ -191,7 +191,7 @@ TEST(UniformGridOperator, EnergyCountsDuplicatesOnce)
   const UniformGridOperator K(material);
   NodalField<double> u(10, 5);
   random.fill(u);
-  material.copy_duplicates(u);
+  material.update_copies(u);
   double energy = 0.;
   for (unsigned int j = 0; j < 4; ++j)
     for (unsigned int i = 0; i < 9; ++i)

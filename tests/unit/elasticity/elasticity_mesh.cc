@@ -19,7 +19,7 @@ void expect_equal(const ElasticBody<2> &mesh, const ElasticBody<2> &grid, Random
 {
   NodalField<double> u = grid.zero_field(), f = u, g = u;
   random.fill(u);
-  grid.copy_duplicates(u);
+  grid.update_copies(u);
   grid.vmult(f, u);
   mesh.vmult(g, u);
   EXPECT_LT(largest_difference(f, g), 1e-13);

@@ -50,8 +50,8 @@ State random_state(Random &random, const UniformMaterial &material)
           NodalField<double>(material.n_columns(), material.n_rows())};
   random.fill(s.u);
   random.fill(s.w);
-  material.copy_duplicates(s.u);
-  material.copy_duplicates(s.w);
+  material.update_copies(s.u);
+  material.update_copies(s.w);
   return s;
 }
 

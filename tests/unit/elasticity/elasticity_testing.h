@@ -157,7 +157,7 @@ inline NodalField<double> reference_product(const UniformMaterial &material,
             f.row(k % 2, p.y ? row % ny : row)[p.x ? column % nx : column] += r(k);
           }
       }
-  material.copy_duplicates(f);
+  material.update_copies(f);
   return f;
 }
 

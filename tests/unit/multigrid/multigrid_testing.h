@@ -104,7 +104,7 @@ inline NodalField<double> balanced_forces(const UniformMaterial &material)
     for (unsigned int i = 0; i + material.periodicity().x < u.n_columns(); ++i)
       for (unsigned int c = 0; c < 2; ++c)
         u.row(c, j)[i] = uniform(random);
-  material.copy_duplicates(u);
+  material.update_copies(u);
   // Forces of some displacement field are in equilibrium.
   UniformGridOperator(material).vmult(f, u);
   return f;

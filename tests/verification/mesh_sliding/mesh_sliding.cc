@@ -55,7 +55,7 @@ template <int dim>
 double
 thrown(const MeshCase<dim> &body, const dealii::Point<dim> &p, const unsigned int c)
 {
-  if (!body.mesh.originals.empty())
+  if (!body.mesh.masters.empty())
     {
       const double turns = p[0] / (dim == 2 ? 11e-3 : 4e-3) + (dim - 2) * p[1] / 3e-3;
       return c == dim - 1 ? -1.5 + 0.3 * std::sin(2. * M_PI * turns + 400. * p[dim - 1])

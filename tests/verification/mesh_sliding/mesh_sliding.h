@@ -180,11 +180,11 @@ public:
       for (std::size_t i = 0; i < part.points.size(); ++i)
         {
           const auto is_here = [&](const HeldComponent &h) {
-            return h.point == part.original_in_mesh[i] && h.component == c;
+            return h.point == part.master_in_mesh[i] && h.component == c;
           };
           const bool held_here =
             std::any_of(this->held.begin(), this->held.end(), is_here);
-          body.w.row(c, 0)[i] = held_here ? 0. : f(points[part.original_in_mesh[i]], c);
+          body.w.row(c, 0)[i] = held_here ? 0. : f(points[part.master_in_mesh[i]], c);
         }
   }
 

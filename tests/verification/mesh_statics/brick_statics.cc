@@ -86,7 +86,7 @@ NodalField<double> random_field(const ElasticBody<3> &body, const unsigned int s
   for (unsigned int i = 0; i < body.n_columns(); ++i)
     for (unsigned int c = 0; c < 3; ++c)
       u.row(c, 0)[i] = hashed(body.number({i, 0}), c, salt);
-  body.copy_duplicates(u);
+  body.update_copies(u);
   return u;
 }
 
@@ -144,11 +144,11 @@ DofMask mask_of(const PointBody<3> &body, const RandomBox &box, const unsigned i
     for (unsigned int c = 0; c < 3; ++c)
       if ((kind == 1 && body.point({i, 0})[2] > height - 1e-9) ||
           (kind == 2 &&
-           hashed(box.input.mesh.original(body.number({i, 0})), c, 99) > 0.8) ||
+           hashed(box.input.mesh.master(body.number({i, 0})), c, 99) > 0.8) ||
           (kind == 3 && body.point({i, 0})[2] < 1e-9 &&
-           hashed(box.input.mesh.original(body.number({i, 0})), c, 98) > 0.3))
+           hashed(box.input.mesh.master(body.number({i, 0})), c, 98) > 0.3))
         mask.constrain(c, {i, 0});
-  body.copy_duplicates(mask);
+  body.update_copies(mask);
   return mask;
 }
 } // namespace
@@ -234,7 +234,7 @@ TEST(BrickStatics, EntriesAreThoseOfTheProduct)
     for (const MatrixEntry &entry : body.stiffness_entries())
       sum.row(entry.row % 3, 0)[entry.row / 3] +=
         entry.value * u.row(entry.column % 3, 0)[entry.column / 3];
-    body.add_duplicates(sum);
+    body.add_copies(sum);
     expect_near(body.values_at(box.numbers, sum), body.values_at(box.numbers, Ku), 1e-13);
   });
 }

@@ -74,7 +74,7 @@ NodalField<double> some_field(const ElasticBody<3> &body)
       for (unsigned int c = 0; c < 3; ++c)
         u.row(c, 0)[i] = std::sin(p[0] + 2. * p[1] + c) + p[2] * p[2];
     }
-  body.copy_duplicates(u);
+  body.update_copies(u);
   return u;
 }
 

@@ -202,7 +202,7 @@ TEST(PeriodicLayer, FreeMotionsAndLoads)
         for (unsigned int c = 0; c < 3; ++c)
           for (unsigned int i = 0; i < body.n_columns(); ++i)
             u.row(c, 0)[i] = random(generator);
-        body.copy_duplicates(u);
+        body.update_copies(u);
         body.vmult(force, u);
         const auto solver = body.make_solver();
         solver->set_constrained(free);
