@@ -248,12 +248,6 @@ void ContactParameters::bind(Keys &keys)
       static_solver = StaticSolverKind::ml;
     }
   check_analysis(keys);
-  keys.require(
-    !contact.slips_on_springs() ||
-      (analysis != ContactAnalysis::complex_modes && !computes_modes_too(keys)),
-    "Flat/Tangential stiffness",
-    "complex modes do not know it, and it changes them in 3D and where friction depends "
-    "on the velocity; remove it");
   check_mesh(keys, *this);
   bind_counter(keys);
   keys.only_if(!counter, deviation_keys(keys),

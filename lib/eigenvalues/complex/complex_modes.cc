@@ -83,12 +83,17 @@ double search_for_count(const SearchRange &range,
 
 /**
  * Upper bound of the circular frequency of vibrations (1/s), slightly above the highest
- * one, without friction or with instantaneous friction.
+ * one, without friction or with instantaneous friction; drag at most holds nodes on the
+ * springs along the flat.
  */
 double highest_vibration(const SlidingPencil &pencil)
 {
-  const RealMatrix stiffness = pencil.whole_stiffness(),
-                   friction  = pencil.whole_friction();
+  const RealMatrix friction = pencil.whole_friction();
+  RealMatrix stiffness      = pencil.whole_stiffness();
+  const Eigen::VectorXd along =
+    (pencil.yielding() > 0.).select(pencil.slack.array().inverse(), 0.);
+  stiffness += RealMatrix(pencil.distribution * along.asDiagonal()) *
+               RealMatrix(pencil.distribution.transpose());
   const Eigen::SimplicialLDLT<RealMatrix> masses(pencil.mass);
   double largest = 0.;
   for (const double share : {0., 1.})
@@ -162,6 +167,7 @@ ComplexModes find_complex_modes(const SlidingPencil &pencil,
   result.nothing_grows_above = region.highest_frequency();
   result.highest             = highest_vibration(pencil);
 
+  const bool steep    = options.steep || !std::isfinite(pencil.largest_response());
   const double bottom = 2. * M_PI * options.lowest_frequency,
                top    = std::min(2. * M_PI * options.highest_frequency, result.highest);
   // Slightly larger than requested, so that the border of the count lies in a gap.
@@ -175,10 +181,10 @@ ComplexModes find_complex_modes(const SlidingPencil &pencil,
   std::vector<Complex> vibrations; // without friction
   unsigned int seed = 0;
   // If there is nothing to count, searching far costs little.
-  result.fastest_counted = options.steep ? counted * top
-                                         : std::min(region.largest_width(highest),
-                                                    largest_growth(pencil, drag)) +
-                                             1e-3 * top;
+  result.fastest_counted =
+    steep ? counted * top
+          : std::min(region.largest_width(highest), largest_growth(pencil, drag)) +
+              1e-3 * top;
   // Modes that decay faster than they vibrate are not searched, nor heavily damped ones
   // for the count.
   SearchRange range{region, lowest, highest, most, 0., wanted > 0. ? 1. : 0.3};

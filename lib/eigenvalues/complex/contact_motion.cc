@@ -9,18 +9,18 @@
 
 namespace mesoslip
 {
-namespace
-{
-using Triplet = Eigen::Triplet<double, std::int64_t>;
-
 RealMatrix matrix_of(const Eigen::Index n_rows,
                      const Eigen::Index n_columns,
-                     const std::vector<Triplet> &entries)
+                     const std::vector<Eigen::Triplet<double, std::int64_t>> &entries)
 {
   RealMatrix matrix(n_rows, n_columns);
   matrix.setFromTriplets(entries.begin(), entries.end());
   return matrix;
 }
+
+namespace
+{
+using Triplet = Eigen::Triplet<double, std::int64_t>;
 
 /** Number of displacements of all nodes. */
 template <int dim>

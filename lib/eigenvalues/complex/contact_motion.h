@@ -7,6 +7,11 @@
 
 namespace mesoslip
 {
+/** Matrix with these entries; equal places add up. */
+RealMatrix matrix_of(const Eigen::Index n_rows,
+                     const Eigen::Index n_columns,
+                     const std::vector<Eigen::Triplet<double, std::int64_t>> &entries);
+
 /** Matrix row of component @p c of a node of the whole body. */
 template <int dim>
 Eigen::Index

@@ -19,21 +19,38 @@ constexpr int most   = 48; // largest number; beyond it, vectors cost more than 
 
 /** Relative distance of two results for the same eigenvalue. */
 constexpr double same = 1e-7;
-/**
- * Rates of eigenvalues that only relax, hundreds of each: -1/delta and -1/tau of friction
- * forces and states, and in 3D those of nodes constrained by drag across the motion.
- */
-std::vector<double> relaxing_rates(const SlidingPencil &pencil)
+/** Rates of eigenvalues that only relax, hundreds of each: -1/delta and -1/tau of
+ * friction forces and states. On springs delta differs by force; these are its ends. */
+std::vector<double> exact_rates(const SlidingPencil &pencil)
 {
+  double longest = 0., shortest = std::numeric_limits<double>::infinity();
+  for (const double lag : pencil.lag_at_once())
+    if (lag > 0.)
+      {
+        longest  = std::max(longest, lag);
+        shortest = std::min(shortest, lag);
+      }
   std::vector<double> rates;
-  for (const double time : {pencil.law.delta, pencil.law.state_time})
+  for (const double time :
+       {shortest < longest ? shortest : 0., longest, pencil.law.state_time})
     if (time > 0.)
       rates.push_back(1. / time);
-  double stiffest = 0.;
-  for (Eigen::Index k = 0; k < pencil.resistance.outerSize(); ++k)
-    if (pencil.resistance.coeff(k, k) > 0.)
-      stiffest =
-        std::max(stiffest, pencil.stiffness.coeff(k, k) / pencil.resistance.coeff(k, k));
+  return rates;
+}
+
+/** Also that of nodes constrained by drag across the motion, in 3D. */
+std::vector<double> relaxing_rates(const SlidingPencil &pencil)
+{
+  std::vector<double> rates   = exact_rates(pencil);
+  const RealMatrix resistance = pencil.distribution * pencil.drag;
+  double stiffest             = 0.;
+  for (Eigen::Index k = 0; k < resistance.outerSize(); ++k)
+    if (const double drag = resistance.coeff(k, k); drag > 0.)
+      {
+        const double stiffness = pencil.stiffness.coeff(k, k);
+        stiffest               = std::max(
+                        stiffest, stiffness / (drag * (1. + stiffness * pencil.slack.maxCoeff())));
+      }
   if (stiffest > 0.)
     rates.push_back(stiffest);
   return rates;
@@ -49,8 +66,7 @@ DiscSearch::DiscSearch(const SlidingPencil &pencil,
   , options(options)
   , report(report)
   , relaxing(relaxing_rates(pencil))
-  , n_exact(static_cast<std::size_t>(pencil.law.delta > 0.) +
-            (pencil.law.state_time > 0.))
+  , n_exact(exact_rates(pencil).size())
 {
 }
 

@@ -112,7 +112,7 @@ private:
   const ComplexModesOptions &options;
   ComplexModes &report;
   const std::vector<double> relaxing; ///< rates (1/s) of clustered eigenvalues
-  const std::size_t n_exact;          ///< the first ones, 1/delta and 1/tau
+  const std::size_t n_exact;          ///< the first ones, of friction and states
   std::vector<FoundMode> modes;
   bool leaves_out_exact = false; ///< an iteration did not converge with them
 };

@@ -48,7 +48,8 @@ double radius_of(const RealMatrix &friction, const SlidingPencil &pencil)
 
 double friction_radius(const SlidingPencil &pencil)
 {
-  return radius_of(pencil.whole_friction(), pencil);
+  return pencil.yields() ? std::numeric_limits<double>::infinity()
+                         : radius_of(pencil.whole_friction(), pencil);
 }
 
 namespace
@@ -66,43 +67,29 @@ double largest_rate(const RealMatrix &matrix, const Eigen::VectorXd &mass)
   return sums.cwiseQuotient(mass).maxCoeff();
 }
 
-/** Whether x^T H x < 0 for some x; H has blocks of one or two degrees of freedom. */
-bool feeds(const RealMatrix &matrix)
-{
-  for (Eigen::Index row = 0; row < matrix.outerSize(); ++row)
-    {
-      double others = 0., product = 1.;
-      const double own = matrix.coeff(row, row);
-      for (RealMatrix::InnerIterator entry(matrix, row); entry; ++entry)
-        if (entry.row() != row)
-          {
-            others += entry.value() * entry.value();
-            product = matrix.coeff(entry.row(), entry.row());
-          }
-      if (own < 0. || own * product < others * (1. - 1e-12))
-        return true;
-    }
-  return false;
-}
 } // namespace
 
 FeedingDrag feeding_drag(const SlidingPencil &pencil)
 {
-  const double damped = radius_of(pencil.damped_friction, pencil);
-  if (pencil.targets.rows() == 0 ||
-      (pencil.late_resistance.nonZeros() == 0 && !feeds(pencil.drag_of_slip)))
+  const RealMatrix &E = pencil.distribution;
+  const double damped = radius_of(E * pencil.damped_targets, pencil);
+  if (pencil.late_drag.nonZeros() == 0 && !(pencil.drag_of_slip.array() < 0.).any())
     return {0., 0., damped};
-  return {largest_rate(pencil.resistance, pencil.own_mass),
-          largest_rate(pencil.late_resistance, pencil.own_mass), damped};
+  return {largest_rate(E * pencil.drag, pencil.own_mass),
+          largest_rate(E * pencil.late_drag, pencil.own_mass), damped};
 }
 
 double largest_growth(const SlidingPencil &pencil, const FeedingDrag &drag)
 {
-  // |s|^2 <= |1 + beta s| stiff + |s| feeding
+  // |s|^2 <= |1 + beta s| stiff + |s| feeding, what friction adds times |1/L(s)|
+  const auto of_friction = [&](const RealMatrix &matrix) {
+    return pencil.largest_response() * largest_rate(matrix, pencil.own_mass);
+  };
   const double stiff = largest_rate(pencil.whole_stiffness(), pencil.own_mass) +
-                       largest_rate(pencil.whole_friction(), pencil.own_mass),
-               linear = pencil.law.beta * stiff + drag.at_once + drag.late +
-                        largest_rate(pencil.damped_friction, pencil.own_mass);
+                       of_friction(pencil.whole_friction()),
+               linear = pencil.law.beta * stiff +
+                        pencil.largest_response() * (drag.at_once + drag.late) +
+                        of_friction(pencil.distribution * pencil.damped_targets);
   return 0.5 * (linear + std::sqrt(linear * linear + 4. * stiff));
 }
 

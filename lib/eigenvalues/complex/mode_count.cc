@@ -209,11 +209,15 @@ int count_missing(const SlidingPencil &pencil,
   const double low = range.low, top = range.top,
                decay = std::min(range.decay, range.steep * top), right = range.right,
                corner = decay / range.steep;
+  // The reference gets the poles of the pencil, as if it had no such eigenvalues.
+  std::vector<Complex> poles = pencil.poles();
   Divided above{pencil, vibrations_of(found)}, below{still, found_still};
+  below.zeros.insert(below.zeros.end(), poles.begin(), poles.end());
   const int n_found = count_in(above.zeros, range);
   pair(above.zeros, below.zeros, decay + 0.1 * top);
   // Eigenvalues in the range that are not divided out.
-  const int unknown = count_still(still, range) - count_in(below.zeros, range) -
+  const int unknown = count_still(still, range) + count_in(poles, range) -
+                      count_in(below.zeros, range) -
                       (n_found - count_in(above.zeros, range));
   Turns turns(above, below, factors, options, report);
   const double near = std::min(right, 0.3 * top), far = std::sqrt(near * right);

@@ -8,59 +8,34 @@ namespace
 {
 using Triplet = Eigen::Triplet<double, std::int64_t>;
 
-/**
- * Entry (@p c, @p d) of the derivative of a node's drag with respect to its tangential
- * velocity: instantaneous and delayed part.
- */
-std::array<double, 2> drag_of(const SlidingNodesAtRest &contact,
-                              const std::size_t k,
-                              const std::array<double, 2> &direction,
-                              const unsigned int c,
-                              const unsigned int d,
-                              const bool is_spatial)
+/** Matrix from unknowns to the slip of each friction force: of all contact nodes along
+ * @p direction and, in 3D, of all across it. */
+template <int dim>
+RealMatrix slip_of(const ContactMotion<dim> &motion,
+                   const std::array<double, 2> &direction)
 {
-  const FrictionSlopes slopes =
-    contact.slopes.empty() ? FrictionSlopes() : contact.slopes[k];
-  const double speed = std::hypot(contact.velocity[0], contact.velocity[1]),
-               force = contact.normal_force[k], along = direction[c] * direction[d],
-               across = is_spatial
-                          ? contact.friction[k] / speed * ((c == d ? 1. : 0.) - along)
-                          : 0.;
-  return {{force * (slopes.rate * along + across), force * slopes.state * along}};
+  const Eigen::Index n = motion.relative[0].rows(), n_forces = (dim - 1) * n;
+  RealMatrix slip(n_forces, motion.relative[0].cols());
+  for (unsigned int c = 0; c + 1 < dim; ++c)
+    {
+      const std::array<double, 2> turned = {
+        {direction[c], c == 0 ? -direction[1] : direction[0]}};
+      std::vector<Triplet> entries;
+      for (Eigen::Index q = 0; q < n_forces; ++q)
+        if (const double share = turned[static_cast<std::size_t>(q / n)]; share != 0.)
+          entries.emplace_back(q, q % n, share);
+      slip += matrix_of(n_forces, n, entries) * motion.relative[c];
+    }
+  return slip;
 }
 
-/**
- * Numbering of the friction forces: an index for each contact node and tangential axis,
- * -1 if the node does not move along it.
- */
-template <int dim>
-struct FrictionForces
+/** Rows of @p matrix times @p factors, without those that are zero. */
+RealMatrix scaled(const Eigen::VectorXd &factors, const RealMatrix &matrix)
 {
-  explicit FrictionForces(const ContactMotion<dim> &motion)
-  {
-    std::array<RealMatrix, dim> by_rows;
-    for (unsigned int c = 0; c + 1 < dim; ++c)
-      by_rows[c] = motion.relative[c].transpose();
-    for (Eigen::Index k = 0; k < motion.relative[0].rows(); ++k)
-      {
-        std::array<std::int64_t, 2> &of_node = number.emplace_back();
-        for (unsigned int c = 0; c + 1 < dim; ++c)
-          {
-            of_node[c] = -1;
-            for (RealMatrix::InnerIterator entry(by_rows[c], k); entry; ++entry)
-              {
-                of_node[c] = n;
-                slip.emplace_back(n, entry.row(), entry.value());
-              }
-            n += of_node[c] >= 0 ? 1 : 0;
-          }
-      }
-  }
-
-  std::vector<std::array<std::int64_t, 2>> number; ///< indices of the nodes' forces
-  std::vector<Triplet> slip; ///< relative motion of contact nodes, by unknowns
-  std::int64_t n = 0;        ///< number of friction forces
-};
+  RealMatrix result = factors.asDiagonal() * matrix;
+  result.prune(0., 0.);
+  return result;
+}
 } // namespace
 
 template <int dim>
@@ -80,58 +55,41 @@ void add_contact(const ContactMotion<dim> &motion,
                  const SlidingNodesAtRest &contact,
                  SlidingPencil &pencil)
 {
-  const FrictionForces<dim> forces(motion);
   const double speed = std::hypot(contact.velocity[0], contact.velocity[1]);
-  const std::array<double, 2> direction = {
-    {contact.velocity[0] / speed, contact.velocity[1] / speed}};
-  const std::size_t n_nodes = contact.nodes.size();
-  std::vector<Triplet> by_reaction, by_approach, drag, late_drag;
-  for (std::size_t k = 0; k < n_nodes; ++k)
-    for (unsigned int c = 0; c + 1 < dim; ++c)
-      {
-        const std::int64_t q = forces.number[k][c];
-        if (q < 0)
-          continue;
-        pencil.contact_nodes.push_back(k);
-        const double slope    = contact.slopes.empty() ? 0. : contact.slopes[k].pressure,
-                     coupling = (contact.friction[k] + slope) * direction[c];
-        if (contact.stiffness.empty())
-          by_reaction.emplace_back(q, k, coupling);
-        else
-          by_approach.emplace_back(q, k, -coupling * contact.stiffness[k]);
-        for (unsigned int d = 0; d + 1 < dim && !contact.normal_force.empty(); ++d)
-          if (const std::int64_t other = forces.number[k][d]; other >= 0)
-            {
-              const auto of = drag_of(contact, k, direction, c, d, dim == 3);
-              drag.emplace_back(q, other, of[0]);
-              late_drag.emplace_back(q, other, of[1]);
-            }
-      }
-  const auto gather = [&](const std::size_t n_columns,
-                          const std::vector<Triplet> &entries) {
-    RealMatrix matrix(forces.n, static_cast<Eigen::Index>(n_columns));
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    return matrix.prune(0., 0.), matrix;
-  };
-  RealMatrix slip(forces.n, pencil.size());
-  slip.setFromTriplets(forces.slip.begin(), forces.slip.end());
-  const RealMatrix coupled =
-                     gather(static_cast<std::size_t>(reactions[0].rows()), by_reaction),
-                   E    = slip.transpose();
-  pencil.targets        = coupled * reactions[0];
-  pencil.damped_targets = coupled * reactions[1];
+  const RealMatrix slip =
+    slip_of(motion, {{contact.velocity[0] / speed, contact.velocity[1] / speed}});
+  const Eigen::Index n     = motion.relative[0].rows();
+  pencil.n_along           = n;
+  pencil.drag_of_slip      = Eigen::VectorXd::Zero(slip.rows());
+  pencil.late_drag_of_slip = pencil.slack = pencil.drag_of_slip;
+  std::vector<Triplet> by_reaction, by_approach;
+  for (Eigen::Index q = 0; q < slip.rows(); ++q)
+    {
+      const auto k = static_cast<std::size_t>(q % n);
+      pencil.contact_nodes.push_back(k);
+      const FrictionSlopes slopes =
+        contact.slopes.empty() ? FrictionSlopes() : contact.slopes[k];
+      const double force  = contact.normal_force.empty() ? 0. : contact.normal_force[k];
+      const bool is_along = q < n;
+      pencil.drag_of_slip[q] =
+        force * (is_along ? slopes.rate : contact.friction[k] / speed);
+      pencil.late_drag_of_slip[q] = is_along ? force * slopes.state : 0.;
+      pencil.slack[q]             = contact.slack.empty() ? 0. : contact.slack[k];
+      if (const double coupling = contact.friction[k] + slopes.pressure;
+          is_along && contact.stiffness.empty())
+        by_reaction.emplace_back(q, q, coupling);
+      else if (is_along)
+        by_approach.emplace_back(q, q, -coupling * contact.stiffness[k]);
+    }
+  const RealMatrix coupled = matrix_of(slip.rows(), reactions[0].rows(), by_reaction);
+  pencil.targets           = coupled * reactions[0];
+  pencil.damped_targets    = coupled * reactions[1];
   pencil.spring_targets =
-    coupled * reactions[2] + gather(n_nodes, by_approach) * motion.relative[dim - 1];
-  const auto n_forces    = static_cast<std::size_t>(forces.n);
-  pencil.drag_of_slip    = gather(n_forces, drag);
-  pencil.drag            = pencil.drag_of_slip * slip;
-  pencil.late_drag       = gather(n_forces, late_drag) * slip;
-  pencil.distribution    = E;
-  pencil.friction        = E * pencil.targets;
-  pencil.spring_friction = E * pencil.spring_targets;
-  pencil.damped_friction = E * pencil.damped_targets;
-  pencil.resistance      = E * pencil.drag;
-  pencil.late_resistance = E * pencil.late_drag;
+    coupled * reactions[2] +
+    matrix_of(slip.rows(), n, by_approach) * motion.relative[dim - 1];
+  pencil.drag         = scaled(pencil.drag_of_slip, slip);
+  pencil.late_drag    = scaled(pencil.late_drag_of_slip, slip);
+  pencil.distribution = slip.transpose();
 }
 
 template RealMatrix springs_of(const ContactMotion<2> &, const SlidingNodesAtRest &);

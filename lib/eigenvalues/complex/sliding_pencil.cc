@@ -6,7 +6,9 @@
 #include "eigenvalues/complex/pencil_damping.h"
 #include "eigenvalues/free_dofs.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace mesoslip
 {
@@ -53,23 +55,56 @@ ComplexVector product(const RealMatrix &matrix, const ComplexVector &x)
 
 ComplexMatrix SlidingPencil::operator()(const Complex s) const
 {
-  const Complex damped = 1. + law.beta * s, lag = 1. + law.delta * s;
+  const Complex damped = 1. + law.beta * s;
+  const ComplexMatrix force =
+    (damped * lag(s)).cwiseInverse().asDiagonal() *
+    ComplexMatrix(targets.cast<Complex>() * damped + spring_targets.cast<Complex>() +
+                  (damped_targets - drag).cast<Complex>() * s -
+                  late_drag.cast<Complex>() * (s / (1. + law.state_time * s)));
   return mass.cast<Complex>() * (s * s / damped) +
          resistances.cast<Complex>() * (s / damped) +
-         springs.cast<Complex>() * (1. / damped) + stiffness.cast<Complex>() +
-         friction.cast<Complex>() * (-1. / lag) +
-         spring_friction.cast<Complex>() * (-1. / (lag * damped)) +
-         (resistance - damped_friction).cast<Complex>() * (s / (damped * lag)) +
-         late_resistance.cast<Complex>() *
-           (s / (damped * lag * (1. + law.state_time * s)));
+         springs.cast<Complex>() * (1. / damped) + stiffness.cast<Complex>() -
+         ComplexMatrix(distribution.cast<Complex>() * force);
+}
+
+ComplexVector SlidingPencil::lag(const Complex s) const
+{
+  return 1. + s * (lag_at_once().cast<Complex>() +
+                   late_lag().cast<Complex>() / (1. + law.state_time * s));
+}
+
+std::vector<Complex> SlidingPencil::poles() const
+{
+  std::vector<Complex> result;
+  for (Eigen::Index q = 0; q < slack.size(); ++q)
+    {
+      // square s^2 + linear s + 1 = 0
+      const double square = law.state_time * lag_at_once()[q],
+                   linear = law.state_time + lag_at_once()[q] + late_lag()[q];
+      if (linear * linear < 4. * square && distribution.col(q).nonZeros() > 0)
+        result.push_back(Complex(-linear, std::sqrt(4. * square - linear * linear)) /
+                         (2. * square));
+    }
+  return result;
+}
+
+double SlidingPencil::largest_response() const
+{
+  // The real part of s/(1 + s tau) is between 0 and 1/tau.
+  double least = 1.;
+  if (law.state_time > 0. && n_along > 0)
+    least += std::min(0., late_lag().minCoeff() / law.state_time);
+  return (lag_at_once() < 0.).any() || !(least > 0.)
+           ? std::numeric_limits<double>::infinity()
+           : 1. / least;
 }
 
 ComplexVector SlidingPencil::friction_force(const Complex s, const ComplexVector &u) const
 {
   return ((1. + law.beta * s) * product(targets, u) + product(spring_targets, u) +
           s * product(damped_targets, u) - s * product(drag, u) -
-          s / (1. + law.state_time * s) * product(late_drag, u)) /
-         (1. + law.delta * s);
+          s / (1. + law.state_time * s) * product(late_drag, u))
+    .cwiseQuotient(lag(s));
 }
 
 RealMatrix SlidingPencil::whole_stiffness() const

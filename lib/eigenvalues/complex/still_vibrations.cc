@@ -203,11 +203,10 @@ void make_real(const SlidingPencil &still,
 // like the body, and damping by phase can be replaced by its mean.
 SlidingPencil without_friction(SlidingPencil pencil)
 {
-  for (RealMatrix *matrix :
-       {&pencil.targets, &pencil.spring_targets, &pencil.damped_targets,
-        &pencil.damped_friction, &pencil.drag, &pencil.late_drag, &pencil.friction,
-        &pencil.spring_friction, &pencil.resistance, &pencil.late_resistance})
+  for (RealMatrix *matrix : {&pencil.targets, &pencil.spring_targets,
+                             &pencil.damped_targets, &pencil.drag, &pencil.late_drag})
     *matrix *= 0.;
+  pencil.slack *= 0.;
   pencil.stiffness   = pencil.whole_stiffness();
   pencil.springs     = RealMatrix(pencil.size(), pencil.size());
   pencil.resistances = pencil.springs;

@@ -199,7 +199,8 @@ ComplexCases<dim> compute_complex_modes(const ElasticBody<dim> &body,
       if (context.root())
         warn_of_weakening(
           {states.back().steepest_fall, shear_impedance,
-           sliding_law(parameters_of.back()).delta, parameters.step.least_beta()},
+           sliding_law(parameters_of.back()).delta, parameters.step.least_beta(),
+           parameters.contact.tangential_stiffness},
           k == 0 ? "" : brief_text(6, " at ", keys.values[k - 1]), context);
     }
   result.state = states[0];
@@ -221,13 +222,14 @@ ComplexCases<dim> compute_complex_modes(const ElasticBody<dim> &body,
           const SlidingPencil pencil =
             make_sliding_pencil<dim>(body, all, dofs, state.contact, law, damping);
           const RateWeakening weakening{state.steepest_fall, shear_impedance, law.delta,
-                                        law.beta};
+                                        law.beta, of_case.contact.tangential_stiffness};
           options.steep = weakening.is_too_steep();
           ComplexModes found =
             find_complex_modes(pencil, friction_radius(pencil), options);
           cases[k] = numbers_of(pencil, state, parts, found);
           cases[k].all_counted =
-            !options.steep || weakening.fastest_growth() <= found.fastest_counted;
+            std::isfinite(pencil.largest_response()) &&
+            (!options.steep || weakening.fastest_growth() <= found.fastest_counted);
           if (k == 0)
             {
               result.modes = std::move(found);

@@ -109,6 +109,10 @@ void log_complex_modes(const ComplexCases<dim> &cases,
        ? brief_text(4, " at ", parameters.contact.normal_spring.at,
                     " Pa, with the power ", parameters.contact.normal_spring.exponent,
                     " of their depth")
+       : "") +
+    (parameters.contact.slips_on_springs()
+       ? brief_text(4, "; on tangential springs of ",
+                    parameters.contact.tangential_stiffness, " Pa/m")
        : ""));
   if (!cases.state.contact.slopes.empty())
     context.log(law_text(cases.state));

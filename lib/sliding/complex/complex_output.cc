@@ -192,8 +192,9 @@ void write_complex_tables(const ComplexCases<dim> &cases,
   if (!parameters.step.alpha_of_phases.empty())
     json["rayleigh_alpha_of_phases"] = parameters.step.alpha_of_phases;
   json["normal_stiffness"] = finite_or_null(parameters.contact.normal_spring.stiffness);
-  json["sliding_nodes"]    = cases.base.n_sliding;
-  json["separated_nodes"]  = cases.base.n_separated;
+  json["tangential_stiffness"] = finite_or_null(parameters.contact.tangential_stiffness);
+  json["sliding_nodes"]        = cases.base.n_sliding;
+  json["separated_nodes"]      = cases.base.n_separated;
   json["steepest_friction_fall"] = parameters.contact.law.coefficient_law
                                      ? nlohmann::json(cases.base.steepest_fall)
                                      : nlohmann::json();

@@ -150,6 +150,10 @@ SlidingState sliding_state(const ElasticBody<dim> &body,
       state.contact.friction.push_back(nodes[k].coefficient);
       state.contact.normal_force.push_back(solution ? solution->normal_force[k] : 0.);
       state.area.push_back(area_of<dim>(bottom, k));
+      if (flat.slips_on_springs())
+        state.contact.slack.push_back(
+          state.area.back() > 0. ? 1. / (flat.tangential_stiffness * state.area.back())
+                                 : 0.);
       if (flat.law.coefficient_law)
         {
           state.contact.slopes.push_back(nodes[k].slopes);

@@ -1,6 +1,6 @@
 """Analysis complex modes against transient runs of the same body: frequency and growth rate of a small pin whose one growing mode takes
-over, seen in the linear phase of a run, and what the time step changes of them, as the scheme's own eigenvalues have it; laws of the
-coefficient; participation of modes in snapshots."""
+over, seen in the linear phase of a run, and what the time step changes of them, as the scheme's own eigenvalues have it; springs along
+the flat; laws of the coefficient; participation of modes in snapshots."""
 
 import math
 import os
@@ -98,12 +98,27 @@ def check_growth(folder):
               f"{found.imag / 2 / math.pi:.2f} Hz, scheme {exact.imag / 2 / math.pi:.2f}, mode {s.imag / 2 / math.pi:.2f}")
         assert abs(found.real / exact.real - 1) < 2e-5 and abs(found.imag / exact.imag - 1) < 1e-7, (dt, found, exact)
     assert abs(found.real / s.real - 1) < 1e-3 and abs(found.imag / s.imag - 1) < 1e-3, (found, s)
+    expect_order_two(s, errors)
+
+
+def expect_order_two(s, errors):
     # Damping acts half a step early: beta omega^2 dt / 4 of the frequency, of order one. All else is of order two.
     rest = [error.imag / s.imag - BETA * s.imag**2 * dt / 4 for error, dt in zip(errors, STEPS)]
     orders = [np.log2(np.abs(np.divide(values[:-1], values[1:]))) for values in (rest, [error.real for error in errors])]
     print("orders of frequency and growth rate:", *orders)
     assert np.abs(orders[0] - 2).max() < 0.05 and orders[1].min() > 1.9, orders
 
+
+def check_springs(folder):
+    """On springs along the flat, which change the growth by eight times its own, where friction rises with the slip rate."""
+    law = {"Friction/Coefficient": None, "Friction/Coefficient law": "expression",
+           "Friction/Coefficient expression": "max(0.05, 0.3 + 0.003*(V - 50))"}
+    springs = {**law, "Flat/Tangential stiffness": 2e11}
+    without, s = eigenvalues(folder, law)[0], eigenvalues(folder, springs)[0]
+    errors = [seen(folder, dt, springs) - s for dt in STEPS]
+    print(f"on springs: growth {s.real:.2f} 1/s, without {without.real:.2f}; errors of runs {errors}")
+    expect_order_two(s, errors)
+    assert 0 < 8 * s.real < without.real and abs(errors[-1].real) < 1e-3 * abs(s - without), (s, without, errors)
 
 
 LAWS = {
@@ -217,5 +232,6 @@ def expect_refused(action, words):
 with tempfile.TemporaryDirectory() as path:
     scene = Folder(path)
     check_growth(scene)
+    check_springs(scene)
     check_laws(scene)
     check_participation(scene)

@@ -1,11 +1,14 @@
 """Analysis complex modes with laws of the coefficient of friction: the shear vibration of a layer that a falling coefficient feeds, in
-closed form, and what is said where it falls too fast; coefficients that do not change; the same pin in 3D; friction that relaxes slowly; what is refused."""
+closed form, and what is said where it falls too fast; coefficients that do not change; the same pin in 3D; springs along the flat; friction that relaxes
+slowly; what is refused."""
 
 import cmath
 import math
 import tempfile
 
+import h5py
 import numpy as np
+import scipy.linalg
 
 from scenes import Folder, prm
 from sliding_pin import SlidingPin
@@ -32,14 +35,14 @@ def modes(folder, settings, missing=0):
 
 
 def exact(slope, late, tau, law, order):
-    """s (1/s) of u = sinh(k (H - y)) exp(s t), k = s/(c sqrt(1 + beta s)), whose shear stress at the flat is -p dmu/dV(s) times
-    its velocity: sqrt(1 + beta s) rho c coth(k H) = -p (slope + late/(1 + s tau))/(1 + s delta)."""
-    delta, beta = law["Friction/Regularization time"], law["Time/Rayleigh beta"]
+    """s (1/s) of u = sinh(k (H - y)) exp(s t), k = s/(c sqrt(1 + beta s)), whose shear stress at the flat is -d(s) times its velocity, in
+    series with springs: sqrt(1 + beta s) rho c coth(k H) = -d/(1 + s delta + s d/k_t), d = p (slope + late/(1 + s tau))."""
+    delta, beta, springs = law["Friction/Regularization time"], law["Time/Rayleigh beta"], law.get("Flat/Tangential stiffness", math.inf)
 
     def boundary(s):
-        root = cmath.sqrt(1 + beta * s)
+        root, drag = cmath.sqrt(1 + beta * s), PRESSURE * (slope + late / (1 + s * tau))
         k = s / (SPEED * root)
-        return root * DENSITY * SPEED * cmath.cosh(k * HEIGHT) + PRESSURE * (slope + late / (1 + s * tau)) / (1 + s * delta) * cmath.sinh(k * HEIGHT)
+        return root * DENSITY * SPEED * cmath.cosh(k * HEIGHT) + drag / (1 + s * delta + s * drag / springs) * cmath.sinh(k * HEIGHT)
 
     s = complex(0, (2 * order + 1) * math.pi * SPEED / (2 * HEIGHT))
     for _ in range(60):
@@ -56,7 +59,10 @@ def check_layer(folder):
     closed = SPEED / HEIGHT * math.atanh(-PRESSURE * falling[0] / impedance)
     assert abs(exact(*falling, PLAIN, 0).real / closed - 1) < 1e-9, closed
     slip = {**STATE, "Friction/Rate and state/Evolution": "slip law"}
+    # On springs so soft that friction alone would vibrate at 173 kHz, and on some that shift the frequency by a few per cent.
+    soft, springs = {**PLAIN, "Flat/Tangential stiffness": 6.5e11}, {**DAMPED, "Flat/Tangential stiffness": 1e13}
     for name, law, slopes, regularized in (("falling", FALLING, falling, PLAIN), ("falling, regularized and damped", FALLING, falling, DAMPED),
+                                           ("falling, on springs", FALLING, falling, springs), ("rate and state, on springs", STATE, ageing, soft),
                                            ("rate and state", STATE, ageing, PLAIN), ("slip law, regularized and damped", slip, ageing, DAMPED)):
         wanted = [s for s in (exact(*slopes, regularized, order) for order in range(3)) if s.real > 0 and s.imag < 2 * math.pi * TOP]
         assert len(wanted) >= 1, wanted
@@ -133,6 +139,70 @@ def check_slice(folder):
             assert abs(found - s).min() < 1e-6 * abs(s), (ranks, s, found)
 
 
+def dense(law, slopes, springs):
+    """All s (1/s) of a small PIN on springs along the flat, by numpy: the form linear in u, v = s u, friction q and its part z by the state, with
+    the drags of the nodes' static forces."""
+    mu, (slope, late, tau), (nx, ny), beta, delta = law["mu"], slopes, (12, 4), 4.4e-9, PIN["Friction/Regularization time"]
+    pin = SlidingPin.build(np.zeros((ny, nx), int), [[[36.54e9, 9.1e9, 0], [9.1e9, 47.26e9, 0], [0, 0, 13.785e9]]], DENSITY, (0.012, 0.004), mu, delta, beta)
+    mass, stiffness, friction = (matrix.toarray() for matrix in (pin.mass, pin.stiffness, pin.friction))
+    rows, n = np.flatnonzero(np.abs(friction).sum(1)), len(mass)
+    load, area = np.zeros(n), np.full(nx + 1, 0.012 / nx)
+    load[-1], area[[0, -1]] = -5e6 * 0.012, 0.006 / nx  # the platen is the last unknown
+    G = mu * friction[rows]
+    forces = G @ np.linalg.solve(stiffness - mu * friction, load) / mu
+    E, one, w, scale = np.eye(n)[:, rows], np.eye(nx + 1), 2 * math.pi * 1e5, stiffness.diagonal().mean()
+    at_once, delayed, slack = np.diag(forces * slope), np.diag(forces * late), np.diag(1 / (springs * area))
+    zero = np.zeros((nx + 1, n))
+    A = np.block([[np.zeros((n, n)), w * np.eye(n), zero.T, zero.T],
+                  [-stiffness / w, -beta * stiffness, E * scale / w, zero.T],
+                  [G / scale, w * (beta * G - at_once @ E.T) / scale, -one, one],
+                  [zero, -w * delayed @ E.T / scale, 0 * one, -one]])
+    B = scipy.linalg.block_diag(np.eye(n), mass, np.zeros((2 * nx + 2, 2 * nx + 2)))
+    B[2 * n:, 2 * n:] = np.block([[delta * one + slack @ at_once, 0 * one], [slack @ delayed, tau * one]])
+    values = scipy.linalg.eigvals(A, B)
+    return values[np.isfinite(values)]
+
+
+def check_springs(folder):
+    """On springs along the flat all modes are those of numpy, where friction falls or lags behind a state, also on springs so soft that the state
+    alone makes friction vibrate; with stiffer springs they come to those without in proportion to 1/k_t."""
+    fallen = 0.1 + 0.2 * math.exp(-0.2)
+    falling = {"mu": fallen, **FALLING, "Friction/Critical velocity": 10.}, (-0.02 * math.exp(-0.2), 0, 1e-6)
+    law = {**STATE, "Friction/Coefficient": 0.4, "Friction/Rate and state/Direct effect": 0.02, "Friction/Rate and state/Evolution effect": 0.03}
+    state = {"mu": None, **law}, (0.02 / VELOCITY, -0.03 / VELOCITY, 4e-6 / VELOCITY)
+    small = {**PIN, "Body/Cells": "12, 4"}
+    # Below p |mu'|/delta at the edges, or p b/L, springs let friction grow alone, which is not ruled out.
+    for (law, slopes), springs, ranks, missing in ((falling, 1e12, 2, 0), (falling, 3e11, 1, None), (state, 1e12, 3, 0), (state, 5e10, 1, None)):
+        given = {key: value for key, value in {**small, **law, "Flat/Tangential stiffness": springs}.items() if key != "mu"}
+        folder.write("pin.prm", prm(given))
+        folder.run(0, "contact_dynamics", "pin.prm", "--output", "pin", ranks=ranks)
+        summary = folder.summary("pin")
+        found = np.array([complex(mode["growth_rate"], 2 * math.pi * mode["frequency"]) for mode in summary["complex_modes"]])
+        assert summary["separated_nodes"] == 0 and summary["missing_modes"] == missing, summary
+        grows = any("Flat/Tangential stiffness times the regularization time" in warning for warning in summary["warnings"])
+        assert grows == (springs == 3e11), summary["warnings"]
+        with h5py.File(folder("pin", "complex_modes.h5")) as file:
+            law["mu"] = law["mu"] or file["complex_modes/contact/friction_coefficient"][0]
+        wanted = dense(law, slopes, springs)
+        wanted = wanted[(wanted.real > -2e4) & (wanted.imag < 2e6 * math.pi) & (wanted.imag > -wanted.real) & (wanted.imag > 1)]
+        errors = [abs(found - s).min() / abs(s) for s in wanted] + [abs(wanted - s).min() / abs(s) for s in found]
+        print(f"{law['Friction/Coefficient law']}, springs of {springs:g} Pa/m: {len(found)} modes, errors {max(errors):.1e}")
+        assert len(found) == len(wanted) >= 4 and max(errors) < 1e-8, (law, springs, found, wanted)
+    for first, body in (("", {**small, **falling[0]}), ("set Dimension = 3\n", {**SLICE, "Body/Cells": "12, 1, 4", "Flat/Velocity": "0.03, 0.04"})):
+        changes, rigid = [], None
+        for springs in ("auto", 1e14, 1e15, 1e16):
+            given = {key: value for key, value in {**body, "Flat/Tangential stiffness": springs}.items() if key != "mu"}
+            folder.write("pin.prm", first + prm(given))
+            folder.run(0, "contact_dynamics", "pin.prm", "--output", "pin")
+            summary = folder.summary("pin")
+            s = np.array([complex(mode["growth_rate"], 2 * math.pi * mode["frequency"]) for mode in summary["complex_modes"]])[:3]
+            rigid = s if rigid is None else rigid
+            changes.append(np.abs(s - rigid) / np.abs(rigid))
+            assert summary["missing_modes"] == 0, summary
+        print("changes by springs", changes[1:])
+        assert np.abs(np.log10(np.divide(changes[2], changes[3])) - 1).max() < 0.02 and changes[1].max() > 1e-5, changes
+
+
 def check_slow_friction(folder):
     """Friction that relaxes within a millisecond, as scipy has it by inverse iteration; within a second, as without friction. In 3D a
     flat so slow that it holds the nodes across its motion."""
@@ -191,5 +261,6 @@ with tempfile.TemporaryDirectory() as path:
     check_impedance(scene)
     check_limits(scene)
     check_slice(scene)
+    check_springs(scene)
     check_slow_friction(scene)
     check_sweep_of_pressure(scene)

@@ -153,6 +153,3 @@ with tempfile.TemporaryDirectory() as path:
     check_turned(here)
     check_turn(here)
     assert "knows no Flat/Tangential stiffness" in here.run(2, "contact_dynamics", "run.prm", "--set", "Friction/Law=slip rate", "--validate")
-    assert "has no effect, as Analysis is 'complex modes'" in here.run(2, "contact_dynamics", "run.prm", "--set", "Analysis=complex modes", "--validate")
-    said = here.run(2, "contact_dynamics", "run.prm", "--set", "Analysis=complex modes", "--ignore-unused", "--validate")
-    assert "Flat/Tangential stiffness: complex modes do not know it" in said, said
