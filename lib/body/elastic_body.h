@@ -167,7 +167,7 @@ public:
   }
 
   /** For each node, row after row: whether it is locally owned and no periodic copy. */
-  std::vector<bool> counted_masters() const;
+  virtual std::vector<bool> counted_masters() const;
 
   /** Sums the values of periodic copies and masters, and stores the sum at both. */
   void add_copies(NodalField<double> &field) const;

@@ -131,10 +131,11 @@ free_rigid_motions(const ElasticBody<dim> &body,
 template <int dim>
 bool can_move(const ElasticBody<dim> &body,
               const DofMask &mask,
-              const std::vector<SpringEntry> &springs)
+              const std::vector<SpringEntry> &springs,
+              const std::vector<NodesAsOne> &as_one)
 {
   const RigidMotions<dim> rigid(body);
-  return !RigidMotions<dim>::left_by(rigid.hold_of(mask, springs)).empty();
+  return !RigidMotions<dim>::left_by(rigid.hold_of(mask, springs, as_one)).empty();
 }
 
 template class RigidMotions<2>;
@@ -149,8 +150,12 @@ free_rigid_motions(const ElasticBody<3> &,
                    const DofMask &,
                    const std::vector<SpringEntry> &,
                    const std::vector<NodesAsOne> &);
-template bool
-can_move(const ElasticBody<2> &, const DofMask &, const std::vector<SpringEntry> &);
-template bool
-can_move(const ElasticBody<3> &, const DofMask &, const std::vector<SpringEntry> &);
+template bool can_move(const ElasticBody<2> &,
+                       const DofMask &,
+                       const std::vector<SpringEntry> &,
+                       const std::vector<NodesAsOne> &);
+template bool can_move(const ElasticBody<3> &,
+                       const DofMask &,
+                       const std::vector<SpringEntry> &,
+                       const std::vector<NodesAsOne> &);
 } // namespace mesoslip

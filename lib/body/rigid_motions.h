@@ -70,13 +70,14 @@ free_rigid_motions(const ElasticBody<dim> &body,
                    const std::vector<NodesAsOne> &as_one   = {});
 
 /**
- * Whether constraints @p mask, periodic sides and springs leave a rigid motion free.
- * Collective.
+ * Whether constraints @p mask, periodic sides, springs and nodes that move @p as_one leave
+ * a rigid motion free. Collective.
  */
 template <int dim>
 bool can_move(const ElasticBody<dim> &body,
               const DofMask &mask,
-              const std::vector<SpringEntry> &springs = {});
+              const std::vector<SpringEntry> &springs = {},
+              const std::vector<NodesAsOne> &as_one   = {});
 } // namespace mesoslip
 
 #endif

@@ -183,7 +183,7 @@ std::vector<Platen> GivenBody<dim>::platens(const TopSetup &top) const
   std::vector<Platen> all;
   if (top.is_platen)
     all.push_back({top_nodes().nodes, top.moves(dim), top.platen_mass});
-  const std::vector<SideSupport> sides = parameters.loaded_sides();
+  const std::vector<SideSupport> sides = loaded_sides();
   std::vector<SupportNodes> nodes      = side_nodes();
   for (std::size_t k = 0; k < sides.size(); ++k)
     if (sides[k].is_platen)

@@ -216,7 +216,7 @@ public:
   /** Locally stored nodes of the top. */
   virtual SupportNodes top_nodes() const = 0;
 
-  /** Loaded sides of the body and of a counter body; platens first. */
+  /** Loaded sides of the body, then of a counter body; of each platens first. */
   virtual std::vector<SideSupport> loaded_sides() const
   {
     return parameters.loaded_sides();

@@ -14,16 +14,19 @@ template <int dim>
 void StaticLoad<dim>::add_platens(const GivenBody<dim> &body)
 {
   const TopSetup &of_top               = parameters.top;
-  const std::vector<SideSupport> sides = parameters.loaded_sides();
+  const std::vector<SideSupport> sides = body.loaded_sides();
   std::vector<Platen> all              = body.platens(of_top);
   if (of_top.is_platen)
     std::rotate(all.begin(), all.begin() + 1, all.end());
-  platens = all;
-  for (std::size_t k = 0; k < platens.size(); ++k)
+  platens          = all;
+  std::size_t side = 0;
+  for (std::size_t k = 0; k < platens.size(); ++k, ++side)
     {
-      const bool is_top          = of_top.is_platen && k + 1 == platens.size();
-      const SideSupport &support = is_top ? of_top : sides[k];
-      const double area          = is_top ? facts.size.top_area : facts.size.side_area[k];
+      const bool is_top = of_top.is_platen && k + 1 == platens.size();
+      while (!is_top && !sides[side].is_platen)
+        ++side;
+      const SideSupport &support = is_top ? of_top : sides[side];
+      const double area = is_top ? facts.size.top_area : facts.size.side_area[side];
       for (unsigned int c = 0; c < dim; ++c)
         if (platens[k].moves[c])
           {
@@ -31,7 +34,7 @@ void StaticLoad<dim>::add_platens(const GivenBody<dim> &body)
             const double of_body =
               elastic.phases()[0].stiffness(normal, normal) / elastic.extent(normal);
             const double push =
-              is_top ? (c == normal ? -area : 0.) : facts.size.side_push[k][c];
+              is_top ? (c == normal ? -area : 0.) : facts.size.side_push[side][c];
             platen_moves.push_back({k, c, -push * support.pressure.amplitude(),
                                     area * support.suspension.stiffness[c] *
                                       std::fabs(support.suspension.motion[c](0.)),

@@ -77,6 +77,8 @@ void ContactParameters::bind_supports_below(Keys &keys, ContactParameters &other
     if (side.holds() || side.is_loaded())
       other.supports.push_back(turned ? turned_over(side, dim) : side);
   };
+  if (!turned)
+    add(bottom);
   for (const std::string &name : names)
     {
       const SideSupport side = bind_support(keys, name, dim);
@@ -95,8 +97,6 @@ void ContactParameters::bind_supports_below(Keys &keys, ContactParameters &other
     return;
   if (turned)
     other.top = top_of(bottom, keys, dim);
-  else
-    add(bottom);
 }
 
 void ContactParameters::bind_counter(Keys &keys)

@@ -75,11 +75,16 @@ void describe_sides(MeshBodyDescription &body,
 {
   body.sides = loaded_sides_of(morphology, faces, given);
   std::set<unsigned int> taken;
-  for (const std::string &name : {given.mesh.contact_boundary, given.mesh.top_boundary})
+  // The far end, below a counter body, moves its nodes before other sides do.
+  const std::string far = given.is_counter ? "Bottom" : given.mesh.top_boundary;
+  const std::vector<SideSupport> loaded = given.loaded_sides();
+  std::vector<std::string> of_others    = {given.mesh.contact_boundary};
+  if (loaded.empty() || !loaded[0].is_platen || loaded[0].name != far)
+    of_others.push_back(far);
+  for (const std::string &name : of_others)
     for (const unsigned int point : points_of_group(morphology, faces, name))
       taken.insert(point);
   const std::vector<HeldComponent> held = body.held;
-  const std::vector<SideSupport> loaded = given.loaded_sides();
   for (std::size_t k = 0; k < loaded.size() && loaded[k].is_platen; ++k)
     {
       MeshSide &side = body.sides[k];

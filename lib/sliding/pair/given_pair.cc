@@ -115,15 +115,42 @@ GivenPair<dim>::GivenPair(const ContactParameters &given,
       "Static contact with a counter body runs on one process, all "
       "others repeat it; start it without mpirun");
   known.n_points += below->facts().n_points;
-  known.size.n_cells += below->facts().size.n_cells;
   known.memory.on_rank_0 += below->facts().memory.on_rank_0;
   known.memory.on_each = bytes_of_factors<dim>(parameters.analysis, known.n_points);
-  for (const SideSupport &side : below->parameters.loaded_sides())
-    if (side.is_platen)
-      throw UserError(side.key("Kind") +
-                      " is platen, which a counter body knows in transient runs only; "
-                      "use springs or pressure");
+  add_size_below();
   known.lines.push_back(text_of(meeting_of<dim>(*above, *below)));
+}
+
+/** Adds cells and loaded sides of the lower body. */
+template <int dim>
+void GivenPair<dim>::add_size_below()
+{
+  const BodySize &other = below->facts().size;
+  known.size.n_cells += other.n_cells;
+  const auto append = [](auto &all, const auto &values) {
+    all.insert(all.end(), values.begin(), values.end());
+  };
+  append(known.size.side_area, other.side_area);
+  append(known.size.side_push, other.side_push);
+  append(known.size.side_moves, other.side_moves);
+}
+
+/** Whether supports of the lower body leave a rigid motion free; platens hold their nodes
+ * together, and along their motion by springs only. */
+template <int dim>
+bool GivenPair<dim>::floats_below() const
+{
+  DofMask held = below->held({}, false);
+  std::vector<NodesAsOne> as_one;
+  for (const Platen &platen : below->platens(below->parameters.top))
+    for (unsigned int c = 0; c < dim; ++c)
+      if (platen.moves[c])
+        {
+          as_one.push_back({c, platen.nodes});
+          for (const NodeIndex &node : platen.nodes)
+            held.release(c, node);
+        }
+  return can_move(below->elastic(), held, below->elastic().foundation().springs, as_one);
 }
 
 template <int dim>
@@ -157,12 +184,11 @@ void GivenPair<dim>::make_elastic(const MPI_Comm communicator, const bool /*whol
   above->make_elastic(communicator, true);
   below->make_elastic(communicator, true);
   known.size = above->facts().size;
-  known.size.n_cells += below->facts().size.n_cells;
-  known.contact_height          = above->facts().contact_height;
-  known.contact_place           = above->facts().contact_place;
-  known.contact_points          = above->facts().contact_points;
-  const ElasticBody<dim> &lower = below->elastic();
-  if (can_move(lower, below->held({}, false), lower.foundation().springs))
+  add_size_below();
+  known.contact_height = above->facts().contact_height;
+  known.contact_place  = above->facts().contact_place;
+  known.contact_points = above->facts().contact_points;
+  if (floats_below())
     throw UserError("Counter body/Supports: nothing holds the counter body against all "
                     "forces, so that it would move as a whole; set Counter "
                     "body/Supports/Bottom/Kind = held or springs");
@@ -260,7 +286,6 @@ SupportNodes GivenPair<dim>::top_nodes() const
   return above->top_nodes();
 }
 
-/** Platens come first; only the upper body has any. */
 template <int dim>
 std::vector<SideSupport> GivenPair<dim>::loaded_sides() const
 {

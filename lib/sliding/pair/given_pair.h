@@ -75,6 +75,8 @@ private:
             std::unique_ptr<GivenMesh<dim>> upper,
             std::unique_ptr<GivenMesh<dim>> lower);
 
+  void add_size_below();
+  bool floats_below() const;
   MeetingNodes meeting() const;
   std::vector<NodalField<double>>
   fields_of(const std::size_t body,

@@ -176,6 +176,15 @@ std::vector<WeightedNode> PairBody<dim>::meets(const std::size_t k) const
 }
 
 template <int dim>
+std::vector<bool> PairBody<dim>::counted_masters() const
+{
+  std::vector<bool> counted(this->n_columns());
+  for (unsigned int k = 0; k < follows.size(); ++k)
+    counted[k] = follows[k] == k;
+  return counted;
+}
+
+template <int dim>
 void PairBody<dim>::act_on_displacements(NodalField<double> &force) const
 {
   const std::vector<NodeIndex> &contact = this->surface(ElasticBody<dim>::bottom).nodes;

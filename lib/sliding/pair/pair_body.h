@@ -63,6 +63,9 @@ public:
 
   std::vector<WeightedNode> meets(const std::size_t k) const override;
 
+  /** Also of the lower body. */
+  std::vector<bool> counted_masters() const override;
+
   void act_on_displacements(NodalField<double> &force) const override;
   std::array<double, dim> point(const NodeIndex &node) const override;
   std::size_t n_cell_groups() const override;

@@ -192,14 +192,14 @@ def check_ranks(folder, friction, cells=((5, 8), (9,), (4, 3)), more=0.0):
         check_equal([points_and_motion(folder, "run", "counter_body.h5")], [one], (name, "3 ranks"))
 
 
-def numbers_at_rest(folder, text):
+def numbers_at_rest(folder, text, of_modes=""):
     """Growth and frequency of the first modes, and normal force, friction and largest displacement of both bodies at rest."""
     folder.write("rest.prm", "set Analysis = static contact\n" + text)
     folder.run(0, "contact_dynamics", "rest.prm", "--output", "rest", "--quiet")
     summary = folder.summary("rest")
     with h5py.File(folder("rest", "dynamics.h5")) as file, h5py.File(folder("rest", "counter_body.h5")) as below:
         largest = [np.abs(one["snapshots/displacement"][()]).max() for one in (file, below)]
-    folder.write("modes.prm", "set Analysis = complex modes\n" + text)
+    folder.write("modes.prm", "set Analysis = complex modes\n" + text + of_modes)
     folder.run(0, "contact_dynamics", "modes.prm", "--output", "modes", "--quiet")
     modes = [[mode["growth_rate"], mode["frequency"]] for mode in folder.summary("modes")["complex_modes"]]
     return np.array([summary["normal_force"], summary["tangential_force"]]), np.array(largest), modes
@@ -223,6 +223,39 @@ def check_at_rest(folder, columns=9):
     for number, (force, largest, modes) in enumerate(found):
         assert np.abs(force / found[0][0] - 1).max() < 1e-7 and np.abs(largest / found[0][1] - 1).max() < 1e-7, (number, force, largest, found[0])
         assert len(modes) == len(found[0][2]) > 0 and np.abs(np.divide(modes, found[0][2]) - 1).max() < 1e-7, (number, modes, found[0][2])
+
+
+def check_exchanged(folder):
+    """A pair on platens upside down, its bodies exchanged, has the same forces, displacements, modes and complex modes: platens at sides, pressed and on
+    springs, and one at the far end of either body."""
+    left, right = {"Kind": "platen", "Pressure": 2e6}, {"Kind": "platen", "Pressure": 1e6, "Spring stiffness": "1e13, 2e12"}
+    for far in ("platen", "springs"):
+        supports = [({"Kind": "springs", "Spring stiffness": "1e12, 2e12", "Pressure": 5e6}, right, left),
+                    ({"Kind": far, "Spring stiffness": "1e13, 3e13", "Pressure": 5e6}, left, right)]
+        for dim, kind in ((2, "grid"), (2, "mesh"), (3, "grid")):
+            thick = lambda size, cells: ([size[0], 0.5, size[1]], [cells[0], 1, cells[1]]) if dim == 3 else (size, cells)
+            shapes, materials, found = [thick([6, 4], [9, 6]), thick([6, 3], [9, 4])], [(SOLID, 1770), (STEEL_3D, 7800)] if dim == 3 else [(PLANE, 1770), (STEEL, 7800)], []
+            for first in (0, 1):
+                keys = {**upper(folder, kind, *shapes[first]), **lower(folder, kind, *shapes[1 - first])}
+                for body, start in ((first, "Phases/body/" if kind == "mesh" else "Body/"), (1 - first, "Counter body/")):
+                    keys |= {start + "Stiffness": materials[body][0], start + "Density": materials[body][1]}
+                for body, start, end in ((first, "", "Top"), (1 - first, "Counter body/", "Bottom")):
+                    for side, support in zip((end, "Left", "Right"), supports[body]):
+                        keys |= sides_of(f"{start}Supports/{side}", support, dim == 3)
+                    keys |= {f"{start}Supports/{side}/Held": "u_y" for side in ("Front", "Back") if dim == 3}
+                sliding = {"Friction/Coefficient": 0.3, "Flat/Velocity": (-2, 2)[first]}
+                text = ("set Dimension = 3\n" if dim == 3 else "") + prm({**keys, **sliding, "Static contact/Tolerance": 1e-11})
+                damping = prm({"Time/Rayleigh beta": (4e-9, 1e-9)[first], "Counter body/Rayleigh beta": (1e-9, 4e-9)[first]})
+                force, largest, modes = numbers_at_rest(folder, text, damping)
+                folder.write("modal.prm", "set Analysis = modal\n" + ("set Dimension = 3\n" if dim == 3 else "") + prm({key: value for key, value in keys.items() if "Pressure" not in key}))
+                for ranks in (1, 2, 3):
+                    folder.run(0, "contact_dynamics", "modal.prm", "--output", "modal", "--quiet", ranks=ranks)
+                    frequencies = folder.summary("modal")["frequencies"]
+                    found.append((force * [1, (-1, 1)[first]], largest[::(1, -1)[first]], modes, [*frequencies["free"], *frequencies["held"]]))
+            for one in found[1:]:
+                for values, wanted in zip(one, found[0]):
+                    assert len(values) == len(wanted) > 0 and np.abs(np.divide(values, wanted) - 1).max() < 1e-7, (far, dim, kind, values, wanted)
+            print(far, dim, kind, found[0][0], found[0][2][:2], max(np.abs(np.divide(one[2], found[0][2]) - 1).max() for one in found))
 
 
 def probe(folder, run, name):
@@ -307,6 +340,12 @@ def check_sentences(folder):
     assert "nodes do not match" in works()
     folder.write("run.prm", "set Analysis = complex modes\n" + prm(pair))
     assert "nodes do not match" in works()
+    # A platen holds the counter body along its springs only.
+    below = {**pair, "Counter body/Supports/Bottom/Kind": "platen", "Supports/Top/Pressure": 5e6}
+    for analysis in ("static contact", "modal", "complex modes"):
+        folder.write("run.prm", f"set Analysis = {analysis}\n" + prm({key: value for key, value in below.items() if analysis != "modal" or key not in ("Flat/Velocity", "Supports/Top/Pressure")}))
+        assert "nothing holds the counter body" in folder.run(2, "contact_dynamics", "run.prm", "--output", f"floats {analysis}")
+        folder.run(0, "contact_dynamics", "run.prm", "--output", f"floats {analysis}", "--set", "Counter body/Supports/Bottom/Spring stiffness=0, 1e13")
     folder.write("run.prm", transient)
     box = Box([6, HEIGHT], [9, 4], lambda x: "body")
     box.name_side("Bottom", 1, False).name_side("Contact", 1, True).name_side("Left", 0, False).name_side("Right", 0, True)
@@ -330,6 +369,7 @@ def main():
         check_periodic(here, FRICTION[1])
         for columns in (9, 7, 12):
             check_at_rest(here, columns)
+        check_exchanged(here)
         check_probes(here, FRICTION[1])
         check_sentences(here)
 

@@ -13,7 +13,7 @@ import numpy as np
 import scipy.linalg
 
 from random_pairs import ROWS, field, random_side, write_volume
-from random_supports import HX, NX, Body, supports_of
+from random_supports import HX, NX, PLATEN_MASS, Body, basis, moved_by_platens, supports_of
 from random_surfaces import weights
 from scenes import Folder, prm
 
@@ -27,10 +27,12 @@ class Half:
     def __init__(self, random, is_counter, **columns):
         self.is_counter = is_counter
         self.body = Body(random, ROWS[is_counter], -ROWS[is_counter] * 0.6e-3 if is_counter else 0.0, **columns)
-        self.supports = [random_side(name, random, ["free", "pressure", "springs", "absorbing"]) for name in ("Left", "Right")]
+        self.supports = [random_side(name, random, ["free", "pressure", "springs", "absorbing", "platen"]) for name in ("Left", "Right")]
         name, kinds = ("Bottom", ["held", "springs"]) if is_counter else ("Top", ["pressure", "springs"])
         self.supports.append(random_side(name, random, kinds))
         for support in self.supports:
+            if support.kind == "platen":
+                continue
             support.held = [0, 1] if support.kind == "held" else [0] if support.name == "Top" and support.kind == "pressure" else []
             if support.kind == "springs":
                 support.k = 10 ** random.uniform(12, 13.5, 2)
@@ -44,6 +46,14 @@ class Half:
         for dofs, of_side, _, _ in self.dashpots:
             self.C[dofs, dofs] += of_side
         self.contact = np.flatnonzero(self.body.j == (ROWS[1] if is_counter else 0))
+        self.T = basis(self.body, self.supports, self.held)
+        self.platens = [dofs for _, _, dofs in moved_by_platens(self.body, self.supports)]
+        self.platen_mass = PLATEN_MASS * np.repeat([0, 1], [self.T.shape[1] - len(self.platens), len(self.platens)])
+
+    def reduced(self):
+        """K, C and M of the unknowns, of which the last ones are platens."""
+        K, C, M = (self.T.T @ matrix @ self.T for matrix in (self.K, self.C, np.diag(self.mass)))
+        return K, C, M + np.diag(self.platen_mass)
 
     def keys(self, analysis):
         start = "Counter body/" if self.is_counter else ""
@@ -53,8 +63,11 @@ class Half:
         return keys | ({start + "RVE file": "counter/rve.h5", start + "Material": "heterogeneous"} if start else {"Body/RVE file": "body/rve.h5", "Body/Material": "heterogeneous"})
 
     def left(self, u, weight):
-        """Forces that u leaves."""
+        """Forces that u leaves; of a platen one, of all its nodes."""
         force = self.load(0.0) + self.mass * np.tile(weight, len(u) // 2) - self.K @ u
+        for dofs in self.platens:
+            assert np.ptp(u[dofs]) < 1e-15 * np.abs(u).max(), u[dofs]
+            force[dofs[0]], force[dofs[1:]] = force[dofs].sum(), 0
         return np.where(self.held, 0, force)
 
 
@@ -83,18 +96,10 @@ def check_statics(first, second, W, u, v, mu, weight, stiffness, sliding=True):
 
 
 def eigenvalues(first, second, W, touching, mu, delta, stiffness):
-    free = [np.flatnonzero(~half.held) for half in (first, second)]
-    n1, n = len(free[0]), len(free[0]) + len(free[1])
-    K, C, M = (scipy.linalg.block_diag(*[matrix[np.ix_(some, some)] for matrix, some in zip(pair, free)])
-               for pair in ((first.K, second.K), (first.C, second.C), (np.diag(first.mass), np.diag(second.mass))))
-    nodes = np.flatnonzero(touching)
+    K, C, M = (scipy.linalg.block_diag(*pair) for pair in zip(first.reduced(), second.reduced()))
+    nodes, n = np.flatnonzero(touching), len(K)
     m = len(nodes)
-    normal, along = np.zeros((n, m)), np.zeros((n, m))
-    for k, node in enumerate(nodes):
-        for matrix, c in ((along, 0), (normal, 1)):
-            matrix[np.flatnonzero(free[0] == 2 * first.contact[node] + c), k] = 1
-            for below, of_below in zip(second.contact, W[node]):
-                matrix[n1 + np.flatnonzero(free[1] == 2 * below + c), k] = -of_below
+    along, normal = (np.hstack([first.T[2 * first.contact + c], -W @ second.T[2 * second.contact + c]])[nodes].T for c in range(2))
     # u, v, N, q
     eye, no = np.eye, np.zeros
     A = np.block([[no((n, n)), eye(n), no((n, 2 * m))], [-K, -C, normal, along],
@@ -114,15 +119,12 @@ def frequencies(first, second, W, touching):
     """In ascending order (Hz), with the number of rigid motions."""
     n = len(first.mass)
     K, M = scipy.linalg.block_diag(first.K, second.K), np.diag(np.concatenate([first.mass, second.mass]))
-    T, held = np.eye(len(K)), np.concatenate([first.held, second.held])
+    T, normal = scipy.linalg.block_diag(first.T, second.T), 2 * first.contact + 1
     if touching:
-        normal = 2 * first.contact + 1
-        T[np.ix_(normal, n + 2 * second.contact + 1)] = W
-        held[normal] = True  # follow the others
-        T[normal, normal] = 0
-    T[np.flatnonzero(np.concatenate([first.held, second.held]))] = 0
-    T = T[:, ~held]
-    squares = scipy.linalg.eigh(T.T @ K @ T, T.T @ M @ T, eigvals_only=True)
+        T[normal] = np.where(first.held[normal, None], 0, W @ T[n + 2 * second.contact + 1])
+    used = np.abs(T).sum(0) > 0
+    T, added = T[:, used], np.diag(np.concatenate([first.platen_mass, second.platen_mass])[used])
+    squares = scipy.linalg.eigh(T.T @ K @ T, T.T @ M @ T + added, eigvals_only=True)
     n_rigid = (squares < 1e-9 * np.median(squares)).sum()
     return np.sqrt(squares[n_rigid:]) / (2 * np.pi), n_rigid
 
