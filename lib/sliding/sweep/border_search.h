@@ -51,14 +51,14 @@ private:
   /** One side of a bracket. */
   struct End
   {
-    double value  = 0.; ///< of the key that changes
+    double value  = 0.; ///< value of the key that changes
     double growth = 0.; ///< 1/s
   };
 
   /** Two neighbouring points with the border between them. */
   struct Edge
   {
-    std::vector<double> values; ///< of both points, but along the axis
+    std::vector<double> values; ///< shared by both points, but along the axis
     std::size_t axis = 0;
     bool logarithmic = false;
     End stable, growing;

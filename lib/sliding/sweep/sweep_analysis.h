@@ -85,12 +85,12 @@ private:
   std::string base;                      ///< a .prm with all keys of a point
   std::vector<std::string> units;        ///< per axis, such as Pa; "-" for pure numbers
   std::unique_ptr<PointFolders> folders; ///< on rank 0
-  std::vector<SweepPoint> points;        ///< of the map, then trials of find_border()
-  std::vector<BorderPoint> border;       ///< on rank 0
-  std::unique_ptr<Analysis> first;       ///< checks and describes the first point
-  bool is_trial       = false;           ///< --try
-  std::size_t n_tasks = 0;               ///< runs of compute_missing()
-  std::size_t n_ended = 0;               ///< runs completed or failed so far
+  std::vector<SweepPoint> points;  ///< points of the map, then trials of find_border()
+  std::vector<BorderPoint> border; ///< on rank 0
+  std::unique_ptr<Analysis> first; ///< checks and describes the first point
+  bool is_trial       = false;     ///< --try
+  std::size_t n_tasks = 0;         ///< runs of compute_missing()
+  std::size_t n_ended = 0;         ///< runs completed or failed so far
 };
 } // namespace mesoslip
 

@@ -35,7 +35,7 @@ std::vector<std::string> texts_of(const std::vector<SweptKey> &keys);
 struct SweepAxis
 {
   std::string name;            ///< name of its subsection and column
-  std::vector<SweptKey> keys;  ///< what takes the values
+  std::vector<SweptKey> keys;  ///< keys that take the values
   std::vector<double> values;  ///< in the unit of the keys; empty for random points
   double from         = 0.;    ///< lower end, if no values are listed
   double to           = 0.;    ///< upper end, if no values are listed
@@ -75,10 +75,11 @@ struct SweepParameters
   unsigned int n_random     = 100;                ///< random points
   unsigned int seed         = 0;                  ///< seed of random points
   unsigned int processes    = 0;                  ///< side by side; 0: one per core
-  double border_tolerance   = 0.01;  ///< of the border of growth, relative; 0: none
-  bool complex_modes        = false; ///< whether each point has complex modes, too
-  bool skip_stable          = false; ///< whether points without growing modes are skipped
-  bool keep_results         = false; ///< whether the result files of the points are kept
+  double border_tolerance =
+    0.01;                     ///< relative error of the border of growth; 0: no border
+  bool complex_modes = false; ///< whether each point has complex modes, too
+  bool skip_stable   = false; ///< whether points without growing modes are skipped
+  bool keep_results  = false; ///< whether the result files of the points are kept
 
   /** Binds the keys; call it after all other keys are bound.
    * @throws UserError */

@@ -62,7 +62,7 @@ private:
   Digest of_point(const SweepPoint &point) const;
 
   const SweepParameters parameters;
-  Digest common; ///< of all keys that do not change, and the input files
+  Digest common; ///< digest of the other keys and of input files
 };
 
 /** "pressure = 2e6, friction = 0.3". */

@@ -4,6 +4,7 @@
 #include "base/errors.h"
 #include "base/object_exchange.h"
 #include "base/version.h"
+#include "material/plausibility.h"
 #include "parameters/keys.h"
 #include "program/run_context.h"
 #include "sliding/sweep/run_end.h"
@@ -14,21 +15,17 @@ namespace mesoslip
 {
 namespace
 {
-/** Stops a run that single precision spoils, once its largest strain is known.
- * @throws UserError */
+/** @throws UserError for a run that single precision spoils, once its strains are known */
 void require_precision(const LargestStrain &so_far,
                        const std::uint64_t n,
                        const TimeStepChoice &time)
 {
   constexpr double harmful = 1e-2; // energies are off by several percent then
-  if (2 * n < time.n_steps || !(so_far.rounding > harmful * so_far.strain))
-    return;
-  throw UserError("Time/Precision is single, but rounding takes up to " +
-                  quantity_text(so_far.rounding, "") + " of strains up to " +
-                  quantity_text(so_far.strain, "") +
-                  " by t = " + quantity_text(n * time.step.dt, "s") +
-                  ", as nodes are far from where they started; set Time/Precision = "
-                  "double");
+  if (2 * n >= time.n_steps && so_far.rounding > harmful * so_far.strain)
+    throw UserError(brief_text(
+      2, "Time/Precision is single, but rounding takes up to ", so_far.rounding,
+      " of strains up to ", so_far.strain, " by t = ", n * time.step.dt,
+      " s, as nodes are far from where they started; set Time/Precision = double"));
 }
 } // namespace
 
