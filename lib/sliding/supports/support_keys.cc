@@ -153,7 +153,7 @@ void check_support(const Keys &keys,
 SideSupport bind_support(Keys &keys,
                          const std::string &name,
                          const unsigned int dim,
-                         SupportDefaults defaults)
+                         const SupportDefaults &defaults)
 {
   const std::string outer = keys.path(""), the = text_of(name);
   const auto section = keys.section(name);

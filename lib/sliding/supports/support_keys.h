@@ -35,7 +35,7 @@ struct SupportDefaults
 SideSupport bind_support(Keys &keys,
                          const std::string &name,
                          const unsigned int dim,
-                         SupportDefaults defaults = {});
+                         const SupportDefaults &defaults = {});
 } // namespace mesoslip
 
 #endif

@@ -48,9 +48,9 @@ struct SweepResult
 class PointFolders
 {
 public:
-  /** For the map that @p keys describe; reads the input files.
+  /** For the map @p given that @p keys describe; reads the input files.
    * @throws UserError */
-  PointFolders(const SweepParameters &parameters, const Keys &keys);
+  PointFolders(const SweepParameters &given, const Keys &keys);
 
   /** The points of the map. */
   std::vector<SweepPoint> points() const;
