@@ -95,6 +95,17 @@ TEST(BorderSearch, FollowsACurveAlongBothAxes)
     }
 }
 
+TEST(BorderSearch, EndsAtABorderOfZero)
+{
+  // Without damping every friction makes a mode grow.
+  const auto growth = [](double, const double friction) {
+    return FastestGrowth(friction > 0. ? 1e4 * friction : -1e-9);
+  };
+  const auto border = border_of(map_over({1e6}, {0., 0.05}), growth, 20);
+  ASSERT_EQ(border.size(), 1u);
+  EXPECT_NEAR(border[0].values[1], 0., 0.05 * 1e-4);
+}
+
 TEST(BorderSearch, GivesUpWhereModesMayBeMissing)
 {
   const auto unknown = [](double, const double friction) {

@@ -10,7 +10,7 @@ namespace mesoslip
 {
 namespace
 {
-/** Distance of a trial from the zero of the chord, relative to the tolerance: two such
+/** Distance of a trial from the zero of the line, relative to the tolerance: two such
  * trials on both sides of the zero enclose it closely enough. */
 constexpr double beside = 0.45;
 
@@ -45,7 +45,8 @@ bool BorderSearch::Edge::is_known(const double tolerance) const
 {
   return n_trials >= most_trials ||
          std::fabs(growing.value - stable.value) <=
-           tolerance * std::max(std::fabs(growing.value), std::fabs(stable.value));
+           tolerance * std::max({std::fabs(growing.value), std::fabs(stable.value),
+                                 tolerance * distance});
 }
 
 double BorderSearch::Edge::trial(const double tolerance) const
@@ -83,7 +84,8 @@ BorderSearch::BorderSearch(const SweepParameters &parameters,
               continue;
             const bool grows = one.growth >= 0.;
             edges.push_back({points[k], a, parameters.axes[a].logarithmic,
-                             grows ? other : one, grows ? one : other});
+                             grows ? other : one, grows ? one : other,
+                             std::fabs(other.value - one.value)});
           }
       stride *= extents[a];
     }

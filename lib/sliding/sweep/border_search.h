@@ -28,7 +28,9 @@ struct BorderPoint
  * looked for have none. Interpolation between the points of the map is therefore far off.
  * Growing modes change smoothly: a trial lies just beside the zero of the straight line
  * through the last two growing points, so that two trials enclose it. Every fourth trial
- * is halfway between the ends of the bracket.
+ * is halfway between the ends of the bracket. A border at 0, as of friction without
+ * damping, cannot be known relative to its value: there the tolerance is that of a value
+ * of tolerance times the distance of the points.
  */
 class BorderSearch
 {
@@ -62,6 +64,7 @@ private:
     std::size_t axis = 0;
     bool logarithmic = false;
     End stable, growing;
+    double distance                   = 0.; ///< distance of the points of the map
     std::optional<End> growing_before = std::nullopt; ///< the end before the last one
     unsigned int n_trials             = 0;
 

@@ -221,7 +221,7 @@ void SweepAnalysis::write_results(RunContext &context) const
     }
   write_map_file(context.file("map.h5"), map);
   write_map_table(context.file("map.csv"), map);
-  if (parameters.wants_border())
+  if (border)
     write_border_table(context.file("border.csv"), map);
   nlohmann::json axes = nlohmann::json::array();
   for (std::size_t a = 0; a < parameters.axes.size(); ++a)
@@ -243,9 +243,7 @@ void SweepAnalysis::write_results(RunContext &context) const
        : "") +
     (n_of_failed > 0 ? ", " + std::to_string(n_of_failed) + " failed" : "") +
     ": map.h5, map.csv" +
-    (parameters.wants_border()
-       ? ", border.csv (" + std::to_string(border.size()) + " points)"
-       : ""));
+    (border ? ", border.csv (" + std::to_string(border->size()) + " points)" : ""));
   if (n_of_failed > 0)
     context.warn(
       std::to_string(n_of_failed) + " of " + std::to_string(points.size()) +

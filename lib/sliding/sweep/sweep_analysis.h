@@ -85,8 +85,9 @@ private:
   std::string base;                      ///< a .prm with all keys of a point
   std::vector<std::string> units;        ///< per axis, such as Pa; "-" for pure numbers
   std::unique_ptr<PointFolders> folders; ///< on rank 0
-  std::vector<SweepPoint> points;  ///< points of the map, then trials of find_border()
-  std::vector<BorderPoint> border; ///< on rank 0
+  std::vector<SweepPoint> points; ///< points of the map, then trials of find_border()
+  /** On rank 0, once it is known. */
+  std::optional<std::vector<BorderPoint>> border;
   std::unique_ptr<Analysis> first; ///< checks and describes the first point
   bool is_trial       = false;     ///< --try
   std::size_t n_tasks = 0;         ///< runs of compute_missing()

@@ -111,16 +111,16 @@ namespace
 /** Writes the group /border. */
 void write_border(Hdf5File &file, const SweepMap &map)
 {
-  const std::size_t n = map.border.size();
+  const std::size_t n = map.border->size();
   file.create_group("/border");
   std::vector<std::string> along;
-  for (const BorderPoint &point : map.border)
+  for (const BorderPoint &point : *map.border)
     along.push_back(map.parameters.axes[point.axis].name);
   file.write("/border/along", {n}, along);
   for (std::size_t a = 0; a < map.parameters.axes.size(); ++a)
     {
       std::vector<double> values;
-      for (const BorderPoint &point : map.border)
+      for (const BorderPoint &point : *map.border)
         values.push_back(point.values[a]);
       write_dataset(file, "/border/" + map.parameters.axes[a].name, {n}, values,
                     map.units[a]);
@@ -143,7 +143,7 @@ void write_border_table(const std::string &path, const SweepMap &map)
   std::vector<std::string> columns = columns_of_axes(map);
   columns.emplace_back("along");
   TableWriter table(path, columns);
-  for (const BorderPoint &point : map.border)
+  for (const BorderPoint &point : *map.border)
     {
       std::vector<std::string> row;
       for (const double value : point.values)
@@ -181,7 +181,7 @@ void write_map_file(const std::string &path, const SweepMap &map)
       file.write_attribute(name, "keys", texts_of(axis.keys));
       file.write_attribute(name, "logarithmic", axis.logarithmic ? 1 : 0);
     }
-  if (map.parameters.wants_border())
+  if (map.border)
     write_border(file, map);
   file.create_group("/numbers");
   for (const std::string &name : names_of_numbers(map))

@@ -4,6 +4,7 @@
 #include "sliding/sweep/sweep_points.h"
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,8 @@ struct SweepMap
   unsigned int dim;                  ///< dimension of the body
   std::vector<SweepPoint> points;    ///< in the order of the map
   std::vector<SweepResult> results;  ///< in the order of points
-  std::vector<BorderPoint> border;   ///< where growth of the complex modes begins
+  /** Where growth of the complex modes begins; empty if it is not known. */
+  std::optional<std::vector<BorderPoint>> border;
 };
 
 /** Names of all numbers that occur in a result. */
@@ -30,7 +32,7 @@ void write_map_file(const std::string &path, const SweepMap &map);
 /** Writes map.csv: a row for each point, empty where a number is not known. */
 void write_map_table(const std::string &path, const SweepMap &map);
 
-/** Writes border.csv: a row for each point of the border of growth. */
+/** Writes border.csv: a row for each point of the border of growth, which is known. */
 void write_border_table(const std::string &path, const SweepMap &map);
 } // namespace mesoslip
 

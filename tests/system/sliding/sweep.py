@@ -286,6 +286,9 @@ def check_skip(folder):
         assert [row["status"] for row in rows] == ["done", "skipped", "skipped"] and rows[1]["regime"] == "steady sliding, not run", rows
         assert rows[1]["complex_modes.missing_modes [-]"] == "0" and float(rows[1]["complex_modes.largest_growth_rate [1/s]"] or -1) < 0, rows[1]
         assert folder.summary(name)["points_skipped"] == 2
+    borders = [content(folder, name)["border/friction"][0] for name in ("skip", "skip2")]  # on one and two ranks
+    np.testing.assert_allclose(*borders, rtol=1e-9)
+    assert len(borders[0]) == 1 and 0.28 < borders[0][0] < 0.3, borders
     said = folder.run(0, "contact_dynamics", "skip.prm", "--output", "skip", "--set", "Sweep/Skip stable=false")
     assert "4 of 6 runs are there already" in said and "3 of 3 points are done:" in said, said
     folder.run(0, "contact_dynamics", "skip.prm", "--output", "skip")
